@@ -21,7 +21,7 @@ from rich.table import Table
 FOLDER = Path(__file__).parent
 # Order: what takes seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "pvt", "watches", "cycle", "events")  # fmt: skip
+         "servo", "serve", "pvt", "watches", "cycle", "events", "proof")  # fmt: skip
 
 
 class Bar(NamedTuple):
@@ -118,6 +118,8 @@ BARS: dict[str, Bar] = {
     "cycle_by_run_and_table": _most(1.1),
     "cycle_by_run_and_json": _most(1.1),
     "cycle_command": _most(1.1),
+    # What a proof of twice the run takes.
+    "proof_168_over_82": _most(2.2),
 }
 
 

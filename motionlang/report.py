@@ -94,25 +94,25 @@ def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
 
     With `in_full` only so many rows are whole, and those of moves of a simulated motor; the others are `_brief`.
     """
-    running = _running(run.controller)
+    running = _running(run)
     figures = _motor_figures(run.controller)
     for number, move in enumerate(run.controller.log.moves.as_kept()):
         if in_full is not None and number >= in_full and number not in figures:
             yield _brief(run, move, running)
             continue
         whole = move_of(move) if isinstance(move, tuple) else move
-        yield _move(run, whole, id(move) in running, figures.get(number))
+        yield _move(run, whole, running, figures.get(number))
 
 
-def _brief(run: Run, move: Move | PlainRow, running: set[int]) -> Row:
+def _brief(run: Run, move: Move | PlainRow, running: dict[int, float | None]) -> Row:
     """What the row of a move has that adds up with others."""
     if isinstance(move, tuple):
         axis, _, start, end, duration, recipe, _, scale, _, (_, _, command, line, _, _) = move
         distance, peak = end - start, max(map(abs, recipe[::3]))
     else:
-        profile, _ = _until_end(run, move, id(move) in running)
+        profile, _ = _until_end(run, move, running)
         axis, command, line, scale = move.axis, move.command, move.line, move.scale
-        duration, distance, peak = profile.duration, profile.end - profile.start, profile.peak_speed
+        duration, distance, peak = profile.duration, profile.end - profile.start, _peak(profile)
     scale = scale or 1.0
     return {
         "axis": axis,
@@ -128,13 +128,13 @@ def _move_lines(run: Run) -> Iterator[str]:
     """The same as lines of the document: of moves that differ in their start time alone one is written out."""
     line = _encoder()
     figures = _motor_figures(run.controller)
-    running = _running(run.controller)
+    running = _running(run)
     known: dict[object, tuple[str, str]] = {}
     for number, move in enumerate(run.controller.log.moves.as_kept()):
         if isinstance(move, tuple):
             start_time, key = move[1], _key(move)
         elif id(move) in running or move.overlaid or number in figures:
-            yield line(_move(run, move, id(move) in running, figures.get(number)))
+            yield line(_move(run, move, running, figures.get(number)))
             continue
         else:
             start_time, key = move.start_time, _long_key(move)
@@ -142,7 +142,7 @@ def _move_lines(run: Run) -> Iterator[str]:
         if around is None:
             if len(known) >= MOST_ALIKE:
                 known.clear()
-            text = line(_move(run, move_of(move) if isinstance(move, tuple) else move, False, None))
+            text = line(_move(run, move_of(move) if isinstance(move, tuple) else move, {}, None))
             before, after = text.split(f'"start_time": {start_time!r}', 1)
             around = f'{before}"start_time": ', after
             if key is not None:
@@ -168,14 +168,25 @@ def _long_key(move: Move) -> object:
     return dumps((profile, about), 2)
 
 
-def _running(controller: Controller) -> set[int]:
-    """The identities of the moves that are under way."""
-    return {id(axis.move) for axis in controller.axes.values() if axis.move is not None}
+def _running(run: Run) -> dict[int, float | None]:
+    """The moves under way by identity, and where each begins if the end of the run has changed that.
+
+    A path that is blended into the one before it begins where that ends, which is now where that has come to.
+    """
+    found: dict[int, float | None] = {}
+    for axis in run.controller.axes.values():
+        begin: float | None = None
+        for move in axis.entries:
+            assert move.profile is not None
+            found[id(move)] = begin
+            by = 0.0 if begin is None else begin - move.profile.start
+            begin = move.profile.position(run.time - move.start_time) + by
+    return found
 
 
-def _move(run: Run, move: Move, is_running: bool, motor: MotorFigures | None) -> Row:
+def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
     start, scale, zero = move.start_time, move.scale or 1.0, move.zero
-    profile, ended = _until_end(run, move, is_running)
+    profile, ended = _until_end(run, move, running)
     size = abs(scale)
     row: Row = {
         "axis": move.axis,
@@ -187,7 +198,7 @@ def _move(run: Run, move: Move, is_running: bool, motor: MotorFigures | None) ->
         "start": (profile.start - zero) / scale,
         "end": (profile.end - zero) / scale,
         "distance": (profile.end - profile.start) / scale,
-        "peak_speed": profile.peak_speed / size,
+        "peak_speed": _peak(profile) / size,
         **({} if move.asked is None else {"asked_speed": move.asked / size}),
         "phases": [
             {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
@@ -206,13 +217,23 @@ def _move(run: Run, move: Move, is_running: bool, motor: MotorFigures | None) ->
     return row
 
 
-def _until_end(run: Run, move: Move, is_running: bool) -> tuple[Profile, str]:
+def _peak(profile: Profile) -> float:
+    """The highest speed, counts/s; what has taken no time has had none, at whatever speed it was to begin."""
+    return profile.peak_speed if profile.duration else 0.0
+
+
+def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[Profile, str]:
     """The profile of a move up to the end of the run, and what cut it short."""
     profile = move.profile
     assert profile is not None
-    if is_running or (move.overlaid and move.start_time + profile.duration > run.time):
-        return profile.cut(run.time - move.start_time), END_OF_RUN
-    return profile, move.ended
+    begin, is_running = running.get(id(move)), id(move) in running
+    is_late = move.start_time + profile.duration > run.time
+    if is_running:
+        is_late |= move is run.controller.axes[move.axis].move
+    ended = move.ended
+    if is_late and (is_running or move.overlaid):
+        profile, ended = profile.cut(run.time - move.start_time), END_OF_RUN
+    return profile if begin is None else profile.scaled(begin, 1.0), ended
 
 
 def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:

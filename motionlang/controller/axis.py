@@ -237,6 +237,14 @@ class Axis:
         self._move = move
 
     @property
+    def entries(self) -> tuple[Move, ...]:
+        """The entries of the log that may still change, the oldest first: several while paths are blended."""
+        move = self.move
+        if move is None or move.action is None:
+            return () if move is None else (move,)
+        return move.action.entries(self, move)
+
+    @property
     def arrival(self) -> Event | None:
         """The event of its end."""
         if self.under_way:

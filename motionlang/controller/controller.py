@@ -158,14 +158,14 @@ class Controller(AxisVerbs):
         from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
-        return run.speed if run is not None else 0.0
+        return run.present.speed if run is not None else 0.0
 
     def path_remaining(self, axis: int) -> float:
         """The distance along the path that the axis is on still to go, user units."""
         from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
-        return run.remaining if run is not None else 0.0
+        return run.present.remaining if run is not None else 0.0
 
     # ------------------------------------------------------------------------------------------------ references
 

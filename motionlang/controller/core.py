@@ -222,7 +222,7 @@ class Core(Readings):
         else:
             self.clock.again(a.bell, end)
         if self.orders is not None:
-            self.orders.add_plain(a, line, speed, (accel, decel))
+            self.orders.add_plain(a, line)
         log.moves.append(row)  # type: ignore[arg-type]
         log.room -= 1
         if log.room < 0:
@@ -333,13 +333,12 @@ class Core(Readings):
 
     def continue_with(self, a: Axis, profile: Profile, ended: str) -> None:
         """Replace what is left of the present move by `profile`."""
-        self.amend_log(a, profile, ended)
+        assert a.move is not None
+        self.amend_log(a.move, profile, ended)
         self.append_profile(a, profile)
 
-    def amend_log(self, a: Axis, profile: Profile, ended: str) -> None:
-        """The same in the log only."""
-        move = a.move
-        assert move is not None
+    def amend_log(self, move: Move, profile: Profile, ended: str) -> None:
+        """Replace what is left of a move by `profile` in the log only."""
         assert move.profile is not None
         now = self.clock.now
         done = move.profile.cut(now - move.start_time)

@@ -138,6 +138,10 @@ class Action:
         """Go on after `suspend`."""
         self.replan(controller, a)
 
+    def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
+        """The entries of the axis in the log that may still change, the oldest first; `move` is the present one."""
+        return (move,)
+
     def together_with(self, a: Axis) -> tuple[Axis, ...]:
         """The axes that move by it, and are suspended with `a`."""
         return (a,)

@@ -316,8 +316,8 @@ class Profile:
         else:
             made = Profile(self.shape, start, end, self.duration, (recipe[0] * factor, recipe[-1] * factor))
         knots, pieces, marks = self.curve
-        offset = start - self.start * factor
-        made._curve = (knots, tuple(transformed(piece, factor, offset) for piece in pieces), marks)
+        moved = tuple(transformed(piece, factor, self.start, start) for piece in pieces)
+        made._curve = (knots, moved, marks)
         return made
 
     # -- inside

@@ -75,11 +75,11 @@ def recentred(piece: Piece, x: float) -> Piece:
     return (p, v, 3.0 * c3 * x + c2, c3, amplitude, omega, phase + omega * x)
 
 
-def transformed(piece: Piece, factor: float, offset: float) -> Piece:
-    """Position times factor plus offset."""
+def transformed(piece: Piece, factor: float, before: float, after: float) -> Piece:
+    """Distances from the position `before` times factor, counted from `after`: that position itself is exact."""
     c0, c1, c2, c3, amplitude, omega, phase = piece
     return (
-        c0 * factor + offset,
+        (c0 - before) * factor + after,
         c1 * factor,
         c2 * factor,
         c3 * factor,

@@ -342,6 +342,8 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
     "motion.contourmode": {"mint": "contourmode"},
     "motion.contour-look-ahead": {"mint": "contourmode"},
     "motion.blendmode": {"mint": "blendmode"},
+    "motion.blend-limit": {"mint": "blendmode blenddistance blend"},
+    "motion.blend-cut-short": {"mint": "blendmode blenddistance blend"},
     "motion.follow": {"mint": "follow fl"},
     "motion.suspend-on-slave": {"mint": "suspend follow fl"},
     "motion.fly": {"mint": "fly"},

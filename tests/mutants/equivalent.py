@@ -27,7 +27,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/record/judge_views.py: 40 -> 41": (
         "how many rows are looked at, of as many as there are"
     ),
-    "motionlang/controller/record/orders.py: _path: 0.0 -> 1.0 #3": (
+    "motionlang/controller/record/orders.py: _path: 0.0 -> 1.0 #2": (
         "nothing asks a straight path for its angle"
     ),
     "motionlang/controller/record/proof.py: _bend: speed < SLACK -> speed <= SLACK": (

@@ -10,6 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
+    from motionlang.controller.move import Move
 
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
@@ -17,15 +18,16 @@ _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
 
 def changed(controller: Core, a: Axis, name: str) -> None:
     """One of `LIVE` was set while a move is in progress; an axis that is suspended hears of it later."""
-    move = a.move
-    assert move is not None
+    entries = a.entries
     if name == "feedrate_mode":
-        move.overridden = a.feedrate_mode > 1
-    if a.suspended or not _concerns(a, name):
+        for move in entries:
+            move.overridden = a.feedrate_mode > 1
+    concerned = [move for move in entries if _concerns(move, name)]
+    if a.suspended or not concerned:
         return
     if name in _SPEEDS:
         controller.replan_move(a)
-    elif move.speed is None or name in _LIMITS:
+    elif name in _LIMITS or any(move.speed is None for move in concerned):
         _new_rates(controller, a)
 
 
@@ -38,13 +40,11 @@ def unchanged(a: Axis, name: str, value: object) -> bool:
         return False
     if name in ("accel", "decel"):
         return getattr(a, f"{name}_time") is None
-    return name != "feedrate_mode" or (a.move is not None and a.move.overridden is (a.feedrate_mode > 1))
+    return name != "feedrate_mode" or all(move.overridden is (a.feedrate_mode > 1) for move in a.entries)
 
 
-def _concerns(a: Axis, name: str) -> bool:
-    """Whether the move in progress goes by the setting."""
-    move = a.move
-    assert move is not None
+def _concerns(move: Move, name: str) -> bool:
+    """Whether a move in progress goes by the setting."""
     if move.action is not None and not move.action.live:
         return name in move.action.live_limits
     if name == "speed":

@@ -33,15 +33,12 @@ class Played(Action):
     velocity at which a stepper starts and stops at once, 0.0 where there is no such step.
     """
 
-    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path", "ordered", "step")
+    __slots__ = ("_is_paced", "on_path", "ordered", "step")
 
     def __init__(self, on_path: bool = False, step: float = 0.0) -> None:
         self.on_path, self.step = on_path, step
-        # The profile from where it was first slowed down, its time over the machine's, and what was made of both.
-        self._path: Profile | None = None
-        self._pace: Profile | None = None
-        self._shown: Profile | None = None
-        self._began = 0.0
+        # Whether the profile of the axis is one that is travelled at a pace, both of which it knows.
+        self._is_paced = False
         self.ordered: Timed | None = None
 
     def suspend(self, controller: Core, a: Axis) -> bool:
@@ -88,23 +85,51 @@ class Played(Action):
 
     def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
         """The profile, how far its time has come, and how fast that runs."""
-        now, last = controller.clock.now, a.profiles[-1]
-        if self._path is not None and self._pace is not None and self._shown is last:
-            return self._path, self._pace.position(now - self._began), self._pace.velocity(now - self._began)
+        elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
+        if self._is_paced and isinstance(last, Composed):
+            return last.path, last.along.position(elapsed), last.along.velocity(elapsed)
         if not last.pieced:
             raise Refusal("moving", f"axis {a.index} follows a profile that cannot be suspended")
-        return last.after(now - a.starts[-1]), 0.0, 1.0
+        return last.after(elapsed), 0.0, 1.0
+
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        """The same points have positions `shift` counts higher, and those that are past count no more."""
+        last, elapsed = a.profiles[-1], controller.clock.now - a.starts[-1]
+        if not self._is_paced and elapsed < last.duration:
+            self._count_from_here(controller, a, last, elapsed)
+        if self.ordered is not None:
+            points, velocities, times = self.ordered
+            self.ordered = [point + shift for point in points], velocities, times
 
     # -- inside
 
     def _segment_in_time(self, controller: Core, a: Axis, path: Profile, place: float) -> Profile:
         """The rest of the segment that holds `place` as one cubic of `suspend_time`, then the path as it was."""
         state = a.at(controller.clock.now)
+        self._count_from_here(controller, a, path, place, a.suspend_time)
         end = path.knots[bisect_right(path.knots, place)]
         goal = path.at(end)
         first = pvt_segment(state.position, state.velocity, goal.position, goal.velocity, a.suspend_time)
-        self._path = None
+        self._is_paced = False
         return relabelled(first, path.shape, "segment").then(path.after(end))
+
+    def _count_from_here(
+        self, controller: Core, a: Axis, path: Profile, place: float, time: float = 0.0
+    ) -> None:
+        """From now on its points are where the axis is, and those of the path after `place`, the next one in `time`.
+
+        Without a time that is the one at which the path has it.
+        """
+        if self.ordered is None:
+            return
+        points, velocities, times = self.ordered
+        state, following = a.at(controller.clock.now), bisect_right(path.knots, place)
+        left = len(path.knots) - following
+        self.ordered = (
+            [state.position, *points[-left:]],
+            [state.velocity, *velocities[-left:]],
+            [time or path.knots[following] - place, *times[len(times) - left + 1 :]],
+        )
 
     def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
         """The profile, with what goes on behind it, and its time coming to rest, or to the end where nothing does."""
@@ -140,9 +165,8 @@ class Played(Action):
         controller.continue_with(a, self._made(controller, path, pace, shape), ended)
 
     def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
-        self._path, self._pace, self._began = path, pace, controller.clock.now
-        self._shown = Composed(pace, path, shape)
-        return self._shown
+        self._is_paced = True
+        return Composed(pace, path, shape)
 
 
 def _to_the_end(path: Profile, pace: Profile) -> Profile:

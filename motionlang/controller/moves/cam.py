@@ -211,7 +211,7 @@ class Fly(Action):
         entry.id = move.id
         curve = _segment(here, self.distance, abs(self.over), ratio)
         tie = Shear(controller, a, self.master, entry, curve, 1 if self.over > 0.0 else -1)
-        tie.ordered = (0.0, abs(self.over)), (0.0, self.distance), "even"
+        tie.ordered = (0.0, self.over), (0.0, self.distance), "even"
         return tie
 
 

@@ -28,10 +28,11 @@ class PathMove(Action):
     """One path: its `moves`, one an axis, and its geometry; `run` once it is under way.
 
     The geometry of a `relative` one counts from where its axes are when it begins. A path with a `guide` goes by what
-    that says, and not by the settings of its axes.
+    that says, and not by the settings of its axes. `scales` are the counts per user unit of each axis as it was loaded.
+    `displaced` is how far it lies from its geometry, on each axis, since a path that it is blended with was cut short.
     """
 
-    __slots__ = ("axes", "geometry", "guide", "moves", "relative", "run")
+    __slots__ = ("axes", "displaced", "geometry", "guide", "moves", "relative", "run", "scales")
 
     def __init__(
         self,
@@ -43,16 +44,13 @@ class PathMove(Action):
     ) -> None:
         self.axes, self.moves, self.geometry, self.relative = tuple(axes), tuple(moves), geometry, relative
         self.guide = guide
+        self.scales = [a.scale.counts for a in axes] if guide is None else guide.scales
         self.run: PathRun | None = None
+        self.displaced: Sequence[float] = ()
 
     @property
     def live(self) -> bool:
         return self.guide is None
-
-    @property
-    def scales(self) -> list[float]:
-        """Counts per user unit of each axis."""
-        return [a.scale.counts for a in self.axes] if self.guide is None else self.guide.scales
 
     @property
     def may_join(self) -> bool:
@@ -61,7 +59,7 @@ class PathMove(Action):
 
     def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
         """Whether it goes on into the next path without coming to rest, both laid out."""
-        if not its.length:
+        if not its.length or self.scales != following.scales:
             return False
         if self.guide is None or following.guide is None:
             return self.guide is following.guide and corner(own, its) <= self.axes[0].contour_angle
@@ -84,7 +82,7 @@ class PathMove(Action):
                 f"axis {master.index} cannot move: its speed is {speed:g}",
                 "a move needs a speed above zero, else it would start and never end",
             )
-        k = abs(master.scale.counts)
+        k = abs(self.scales[0])
         accel, decel = controller.rates(master, speed)
         if move.rates is not None:
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
@@ -145,11 +143,18 @@ class PathMove(Action):
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
                 buffer.reach(controller, other, each)
-        run = PathRun(controller, self, [each.target for each in self.axes])
-        run.plan()
-        run.start()
+        PathRun(controller, self, [each.target for each in self.axes]).start()
 
     # -- under way
+
+    def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
+        return (move,) if self.run is None else self.run.entries(a)
+
+    def displace(self, controller: Core, by: Sequence[float]) -> None:
+        """The path lies elsewhere than it was ordered to, as the one that it is blended with was cut short."""
+        self.displaced = by
+        if controller.orders is not None:
+            controller.orders.displace(self)
 
     def replan(self, controller: Core, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):

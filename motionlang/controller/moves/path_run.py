@@ -1,23 +1,26 @@
-"""Running along paths: one speed for several axes, and one run through paths that join smoothly.
+"""Running along paths: the motion of several axes along one path after the other, joined or blended.
 
-The run knows the path it is on and those ahead that it may enter without coming to rest. It plans the speed over all
-of them, hands each axis its curve travelled at that speed, and has one event, for the end of the path it is on.
+A run has a list of courses, the oldest first. Each is a path (and those ahead that are run through with it) with a plan
+of its own. There is one course, or two while a path is blended into the next one: an axis then does the sum of both.
+Whatever changes the motion changes all courses, in `_change`; each has its own entries in the log, which say how it
+ended. A blended course begins where the one before it ends. When a stop cuts the first one short, the second one is
+therefore moved back by what is missing (`_join`), and the end of the last entry is where the axis is.
+
+There is one event for the next end of a course, and one for the next blend.
 """
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves.buffer import motions, reach
-from motionlang.controller.moves.geometry import corner
+from motionlang.controller.moves.course import SLACK, Course
 from motionlang.controller.triggers.conditions import release
-from motionlang.profile import Profile, hold
-from motionlang.profile.composed import travelled
-from motionlang.profile.halted import halted
-from motionlang.profile.lookahead import plan_course
-from motionlang.profile.relief import onset, stop_under_way
+from motionlang.controller.triggers.events import clamped_blend
+from motionlang.profile import hold
 from motionlang.profile.summed import added
-from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,126 +29,111 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Event
     from motionlang.controller.core import Core
-    from motionlang.controller.moves.geometry import Segment
+    from motionlang.controller.move import Move
     from motionlang.controller.moves.path import PathMove
-    from motionlang.profile.lookahead import Pace
+    from motionlang.profile import Profile
 
-# What a path may overshoot its end by, as a part of its length, before it counts as overshooting.
-_SLACK = 1e-9
+    # A course, the profile that it goes by from now on, and the path at whose end that comes to rest, if any.
+    Plan = tuple[Course, Profile, PathMove | None]
+
+# The largest share of a path that is blended into the next one. The rest is left for the path before it.
+MAX_SHARE = 0.5
 
 
 class PathRun:
-    """A run along `here`, a path laid out as `segment`, and the paths `ahead`.
-
-    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are those of
-    the paths ahead. It was planned to the end of the path `goal` (None: to rest wherever that is); times and distances
-    are rounded on the way there, and tell neither which path has ended nor whether it was the last one. `tails` is what
-    the axes still have to do of a path that this one was blended into.
-    """
+    """A run of `axes` along paths, from rest to rest; `ended` says what has cut it short, `hard` how."""
 
     __slots__ = (
+        "_asked",
         "_blend_event",
         "_controller",
         "_event",
+        "_is_late",
         "_over",
-        "ahead",
+        "_wanted",
         "axes",
-        "began",
+        "courses",
         "ended",
-        "goal",
         "hard",
-        "here",
-        "profile",
-        "segment",
-        "tail_began",
-        "tails",
     )
 
-    def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
-        self._controller, self.here, self.axes = controller, here, here.axes
-        self.segment = here.lay(starts)
-        self.ahead: list[tuple[PathMove, Segment]] = []
-        self.profile: Profile = hold(0.0)
-        self.goal: PathMove | None = here
-        self.began = 0.0
+    def __init__(self, controller: Core, first: PathMove, starts: Sequence[float]) -> None:
+        self._controller, self.axes = controller, first.axes
+        self.courses = [Course(controller, first, starts)]
         self.ended = ""
         self.hard = False
+        self._over = False
         self._event: Event | None = None
         self._blend_event: Event | None = None
-        self._over = False
-        self.tails: list[Profile] = []
-        self.tail_began = 0.0
+        # The distance that was left of the path when `blend` was given, while that has to wait. Of the next blend:
+        # whether it comes later than at its distance, and that distance, where the path does not allow as much.
+        self._wanted: float | None = None
+        self._is_late = False
+        self._asked: float | None = None
 
     # -------------------------------------------------------------------------------------------- from outside
 
-    def plan(self) -> None:
-        """Make ready to begin, at rest on the path."""
-        if self.here.guide is not None:
-            self.here.guide.starts()
-        try:
-            self._look_ahead()
-            self._adopt(0.0)
-        except Refusal as refusal:
-            refusal.line = self.here.moves[0].line
-            raise
-
     def start(self) -> None:
         """Begin."""
-        self._enter()
+        course = self.courses[0]
+        _prepare(course)
+        self._enter(course)
 
     def replan(self) -> None:
         """Go on with the settings as they are now; a change that would overshoot comes too late."""
         if self._over or self.ended:
             return
-        planned = self._planned(self._elapsed())
-        if planned is not None:
-            self._change(*planned)
+        plans = [(course, course.planned(course.elapsed)) for course in self._live]
+        self._change([(course, *planned) for course, planned in plans if planned is not None])
 
     def more(self) -> None:
         """Something further was released: it may prolong the run, or be blended into."""
-        if self._over or self.ended or self._suspended():
+        newest = self.courses[-1]
+        if self._over or self.ended or newest.is_over or newest.is_suspended:
             return
-        known = len(self.ahead)
-        self._look_ahead()
-        if len(self.ahead) > known:
+        known = len(newest.ahead)
+        newest.look_ahead()
+        if len(newest.ahead) > known:
             self.replan()
         self._plan_blend()
 
     def stop(self, a: Axis, ended: str, hard: bool) -> None:
-        """Come to rest on the path; the buffer of `a` is emptied.
+        """Come to rest on the paths; the buffer of `a` is emptied.
 
         Whichever axis is stopped, the rates are the first one's: DECEL as the path has it, ERRORDECEL for a hard stop.
         """
-        controller = self._controller
         for each in self.axes:
             release(each)
-        controller.empty(a, ended)
-        if self.here.guide is not None:
-            self.here.guide.stops()
+        self._controller.empty(a, ended)
+        for course in self._live:
+            course.is_stopping = True
+            if course.here.guide is not None:
+                course.here.guide.stops()
         if self.ended and not (hard and (ended == "fault" or not self.hard)):
             return
         decel = None
         if hard:
-            decel = self.axes[0].error_decel / abs(self.axes[0].scale.counts)
+            decel = self.axes[0].error_decel / abs(self.courses[-1].here.scales[0])
         self.ended, self.hard = ended, hard
         self._cancel_blend()
-        profile = self._braking(self._elapsed(), decel)
-        if profile is None:
-            rest = self.profile.after(self._elapsed())
-            # What was to stand at the end until it is resumed ends there.
-            self._change(rest if rest.duration < INFINITY else rest.cut(rest.knots[-2]), self.goal)
-        else:
-            self._change(profile, None)
+        plans: list[Plan] = []
+        for course in self._live:
+            profile = course.stopped(decel)
+            if profile is not None:
+                plans.append((course, profile, None))
+            else:
+                for move in course.here.moves:
+                    move.ended = ended
+        self._change(plans)
         self._aim()
 
     def suspend(self) -> None:
-        """Come to rest on the path, and keep it."""
+        """Come to rest on the paths, and keep them."""
         if self.ended:
             return
         self._cancel_blend()
-        profile = self._braking(self._elapsed())
-        if profile is not None:
-            self._change(halted(profile, "suspend"), None)
+        plans = [(course, course.standing(course.elapsed)) for course in self._live]
+        self._change([(course, profile, None) for course, profile in plans if profile is not None])
 
     def resume(self) -> None:
         """Go on."""
@@ -158,7 +146,12 @@ class PathRun:
             return
         self._over = True
         self._cancel()
-        self._left(False)
+        for course in self._live:
+            course.leave(False)
+            course.cut_log()
+            for move in course.here.moves:
+                move.ended = ended
+        self._join()
         for a in self.axes:
             if a is not leaving:
                 self._controller.freeze(a, ended)
@@ -166,282 +159,173 @@ class PathRun:
     def shift(self, a: Axis, by: float) -> None:
         """An axis counts from another zero, `by` counts higher: the paths stay where they are."""
         k = self.axes.index(a)
-        for segment in (self.segment, *(each for _, each in self.ahead)):
-            segment.shift(k, by)
+        for course in self.courses:
+            course.shift(k, by)
         for move in motions(a):
             move.action.geometry.shift(k, by)  # type: ignore[union-attr]
             move.target += by
 
     def blend(self) -> None:
-        """Begin the next path now, on top of what remains of this one."""
-        following = self._following()
-        if self._over or self.ended or following is None or self._suspended():
+        """Begin the next path now, on top of what remains of this one; no more than two paths overlap.
+
+        While the path before this one is still blended with it, the next one begins as soon as that has ended.
+        """
+        newest = self.courses[-1]
+        if self._over or self.ended or newest.is_over or newest.is_suspended or newest.following() is None:
             return
-        controller, now = self._controller, self._controller.clock.now
-        successor = PathRun(controller, following, self.segment.ends)
-        successor.plan()
-        self._cancel()
-        self._over = True
-        for a, move, end in zip(self.axes, following.moves, self.segment.ends, strict=True):
-            rest = a.profiles[-1].after(now - a.starts[-1])
-            successor.tails.append(rest.shifted(-end))
-            a.move = None
-            reach(controller, a, move)
-        successor.tail_began = now
-        successor.start()
+        if newest.ahead:
+            raise Refusal(
+                "contour-and-blend",
+                f"axis {self.axes[0].index} runs through the end of this path",
+                "set CONTOURMODE to 0 for paths that are to be blended",
+            )
+        if len(self.courses) > 1:
+            self._wanted = newest.remaining
+            self._plan_blend()
+        else:
+            self._blend()
+
+    def entries(self, a: Axis) -> tuple[Move, ...]:
+        """The entries of an axis in the log that may still change, the oldest first."""
+        k = self.axes.index(a)
+        return tuple(path.moves[k] for course in self.courses for path in course.entered)
 
     @property
-    def speed(self) -> float:
-        """The speed along the path now, user units/s."""
-        return self.profile.velocity(self._elapsed())
-
-    @property
-    def remaining(self) -> float:
-        """The distance along the present path still to go, user units."""
-        return max(0.0, self.segment.length - self.profile.position(self._elapsed()))
-
-    # ------------------------------------------------------------------------------------------------ planning
-
-    def _elapsed(self) -> float:
-        """The time since the present profile began."""
-        return self._controller.clock.now - self.began
-
-    def _suspended(self) -> bool:
-        return any(a.suspended for a in self.axes)
-
-    def _look_ahead(self) -> None:
-        """Lay out the paths of the buffers that can be entered without coming to rest."""
-        if not self.here.may_join or self.ended:
-            return
-        before = self.ahead[-1] if self.ahead else (self.here, self.segment)
-        entries = motions(self.axes[0])
-        while len(entries) > len(self.ahead):
-            action = entries[len(self.ahead)].action
-            if not _continues(action, self.axes, len(self.ahead)):
-                return
-            segment = action.lay(before[1].ends)  # type: ignore[union-attr]
-            if not before[0].joins(before[1], action, segment):  # type: ignore[arg-type]
-                return
-            before = (action, segment)  # type: ignore[assignment]
-            self.ahead.append(before)
+    def present(self) -> Course:
+        """The course that began last, of those that are not over."""
+        live = self._live
+        return live[-1] if live else self.courses[-1]
 
     @property
     def stops_at_corner(self) -> bool:
         """Whether it comes to rest at the end of this path only because of the angle to the next."""
-        following, master = self._following(), self.axes[0]
-        if following is None or not master.contour_mode or self.ended or self.ahead:
-            return False
-        segment = following.lay(self.segment.ends)
-        return bool(segment.length) and corner(self.segment, segment) > master.contour_angle
-
-    def _adopt(self, time: float) -> None:
-        """Plan afresh from what the present profile does at `time`; without room for that it goes on as it is."""
-        rest = self.profile.after(time)
-        self.profile = rest.shifted(-rest.start)
-        planned = self._planned(0.0)
-        if planned is not None:
-            self.profile, self.goal = planned
-
-    def _planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
-        """From what the present profile does at `time` to rest at the end of the paths, and the last of them.
-
-        None where there is no room left to come to rest there. What is coming to rest already, with an acceleration
-        that can only be taken back at rest, goes on from there.
-        """
-        pace = self.here.pace(self._controller, self.segment)
-        if self._suspended() or not pace.speed:
-            stop = self._braking(time)
-            return None if stop is None else (halted(stop, "suspend"), None)
-        if not self.segment.length:
-            return hold(0.0).cut(0.0), self.here
-        stretches, goal = self._stretches(pace)
-        eased, place, speed, bent = onset(self.profile, time, pace.shape, pace.accel_jerk)
-        try:
-            profile = plan_course(stretches, place, max(speed, 0.0), bent)
-        except ValueError as problem:
-            raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
-        if profile is None:
-            return self._from_rest(time, stretches, goal)
-        return profile if eased is None else eased.then(profile), goal
-
-    def _from_rest(
-        self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
-    ) -> tuple[Profile, PathMove | None] | None:
-        """The same after the rest that a stop leads to within the paths; None where none does."""
-        still = self.profile.velocity_crossing(0.0, time)
-        if self.goal is not None or still is None or still == INFINITY:
-            return None
-        profile = plan_course(stretches, self.profile.position(still), 0.0)
-        return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
-
-    def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
-        """Length and pace of what is run as one, up to a path that may not move now; and the last path of it."""
-        stretches, goal = [(self.segment.length, pace)], self.here
-        for action, segment in self.ahead:
-            following = action.pace(self._controller, segment)
-            if not following.speed:
-                break
-            length, before = stretches[-1]
-            if before.key() == following.key():
-                stretches[-1] = (length + segment.length, before)
-            else:
-                stretches.append((segment.length, following))
-            goal = action
-        return stretches, goal
-
-    def _braking(self, time: float, decel: float | None = None, first: int = 0) -> Profile | None:
-        """To rest from what the present profile does at `time`, at `decel` or as hard as the paths it takes allow.
-
-        The profile is on path number `first` then. A stop that would come into a path ahead faster than that allows
-        begins there, since the present plan brakes harder before it. None where the paths end before, which the run
-        brakes for by itself.
-        """
-        if self.profile.velocity(time) <= 0.0:
-            return hold(self.profile.position(time)).cut(0.0)
-        paths = [(self.here, self.segment), *self.ahead]
-        room, most = total(segment.length for _, segment in paths[:first]), INFINITY
-        for k, (action, segment) in enumerate(paths[first:], first):
-            pace = action.pace(self._controller, segment)
-            place, room, most = room, room + segment.length, min(most, pace.decel)
-            rates = decel or most, pace.ramp, pace.accel_jerk, pace.decel_jerk
-            try:
-                stop = stop_under_way(self.profile, time, pace.shape, *rates)
-            except ValueError as problem:
-                raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
-            if k > first and _speed_at(stop, place) > pace.speed * (1.0 + _SLACK):
-                due = self.profile.crossing(place, time)
-                if due is not None and _speed_at(stop, place) > self.profile.velocity(due) * (1.0 + _SLACK):
-                    later = self._braking(due, decel, k)
-                    return None if later is None else self.profile.cut(due).after(time).then(later)
-            if stop.extrema()[1] <= room:
-                return stop
-        return None
+        return not self.ended and self.present.stops_at_corner
 
     # ----------------------------------------------------------------------------------------------- following
 
-    def _enter(self) -> None:
-        """Let every axis follow its curve of the path just reached."""
+    @property
+    def _live(self) -> list[Course]:
+        return [course for course in self.courses if not course.is_over]
+
+    def _enter(self, course: Course) -> None:
+        """Let every axis follow its curve of the path that a course has just reached."""
         controller = self._controller
-        self.here.run = self
-        self.began = controller.clock.now
-        if self.here.guide is not None:
-            self.here.guide.begins()
-        part = self._part()
+        course.here.run = self
+        if course.here.guide is not None:
+            course.here.guide.begins()
+        course.follow(course.profile, course.goal)
         with controller.together():
-            for k, (a, move) in enumerate(zip(self.axes, self.here.moves, strict=True)):
-                move.target = self.segment.ends[k]
+            for k, (a, move) in enumerate(zip(self.axes, course.here.moves, strict=True)):
+                move.target = course.ends[k]
                 move.ended = self.ended
-                controller.log_move(a, move, self._of(k, part))
-                controller.extend_track(a, self._total(k, part))
-            self._await(part)
+                controller.log_move(a, move, course.of(k))
+                controller.extend_track(a, self._total(k))
+            self._await()
         if self.ended:
             self._aim()
 
-    def _aim(self) -> None:
-        """What stops on a guided path is on its way to where it will rest: what is described next counts from there."""
-        if self.here.guide is None or self._over:
+    def _change(self, plans: Sequence[Plan]) -> None:
+        """Have courses follow other profiles from now on."""
+        if not plans:
             return
-        place = self.profile.end
-        for segment in (self.segment, *(each for _, each in self.ahead)):
-            if place <= segment.length * (1.0 + _SLACK):
-                break
-            place -= segment.length
-        for a, curve in zip(self.axes, segment.curves, strict=True):
-            a.target = curve.position(min(place, segment.length))
-
-    def _change(self, profile: Profile, goal: PathMove | None) -> None:
-        """Follow another profile along the path from now on."""
         controller = self._controller
-        self.profile, self.goal, self.began = profile, goal, controller.clock.now
-        part = self._part()
+        for course, profile, goal in plans:
+            course.follow(profile, goal)
+            course.cut_log()
+        self._join([course for course, _, _ in plans])
         with controller.together():
             for k, a in enumerate(self.axes):
-                controller.amend_log(a, self._of(k, part), self.ended)
-                controller.extend_track(a, self._total(k, part))
-            self._await(part)
+                controller.extend_track(a, self._total(k))
+            self._await()
 
-    def _leads_on(self) -> bool:
-        """Whether the profile goes beyond the end of this path."""
-        if self.goal is not None:
-            return self.here is not self.goal
-        return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + _SLACK)
+    def _join(self, changed: Sequence[Course] = ()) -> None:
+        """Have each course begin where the one before it ends, and the log say how those that have changed go on."""
+        before: Course | None = None
+        for course in self.courses:
+            if before is not None:
+                course.begin_at([move.profile.end for move in before.here.moves if move.profile is not None])
+            if course in changed:
+                for k, move in enumerate(course.here.moves):
+                    self._controller.amend_log(move, course.of(k), self.ended)
+            before = course
 
-    def _part(self) -> Profile:
-        """The profile up to the end of this path."""
-        if not self._leads_on():
-            return self.profile
-        time = self.profile.crossing(self.segment.length)
-        return self.profile if time is None else self.profile.cut(time)
+    def _aim(self) -> None:
+        """What stops is on its way to where it will rest: what is described next counts from there."""
+        if self._over:
+            return
+        for a, place in zip(self.axes, self.courses[-1].places_at_rest(), strict=True):
+            a.target = place
 
-    def _of(self, k: int, part: Profile) -> Profile:
-        """The motion of axis number k on its curve."""
-        if not self.segment.length:
-            return hold(self.segment.ends[k]).cut(0.0)
-        made = travelled(part, self.segment.curves[k])
-        if self.segment.starts is not None and part.start == 0.0:
-            made.start = self.segment.starts[k]
-        arrives = self.goal is not None or part.end >= self.segment.length * (1.0 - 1e-12)
-        if arrives and part.duration < INFINITY:
-            made.end = self.segment.ends[k]
+    def _total(self, k: int) -> Profile:
+        """What axis number k does from now on: the newest course, and what the one before it still has to do."""
+        now = self._controller.clock.now
+        newest = self.courses[-1]
+        made = newest.of(k).after(now - newest.began)
+        for course, following in pairwise(self.courses):
+            rest = course.of(k).after(now - course.began)
+            tail = rest.shifted(-following.begins[k])
+            both = added(made, tail, "blend")
+            if not made.end_velocity:
+                both.end = made.end  # the tail comes to nothing
+            made = both
         return made
 
-    def _total(self, k: int, part: Profile) -> Profile:
-        """The same with what the axis still has to do of the path before."""
-        made, elapsed = self._of(k, part), self._controller.clock.now - self.tail_began
-        if not self.tails or elapsed >= self.tails[k].duration:
-            return made
-        both = added(made, self.tails[k].after(elapsed), "blend")
-        if not made.end_velocity:
-            both.end = made.end
-        return both
-
-    def _await(self, part: Profile) -> None:
+    def _await(self) -> None:
+        """Set the events of the next end of a course and of the next blend."""
         if self._event is not None:
             self._event.cancel()
-        end = self.began + part.duration
-        if self.tails and not self.ahead:
-            end = max(end, self.tail_began + max(tail.duration for tail in self.tails))
-        self._event = self._controller.clock.at(end, self._reached) if end < INFINITY else None
+        due = min(course.due for course in self._live)
+        self._event = self._controller.clock.at(due, self._reached) if due < INFINITY else None
         self._plan_blend()
 
     def _reached(self) -> None:
-        """The end of this path, or of the run."""
+        """A course has come to the end of its path.
+
+        If the later one of two is over first, the move in progress is the earlier one's again.
+        """
         self._event = None
-        if self._leads_on():
-            self._go_on(self.profile.after(self._elapsed()))
-        else:
+        now, newest = self._controller.clock.now, self.courses[-1]
+        due = [course for course in self._live if course.due <= now]
+        onward = newest in due and newest.leads_on
+        for course in due[: len(due) - onward]:
+            course.is_over = True
+            course.leave(course.profile.end >= course.segment.length * (1.0 - SLACK))
+        while len(self.courses) > 1 and self.courses[0].is_over:
+            del self.courses[0]
+            del self.courses[0].entered[:-1]
+        if onward:
+            self._go_on(newest)
+            return
+        if self.courses[0].is_over:
             self._finish()
+            return
+        for a, move in zip(self.axes, self.present.here.moves, strict=True):
+            a.move = move
+        if newest.is_over and self._asked is not None:
+            self._limited(self._asked, 0.0)
+        self._await()
 
-    def _left(self, whole: bool) -> None:
-        """The path is under way no more."""
-        if self.here.guide is not None:
-            self.here.guide.ends(whole)
-
-    def _go_on(self, rest: Profile) -> None:
-        """Enter the next path without coming to rest, on the rest of the profile."""
-        controller = self._controller
-        self._left(True)
+    def _go_on(self, course: Course) -> None:
+        """Enter the next path of a course without coming to rest, on the rest of the profile."""
+        controller, rest = self._controller, course.profile.after(course.elapsed)
+        course.leave(True)
         for a in self.axes:
             a.move = None
-        self.here.run = None
-        self.here, self.segment = self.ahead.pop(0)
-        for a, move in zip(self.axes, self.here.moves, strict=True):
+        course.begin_next()
+        if len(self.courses) == 1:
+            del course.entered[:-1]
+        for a, move in zip(self.axes, course.here.moves, strict=True):
             if move in a.buffer:
                 reach(controller, a, move)
-        known = len(self.ahead)
-        self._look_ahead()
-        self.profile = rest.shifted(-rest.start)
-        if len(self.ahead) > known:
-            self._adopt(0.0)
-        self._enter()
+        course.go_on(rest)
+        self._enter(course)
 
     def _finish(self) -> None:
         """All axes are at rest at their ends, or where they were stopped."""
         controller = self._controller
         self._over = True
         self._cancel()
-        self._left(self.profile.end >= self.segment.length * (1.0 - _SLACK))
-        for a, move in zip(self.axes, self.here.moves, strict=True):
+        for a, move in zip(self.axes, self.courses[0].here.moves, strict=True):
             end = a.profiles[-1].end
             a.move = None
             a.target = move.target = end
@@ -459,42 +343,74 @@ class PathRun:
 
     # ------------------------------------------------------------------------------------------------ blending
 
-    def _following(self) -> PathMove | None:
-        """The path that this one can be blended into."""
-        entries = motions(self.axes[0])
-        action = entries[0].action if entries else None
-        return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
-
     def _plan_blend(self) -> None:
-        """Set the event of the blend, at its distance before the end, or now where that is past."""
+        """Set the event of the next blend: at its distance before the end of the path, now where that is past.
+
+        BLENDDISTANCE counts up to `MAX_SHARE` of a path. No blend begins before the one before it is over.
+        """
         self._cancel_blend()
-        master, clock = self.axes[0], self._controller.clock
-        if (
-            not master.blend_mode
-            or self.ended
-            or self._over
-            or self._suspended()
-            or self._following() is None
-        ):
+        newest, master, clock = self.courses[-1], self.axes[0], self._controller.clock
+        if not master.blend_mode and self._wanted is None:
             return
-        place = max(self.segment.length - master.blend_distance, self.profile.start)
-        elapsed = self._elapsed()
-        time = elapsed if self.profile.position(elapsed) >= place else self.profile.crossing(place, elapsed)
-        if time is not None:
-            self._blend_event = clock.at(self.began + time, self.blend)
+        if self.ended or self._over or newest.is_over or newest.is_suspended or newest.ahead:
+            return
+        if newest.following() is None:
+            return
+        length, profile, elapsed = newest.segment.length, newest.profile, newest.elapsed
+        wanted, most = master.blend_distance, MAX_SHARE * length
+        if self._wanted is not None:
+            wanted = most = self._wanted
+        place = max(length - min(wanted, most), profile.start)
+        is_passed = profile.position(elapsed) >= place
+        time = elapsed if is_passed else profile.crossing(place, elapsed)
+        if time is None:
+            return
+        due = max(newest.began + time, clock.now)
+        free = self.courses[0].due if len(self.courses) > 1 else due
+        self._is_late = free > due + SLACK or (self._is_late and is_passed)
+        self._asked = wanted if self._is_late or wanted > most * (1.0 + SLACK) else None
+        if max(due, free) < INFINITY:
+            self._blend_event = clock.at(max(due, free), self._blend)
+
+    def _blend(self) -> None:
+        """Begin the next path on top of what remains of the present one."""
+        controller, newest = self._controller, self.courses[-1]
+        following = newest.following()
+        if following is None or len(self.courses) > 1:
+            return
+        if self._asked is not None:
+            self._limited(self._asked, newest.remaining)
+        self._cancel_blend()
+        self._wanted, self._is_late = None, False
+        course = Course(controller, following, newest.segment.ends)
+        _prepare(course)
+        for a, move in zip(self.axes, following.moves, strict=True):
+            a.move = None
+            reach(controller, a, move)
+        self.courses.append(course)
+        self._join()
+        self._enter(course)
+
+    def _limited(self, asked: float, got: float) -> None:
+        """Report a blend that is shorter than the program has asked for."""
+        if got < asked * (1.0 - SLACK):
+            line = self.courses[-1].here.moves[0].line
+            clamped_blend(self._controller, self.axes[0], line, asked, got)
 
     def _cancel_blend(self) -> None:
+        self._asked = None
         if self._blend_event is not None:
             self._blend_event.cancel()
             self._blend_event = None
 
 
-def _speed_at(profile: Profile, place: float) -> float:
-    """The speed with which a profile passes a place; 0 where it does not come to it."""
-    time = profile.crossing(place)
-    return 0.0 if time is None else profile.velocity(time)
-
-
-def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
-    """Whether an entry of the buffer is a path of the same axes, released, and next on all of them."""
-    return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined]
+def _prepare(course: Course) -> None:
+    """Plan a course from rest on its first path."""
+    if course.here.guide is not None:
+        course.here.guide.starts()
+    try:
+        course.look_ahead()
+        course.plan_afresh()
+    except Refusal as refusal:
+        refusal.line = course.here.moves[0].line
+        raise

@@ -7,7 +7,7 @@ jerks are pairs, of speeding up and of slowing down.
 
 from __future__ import annotations
 
-from math import fsum, inf, pi, sqrt
+from math import cbrt, fsum, inf, pi, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 # Halves of an interval of speeds after which nothing changes any more.
 _HALVES = 70
+# A part of a distance that rounding may be worth.
+ROUNDING = 1e-13
 
 
 class Law(NamedTuple):
@@ -103,14 +105,28 @@ def _both(first: Leg, second: Leg) -> Leg:
     return first[0] + second[0], first[1] + second[1]
 
 
-def move_time(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
-    """From a velocity and an acceleration to rest after `distance`, at `speed` at most."""
+def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float = 0.0) -> float:
+    """From a velocity and an acceleration to rest after `distance`, at `speed` at most.
+
+    A distance of `rounding` takes no time that is left over at the highest speed, which rounding may have near zero.
+    """
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
     time, way = lead(v0, a0, 0.0, by)
     if way > distance or _turns(v0, a0, by):
-        return time + _travel(0.0, 0.0, abs(distance - way), speed, by)
-    return _travel(v0, a0, distance, speed, by)
+        return time + _travel(0.0, 0.0, abs(distance - way), speed, by, rounding)
+    return _travel(v0, a0, distance, speed, by, rounding)
+
+
+def doubt(v0: float, a0: float, distance: float, by: Law) -> float:
+    """The seconds that rounding of a distance is worth where a motion hardly has the room that a stop needs.
+
+    What is missing or left over is gone from a standstill: its time goes by the square root, or the cube root.
+    """
+    if not (v0 or a0):
+        return 0.0
+    rounding = ROUNDING * abs(distance)
+    return 4.0 * (sqrt(rounding / min(by.rates)) + (cbrt(rounding / min(by.jerks)) if by.smooth else 0.0))
 
 
 def _turns(v0: float, a0: float, by: Law) -> bool:
@@ -118,8 +134,24 @@ def _turns(v0: float, a0: float, by: Law) -> bool:
     return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] > v0 * (1.0 + 1e-9)
 
 
-def _travel(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
+def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
+    """The speed to which a move goes up, or down, before it comes to rest after `distance`: `speed`, or less room."""
+    if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
+        v0, a0, distance = -v0, -a0, -distance
+    if lead(v0, a0, 0.0, by)[1] > distance or _turns(v0, a0, by):
+        return speed
+    return _top(v0, a0, distance, speed, by)[0]
+
+
+def _travel(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float) -> float:
     """The same where a stop has the room that it needs: up, or down, to the highest speed that leaves it."""
+    top, left = _top(v0, a0, distance, speed, by)
+    held = max(0.0, left - rounding) / top if top > 0.0 else 0.0
+    return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + held
+
+
+def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:
+    """That speed, and the distance that is left for it."""
 
     def room(v: float) -> float:
         return distance - lead(v0, a0, v, by)[1] - ramp(v, 0.0, by)[1]
@@ -135,9 +167,7 @@ def _travel(v0: float, a0: float, distance: float, speed: float, by: Law) -> flo
         top = _last(eased, speed, room)
     else:
         top = _last(0.0, speed, room)
-    left = max(0.0, room(top))
-    held = left / top if top > 0.0 else 0.0
-    return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + held
+    return top, max(0.0, room(top))
 
 
 def _last(fits: float, other: float, room: Callable[[float], float]) -> float:

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 SLACK = 1e-6
 # By how much of itself an end may be late, which is a beginning and a time added up.
 ROUNDED = 4e-16
-# Paths that may be blended into one another at one time.
-_AT_ONCE = 100
 
 
 class Proof:
@@ -101,12 +99,15 @@ class Run:
         # The entries of paths by axis, beginning and number, as the orders name them; and in a row.
         self.entries: dict[tuple[int, float, int], Move] = {}
         self.paths: dict[int, list[Move]] = {}
+        # Of each entry of a path its number in that row; and by axis the latest end of any entry up to each.
+        self._numbers: dict[int, int] = {}
+        self._ends: dict[int, list[float]] = {}
         self.offsets: dict[int, list[Move]] = {}
         self._order_of: dict[int, Order] = {}
         self._tracks: dict[int, WholeTrack] = {}
         ordered = {
-            (number, order.path.begun, order.path.nth): order
-            for number, records in orders.of.items()
+            order.path.entry: order
+            for records in orders.of.values()
             for order in records
             if order.path is not None
         }
@@ -115,15 +116,19 @@ class Run:
                 self._kept[number] = move
                 self.offsets.setdefault(move.axis, []).append(move)
                 continue
-            if not ordered:
-                continue
-            key = (move.axis, move.start_time, 0)
-            while key in self.entries:
-                key = (*key[:2], key[2] + 1)
-            if key in ordered:
-                self._kept[number] = self.entries[key] = move
-                self.paths.setdefault(move.axis, []).append(move)
-                self._order_of[id(move)] = ordered[key]
+            order = ordered.get(number)
+            if order is not None and order.path is not None:
+                self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
+                self._add_path(move)
+                self._order_of[id(move)] = order
+
+    def _add_path(self, move: Move) -> None:
+        """Put an entry of a path into the row of its axis."""
+        entries, ends = self.paths.setdefault(move.axis, []), self._ends.setdefault(move.axis, [])
+        end = move.start_time + (move.profile.duration if move.profile is not None else 0.0)
+        self._numbers[id(move)] = len(entries)
+        entries.append(move)
+        ends.append(max(end, ends[-1]) if ends else end)
 
     @property
     def moves(self) -> Iterator[Move]:
@@ -149,7 +154,11 @@ class Run:
         """What holds for an entry of the log when it begins."""
         found = self._order_of.get(id(move))
         if found is None:
-            found = self.orders.of[move.axis][self.axes[move.axis].place(move.start_time)]
+            a, records = self.axes[move.axis], self.orders.of[move.axis]
+            i = a.place(move.start_time)
+            while records[i].path is not None and i and a.starts[i] == move.start_time:
+                i -= 1  # a path that begins at the moment at which a move without a distance has ended
+            found = records[i]
         return found
 
     def members(self, path: PathOrder) -> list[Move]:
@@ -164,19 +173,22 @@ class Run:
     def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
         """The position of a track as a log entry tells it: of paths that are blended without what the others add."""
         done = position(a, time, ending)
-        entries = self.paths.get(a.index, [])
-        if move not in entries:
+        k = self._numbers.get(id(move))
+        if k is None:
             return done
-        k = entries.index(move)
-        for other in entries[max(0, k - _AT_ONCE) : k]:
-            done -= _gone(other, time)[1]
-        for other in entries[k + 1 : k + 1 + _AT_ONCE]:
-            if other.start_time < time:
-                done -= _gone(other, time)[0]
+        entries, ends = self.paths[a.index], self._ends[a.index]
+        before = k - 1
+        while before >= 0 and ends[before] > time:
+            done -= gone(entries[before], time)[1]
+            before -= 1
+        after = k + 1
+        while after < len(entries) and entries[after].start_time < time:
+            done -= gone(entries[after], time)[0]
+            after += 1
         return done
 
 
-def _gone(move: Move, time: float) -> tuple[float, float]:
+def gone(move: Move, time: float) -> tuple[float, float]:
     """How far a log entry has come at a time, and how far that is from its end, signed."""
     profile = move.profile
     assert profile is not None

@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import fsum, isfinite, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, Uses, position
+from motionlang.controller.record.judge import SLACK, Uses, gone, position
 from motionlang.controller.record.spans import Span, derivatives
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     if isfinite(profile.duration) and not ends:
         proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, ordered is {points[-1]:g}")
     if not profile.pieced or abs(profile.duration - fsum(times)) > SLACK:
-        return  # it is suspended, or goes on after that
+        return  # it is suspended, or stops on the way
     if len(profile.pieces) != len(times):
         proof.breaks(order.line, f"{where}: it has {len(profile.pieces)} segments, ordered are {len(times)}")
         return
@@ -200,8 +200,11 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     uses.tell(order.line, where, " counts")
     took = profile.knots[-2] if endless else profile.knots[-1]
     wanted = _reference_time(entry.velocity, entry.acceleration, order.goal, order.slopes)
-    if took > wanted * (1.0 + SLACK) + 1e-9:
+    if abs(took - wanted) > wanted * SLACK + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
+    if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
+        words = f"it comes to {profile.end_velocity:g} counts/s, written is {order.goal:g}"
+        proof.breaks(order.line, f"{where}: {words}")
 
 
 def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:
@@ -237,7 +240,7 @@ def _offset(run: Run, a: WholeTrack, time: float) -> float:
     total = 0.0
     for move in run.offsets.get(a.index, ()):
         if move.start_time <= time and move.profile is not None:
-            total += move.profile.position(time - move.start_time) - move.profile.start
+            total += gone(move, time)[0]
     return total
 
 

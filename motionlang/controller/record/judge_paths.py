@@ -7,15 +7,18 @@ from itertools import pairwise
 from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.due import law, lead, move_time, ramp
+from motionlang.controller.record.due import doubt, law, lead, move_time, ramp
 from motionlang.controller.record.judge import SLACK, Uses
+from motionlang.controller.record.judge_slowing import slowing
 from motionlang.controller.record.spans import combined, rotation, spans
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.move import Move
+    from motionlang.controller.record.due import Law
     from motionlang.controller.record.judge import Proof, Run
+    from motionlang.controller.record.judge_slowing import Slowing
     from motionlang.controller.record.orders import Order, PathOrder
     from motionlang.controller.record.spans import Span
     from motionlang.controller.record.track import WholeTrack
@@ -102,6 +105,16 @@ class Way:
             for place, k in enumerate(self.path.scales)
         ]
 
+    def at(self, gone: float) -> list[float]:
+        """The place, counts, that lies so far along an arc."""
+        angle = self.begin + copysign(self.turn, self.path.angle) * gone
+        part = gone / self.length
+        found = [start + part * (end - start) for start, end in zip(self.starts, self.ends, strict=True)]
+        (i, j), scales = self.path.plane, self.path.scales
+        found[i] = (self.centre[0] + self.radius * cos(angle)) * scales[i]
+        found[j] = (self.centre[1] + self.radius * sin(angle)) * scales[j]
+        return found
+
     def off(self, places: Sequence[float]) -> float:
         """How far a point, counts, lies off the way, user units."""
         point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
@@ -127,6 +140,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     way = Way(path, [profile.start for profile in profiles])
     blended = run.is_blended(master, begin)
     where = f"path from {begin:.6f} s"
+    tracks: list[tuple[Profile, float]] = []
     if blended:
         proof.excuses("paths blended into each other")
         along = _along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
@@ -135,21 +149,66 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         places = [a.place(begin) for a in axes]
         tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
         along = _along(tracks, way, end - begin)
-    for share in (0.0, 0.3, 0.7, 1.0):
-        time = begin - path.begun + share * (end - begin)
-        off = way.off([profile.position(time) for profile in profiles])
-        if off > SLACK * max(
-            1.0, way.length, *(abs(s / k) for s, k in zip(way.starts, path.scales, strict=True))
-        ):
-            proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
-            break
+    _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         _judge_along(proof, order, way, along, where)
         reached = [profile.position(end - path.begun) for profile in profiles]
-        if all(
+        if not blended:  # what was planned counts, also where something else has come before its end
+            planned = min(profile.duration - time for profile, time in tracks)
+            if end - begin < planned < inf:
+                along = _along(tracks, way, planned)
+                reached = [profile.position(time + planned) for profile, time in tracks]
+        if not along:
+            return
+        # A full circle ends where it begins.
+        gone = way.length if way.unit is not None else along[-1].at(along[-1].length)[0]
+        if gone >= way.length * (1.0 - SLACK) and all(
             abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
         ):
             _judge_path_time(proof, order, way, along, where)
+
+
+def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
+    """The speed along a path, and how that changes, while another one is on top of it."""
+    path = order.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    way = Way(path, [profile.start for profile in profiles])
+    along = _along([(profile, begin - path.begun) for profile in profiles], way, length)
+    if along:
+        _judge_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
+
+
+def _judge_way(
+    proof: Proof,
+    order: Order,
+    way: Way,
+    profiles: Sequence[Profile],
+    along: list[Span],
+    time: tuple[float, float],
+    where: str,
+) -> None:
+    """At four times its axes are on the way, and on an arc as far along it as the path has come.
+
+    `time` is when the profile begins, since the path did, and how long it is in force.
+    """
+    first, length = time
+    slack = SLACK * max(
+        1.0, way.length, *(abs(s / k) for s, k in zip(way.starts, way.path.scales, strict=True))
+    )
+    for share in (0.0, 0.3, 0.7, 1.0):
+        places = [profile.position(first + share * length) for profile in profiles]
+        off = way.off(places)
+        if off > slack:
+            proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
+            return
+        if along and way.unit is None:
+            span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
+            gone = span.at(min(share * length - span.begin, span.length))[0]
+            beside = max(abs(p - w) for p, w in zip(places, way.at(gone), strict=True))
+            if beside > slack * max(map(abs, way.path.scales)):
+                proof.breaks(order.line, f"{where}: {gone:g} along it lie {beside:g} counts elsewhere")
+                return
 
 
 def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
@@ -157,61 +216,128 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
     assert path is not None
     smooth = order.jerks[0] < inf
     _, v0, a0, _ = along[0].at(0.0)
-    came = abs(v0) + (0.5 * a0 * a0 / order.jerks[0] if smooth and a0 * v0 > 0.0 else 0.0)
-    eased = abs(a0) if smooth else 0.0
+    slow = _slowing(order, way, v0, a0)
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
-    for span in along:
+    # An axis that turns beyond its limit has to brake for that, and turning and braking add up until it has.
+    braking = min(order.rates[1], _hardest(path, way)) if way.unit is None else 0.0
+    for span in slow.cuts(along):
         if span.length <= late:  # the time of a join is rounded
             continue
-        uses.look("path speed", span.peak(1), max(order.speed, came))
+        # What begins too fast, since a limit has come down, is excused until it has slowed down.
+        end = span.begin + span.length
+        excused = end <= max(slow.until, slow.eased)
+        came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
+        eased = bent if end <= slow.eased else 0.0
+        fastest, peak = 0.0 if path.rests else order.speed, span.peak(1)
+        if peak > SLACK or not path.rests:  # at rest but for rounding
+            uses.look("path speed", peak, max(fastest, came if end <= slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, speed = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
-            if speed <= SLACK * max(1.0, came):  # at rest but for rounding
+            if speed <= SLACK * max(1.0, slow.came):  # at rest but for rounding
                 continue
             name = ("path acceleration", "path deceleration")[side]
             uses.look(name, rate, max(order.rates[side], eased))
             if smooth:
-                uses.look("path jerk", max(abs(left[3]), abs(right[3])), max(order.jerks))
+                # Rounding at the end of a ramp says nothing of its side.
+                jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
+                uses.look("path jerk", max(abs(left[3]), abs(right[3])), jerk)
             first, last = left[0], right[0]
-            # What begins too fast, since a limit has come down, is excused until it has slowed down.
-            slow = [
+            slowed = [
                 max(x, came * s)
                 for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
             ]
-            for (number, k), slope, most in zip(axes, way.slopes(first, last), slow, strict=True):
+            for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
                 uses.look(f"speed on paths of axis {number}", speed * slope * k, most)
             limits = path.most_decel if side else path.most_accel
-            own, excused = way.rates(first, last, rate, speed), way.rates(first, last, eased, came)
-            too_fast = eased > 0.0 or came > 0.0
-            for (number, k), figure, came_with, most in zip(axes, own, excused, limits, strict=True):
-                uses.look(
-                    f"rate on paths of axis {number}",
-                    figure * k,
-                    max(most, came_with * k if too_fast else 0.0),
-                )
+            own = way.rates(first, last, rate, speed)
+            came_with = way.rates(first, last, max(bent, braking) if side and excused else bent, came)
+            for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
+                uses.look(f"rate on paths of axis {number}", figure * k, max(most, other * k))
     uses.tell(order.line, where, "")
+    took = along[-1].begin + along[-1].length
+    reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
+    if reached > due + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
+        words = f"it does not slow down: {reached:g} after {took:g} s, due are {due:g}"
+        proof.breaks(order.line, f"{where}: {words}")
     names = ("speed", "acceleration")[: 2 if smooth else 1]
     for before, after in pairwise(along):
         for which, name in enumerate(names, 1):
             gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
-            if gap > SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf)):
+            if gap > SLACK * max(1.0, slow.came, *(r for r in (order.speed, *order.rates) if r < inf)):
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
+
+
+def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
+    """How a path that begins too fast, for its speed or for one of its axes, comes to its speed."""
+    assert order.path is not None
+    speed, by = _least(order, way)
+    extra = 0.0
+    if a0 and order.shape != "trapezoid" and not by.smooth:
+        # The flank of the ramp that PMC's S-curve is in, as long as a whole one to its speed at the most.
+        v0 *= 2.0
+        extra = ramp(0.0, max(speed, v0), by)[0]
+    if order.path.rests:
+        speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
+    slow = slowing(v0, a0, speed, by, extra)
+    # On an arc the least speed bounds the time alone: the limits of its axes say which speed is too high.
+    return (
+        slow if way.unit is not None or order.path.rests else slow._replace(speed=max(slow.came, order.speed))
+    )
+
+
+def _hardest(path: PathOrder, way: Way) -> float:
+    """The highest deceleration along a path that keeps the limits of its axes, turning not counted."""
+    slopes = zip(way.slopes(0.0, way.length), path.scales, path.most_decel, strict=True)
+    return min((limit / (slope * abs(k)) for slope, k, limit in slopes if slope), default=inf)
+
+
+def _gentlest(order: Order, way: Way, rate: float) -> float:
+    """The lowest deceleration that a stop has to keep, on a path and on those behind it that it may come into."""
+    assert order.path is not None
+    for each in order.path.ahead:
+        assert each.path is not None
+        way = Way(each.path, way.ends)
+        rate = min(rate, _least(each, way)[1].rates[1])
+    return rate
 
 
 def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
     """What ends a path takes no longer than to stop, and to run the rest of it alone, from rest to rest.
 
-    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster. On arcs an axis
-    is counted on for half of its limits, as turning and speeding up share them.
+    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster.
     """
-    path = order.path
-    assert path is not None
     if not order.speed or not min(order.rates) > 0.0:
         return
     first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    speed, by = _least(order, way)
+    bent = first[2] if by.smooth else 0.0
+    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
+    hard = by._replace(rates=order.rates)
+    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
+    shaped = order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates)
+    if shaped:
+        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
+        time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
+        gone = 0.0
+    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
+    if way.unit is not None and not last[1] > SLACK * speed and not shaped:
+        left = last[0] - first[0]
+        due = min(due, move_time(first[1], bent, left, speed, by) + doubt(first[1], bent, left, by))
+    took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
+    if took > due * (1.0 + SLACK) + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
+
+
+def _least(order: Order, way: Way) -> tuple[float, Law]:
+    """The speed and the law that a path may always be run by, whatever its axes are limited to.
+
+    On arcs an axis is counted on for half of its limits, as turning and speeding up share them.
+    """
+    path = order.path
+    assert path is not None
     speed, rates = order.speed, list(order.rates)
     share = 1.0 if way.unit is not None else 0.5
     slopes = way.slopes(0.0, way.length)
@@ -225,19 +351,7 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
     for figure, limit in zip(way.bends(), map(min, path.most_accel, path.most_decel), strict=True):
         if figure:
             speed = min(speed, sqrt(share * limit / figure))
-    by = law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
-    bent = first[2] if by.smooth else 0.0
-    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
-    hard = by._replace(rates=order.rates)
-    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
-    if order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(rates):
-        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
-        time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
-        gone = 0.0
-    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
-    took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
-    if took > due * (1.0 + SLACK) + 1e-9:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
+    return speed, law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
 
 
 def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:

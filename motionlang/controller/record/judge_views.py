@@ -6,7 +6,7 @@ from itertools import zip_longest
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, position
+from motionlang.controller.record.judge import ROUNDED, SLACK, position
 from motionlang.controller.record.spans import spans
 
 if TYPE_CHECKING:
@@ -42,6 +42,12 @@ def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
     if row["axis"] != move.axis or row["line"] != move.line or row["start_time"] != move.start_time:
         proof.breaks(move.line, f"{where}: the report has it at {row['start_time']} s, line {row['line']}")
         return
+    if move.start_time + duration > run.until + 1e-12 * (1.0 + run.until):
+        proof.breaks(
+            move.line,
+            f"{where}: the report has it end at {move.start_time + duration:g} s, the run at {run.until:g} s",
+        )
+        return
     if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
         return
     places = [(move.start_time, start)]
@@ -65,7 +71,8 @@ def _judge_peak(
     """The peak speed of a move: exactly that of its pieces, and no less than any speed of a formula."""
     begin, finish = time[0], min(time[1], run.until)
     k, seen, exact = max(a.place(begin), 0), 0.0, True
-    while k < len(a.starts) and a.starts[k] < finish:
+    late = finish - ROUNDED * (1.0 + finish)  # an end is a beginning and a time added up
+    while k < len(a.starts) and a.starts[k] < late:
         profile, first = a.profiles[k], max(begin - a.starts[k], 0.0)
         last = min(finish, a.starts[k + 1] if k + 1 < len(a.starts) else finish) - a.starts[k]
         if profile.shape == "blend" or run.orders.of[a.index][k].kind == "rest":

@@ -95,8 +95,8 @@ class Log:
         self.turns: Stream[Turns] = Stream(store, "Turns")
         self.prints: Stream[Printed] = Stream(store, "Printed")
         self.events: Stream[Event] = Stream(store, "Event")
-        # The last clamp of each axis, which is told once, and where the program stands.
-        self.clamped: dict[int, tuple[int, float, float]] = {}
+        # The last clamp of each axis and quantity, which is reported once, and where the program stands.
+        self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
         self.where: Callable[[], int] = nowhere
         self.others: list[Stream[Any]] = []
         # How many profiles may be made until some are packed.

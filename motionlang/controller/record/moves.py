@@ -68,6 +68,14 @@ class Moves(Stream[Move]):
         for each in rows:  # one at a time, as who goes through many wants none of them back
             yield move_of(each) if each.__class__ is tuple else each
 
+    def number(self, move: Move) -> int:
+        """The number of the entry that a move under way has in the log."""
+        tail = self.tail
+        for place in range(len(tail) - 1, -1, -1):
+            if tail[place] is move:
+                return self.packed + place
+        return next(number for number, each in self._left_out.items() if each is move)
+
     def as_kept(self) -> Iterator[Move | Row]:
         """All of them, the plain ones that are not packed as rows."""
         self._live()
@@ -139,7 +147,7 @@ class Moves(Stream[Move]):
 
     def _live(self) -> set[int]:
         """The identities of the moves that are under way."""
-        moves = [a.move for a in self.axes.values() if a.move is not None]
+        moves = [move for a in self.axes.values() for move in a.entries]
         on_top = [getattr(move.action, "offset_entry", None) for move in moves]
         return {id(move) for move in (*moves, *on_top)}
 

@@ -6,6 +6,7 @@ never what a planner made of it.
 
 from __future__ import annotations
 
+from copy import copy
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.controller.motion.follow import Gear
@@ -20,6 +21,7 @@ from motionlang.controller.record.track import WholeTrack
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
@@ -38,6 +40,9 @@ class PathOrder(NamedTuple):
     a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
     began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
     run through. Of several paths that begin at one moment, since they are blended into each other, it is the `nth`.
+    `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
+    `tails` are those that it is blended with, begun before it.
+    A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
     """
 
     members: tuple[int, ...]
@@ -55,6 +60,10 @@ class PathOrder(NamedTuple):
     most_accel: tuple[float, ...]
     most_decel: tuple[float, ...]
     angle_through: float
+    rests: bool = False
+    ahead: tuple[Order, ...] = ()
+    entry: int = -1
+    tails: tuple[Order, ...] = ()
 
 
 class Tie(NamedTuple):
@@ -97,6 +106,11 @@ class Order(NamedTuple):
     slopes: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
     step: float = 0.0
 
+    @property
+    def bends(self) -> bool:
+        """Whether the acceleration of its shape never jumps."""
+        return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
+
 
 REST = Order("rest", 0)
 # Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.
@@ -126,7 +140,11 @@ class Orders:
         self.stands: dict[tuple[int, float], str] = {}
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
+        # The paths that each axis is the master of, as far as they are under way, and what was last ordered for them.
+        self._under_way: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
+        # When the log entry of a path began, and its number in the log: a long one goes on as another entry.
+        self._entries: dict[Move, tuple[float, int]] = {}
         # What is left of a stepper's move at a new zero is not planned anew: what held when it began still does.
         self._steps: dict[Move, Order] = {}
         self._known = {REST: REST}  # those that further profiles may be ordered by
@@ -147,9 +165,11 @@ class Orders:
                 ]  # the same motion at a new zero: settings that came since do not act
             self._append(a, order)
 
-    def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:
-        """An axis begins a plain move."""
-        self._append(a, Order("move", line, speed, rates, ENDLESS, a.shape, ramp=a.ramp))
+    def add_plain(self, a: Axis, line: int) -> None:
+        """An axis begins a plain move, the last of its rows."""
+        own = a.plain[-1][-1][4]
+        speed = a.speed if own is None else own
+        self._append(a, Order("move", line, speed, a.rates(speed), ENDLESS, a.shape, ramp=a.ramp))
 
     def _append(self, a: Axis, order: Order) -> None:
         """One that is like another is that one; where there is no room the run goes on as one without a proof."""
@@ -164,8 +184,9 @@ class Orders:
             self.data[a.index].append(a.datum)
             return
         self.is_full, self._controller.orders = True, None
-        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._steps, self._known):
+        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._entries, self._steps):
             kept.clear()
+        self._known.clear()
 
     def keep_whole(self) -> None:
         """Forget orders of profiles that did not come onto their track, as somebody ended the run at that moment.
@@ -187,11 +208,87 @@ class Orders:
         if action not in self._nth:
             key = action.axes[0].index, move.start_time
             self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
-        return _path(action, move, self._nth[action])
+        began, entry = self._entries.get(move, (-1.0, -1))
+        if began != move.start_time:
+            entry = self._controller.log.moves.number(move)
+            self._entries[move] = move.start_time, entry
+        order = self._planned_by(a, action) or _path(action, move, self._nth[action], entry)
+        if a is action.axes[0] and order.path is not None:
+            running = self._under_way.setdefault(a.index, {})
+            tails = self._tails(running, action, order.path.rests)
+            order = running[action] = order._replace(path=order.path._replace(tails=tails))
+        return order
+
+    def _tails(self, running: dict[PathMove, Order], action: PathMove, rests: bool) -> tuple[Order, ...]:
+        """The orders of the paths that are still run, but for the last one; a rate that came too late waits."""
+        found = []
+        for each, before in list(running.items()):
+            move = each.moves[0]
+            if each is action or move.profile is None:
+                continue
+            if move.start_time + move.profile.duration <= self._controller.clock.now:
+                del running[each]
+                continue
+            order = _path(each, move, self._nth[each], self._entries[move][1])
+            running[each] = _gentler(order, before, rests)
+            found.append(running[each])
+        return tuple(found)
+
+    def _planned_by(self, a: Axis, action: PathMove) -> Order | None:
+        """The order of a path that goes on as it was planned, where only the one that it is blended with changes."""
+        run, key = action.run, (action.moves[0].start_time, self._nth[action])
+        if run is None or len(run.courses) < 2 or run.present.began == self._controller.clock.now:
+            return None
+        return next(
+            order
+            for order in reversed(self.of[a.index])
+            if order.path is not None and (order.path.begun, order.path.nth) == key
+        )
+
+    def displace(self, action: PathMove) -> None:
+        """A path has begun elsewhere, since the one that it is blended with was cut short: its orders go with it."""
+        if action not in self._nth:
+            return
+        begun, nth = action.moves[0].start_time, self._nth[action]
+        for a in action.axes:
+            records = self.of[a.index]
+            for back, start in enumerate(reversed(a.starts), 1):
+                order = records[-back]
+                if start < begun:
+                    break
+                if order.path is not None and (order.path.begun, order.path.nth) == (begun, nth):
+                    path = order.path._replace(**_places(action))
+                    records[-back] = order._replace(path=path)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
         self.stands[a.index, self._controller.clock.now] = ended
+
+
+def _ahead(action: PathMove) -> tuple[Order, ...]:
+    """The orders of the paths that a path goes on into."""
+    courses = () if action.run is None else action.run.courses
+    return tuple(
+        _path(each, each.moves[0], 0, -1)
+        for course in courses
+        if course.here is action
+        for each, _ in course.ahead
+    )
+
+
+def _gentler(order: Order, before: Order, rests: bool) -> Order:
+    """What is ordered now for a path that another one is on top of; a rate that came too late for it still counts."""
+    path, old = order.path, before.path
+    assert path is not None
+    assert old is not None
+    path = path._replace(
+        rests=path.rests or rests,
+        most_accel=tuple(map(max, path.most_accel, old.most_accel)),
+        most_decel=tuple(map(max, path.most_decel, old.most_decel)),
+    )
+    rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
+    jerks = max(order.jerks[0], before.jerks[0]), max(order.jerks[1], before.jerks[1])
+    return order._replace(rates=rates, jerks=jerks, path=path)
 
 
 def _order(a: Axis) -> Order:
@@ -234,8 +331,11 @@ def _stopped(a: Axis, move: Move) -> Order:
 def _tie(action: Gear | CurveFollow) -> Tie:
     if isinstance(action, Gear):
         return Tie(action.master, action.ratio, action.locked)
-    way = action.origin, action.direction
-    return Tie(action.master, 0.0, INFINITY, action.curve, *way, action.ordered)
+    origin, direction, table = action.origin, action.direction, action.ordered
+    if table is not None and table[2] == "even":  # the master's way has the sign that was ordered
+        over = table[0][-1]
+        direction, table = (1 if over > 0.0 else -1), ((0.0, abs(over)), *table[1:])
+    return Tie(action.master, 0.0, INFINITY, action.curve, origin, direction, table)
 
 
 def _rates(a: Axis, move: Move) -> tuple[float, float]:
@@ -266,9 +366,9 @@ def _jerks(a: Axis) -> tuple[float, float]:
     return (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
 
 
-def _path(action: PathMove, move: Move, nth: int) -> Order:
+def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
     master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
-    shape, k, ramp = master.shape, abs(master.scale.counts), master.ramp
+    shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
     if guide is None:
         speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
         through = master.contour_angle if master.contour_mode else 0.0
@@ -279,6 +379,7 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
     run = action.run
     if guide is None and run is not None and run.ended and run.hard:
         rates = rates[0], master.error_decel
+    rests = any(each.suspended for each in axes) or (run is not None and run.ended != "")
     geometry = action.geometry
     straight = isinstance(geometry, Line)
     path = PathOrder(
@@ -287,16 +388,29 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
         move.start_time,
         nth,
         action.relative,
-        tuple(geometry.targets) if isinstance(geometry, Line) else (),
-        (0.0, 0.0) if straight else tuple(geometry.centre),  # type: ignore[union-attr]
-        0.0 if straight else geometry.angle,  # type: ignore[union-attr]
-        () if straight else tuple(geometry.rest),  # type: ignore[union-attr]
-        (0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
-        geometry.length,
-        tuple(each.max_speed for each in axes),
-        tuple(each.max_accel for each in axes),
-        tuple(each.max_decel for each in axes),
-        through,
+        **_places(action),
+        angle=0.0 if straight else geometry.angle,  # type: ignore[union-attr]
+        plane=(0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
+        length=geometry.length,
+        most=tuple(each.max_speed for each in axes),
+        most_accel=tuple(each.max_accel for each in axes),
+        most_decel=tuple(each.max_decel for each in axes),
+        angle_through=through,
+        rests=rests,
+        ahead=_ahead(action) if rests else (),
+        entry=entry,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
     return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)
+
+
+def _places(action: PathMove) -> dict[str, Any]:
+    """The fields of a `PathOrder` that count from the zeros of the axes, unless it is relative."""
+    geometry = action.geometry
+    if action.displaced and not action.relative:
+        geometry = copy(geometry)
+        for k, by in enumerate(action.displaced):
+            geometry.shift(k, by)
+    if isinstance(geometry, Line):
+        return {"line": tuple(geometry.targets), "centre": (0.0, 0.0), "rest": ()}
+    return {"line": (), "centre": tuple(geometry.centre), "rest": tuple(geometry.rest)}

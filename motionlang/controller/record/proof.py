@@ -5,11 +5,13 @@ It shares no code with the planners: it evaluates the pieces by itself and asks 
 
 from __future__ import annotations
 
-from math import acos, degrees, fsum, inf, isfinite, sqrt
+from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile
+from motionlang.controller.record.judge_blends import judge_blend
+from motionlang.controller.record.judge_entries import Ends, judge_ends, take_entry
 from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.judge_views import judge_report, judge_trace
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.controller.record.orders import Order, Orders
     from motionlang.controller.record.trace import Samples
     from motionlang.controller.record.track import Recorded, WholeTrack
-    from motionlang.profile import State
+    from motionlang.profile import Profile, State
 
 # The part of the time of a log entry at which the track is compared with it, beside its ends.
 LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
@@ -62,9 +64,11 @@ def prove(
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
             if end > begin:
-                judge_profile(proof, a, i, order, records[max(i - 1, 0)], end - begin)
+                shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
+                judge_profile(proof, a, i, order, shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     judge_path(proof, run, a, i, order, end)
+                    judge_blend(proof, run, a, i, order, end)
                 elif order.tie is not None:
                     judge_tie(proof, run, a, i, order, end)
                 elif order.points is not None:
@@ -73,8 +77,11 @@ def prove(
                     judge_reference(proof, a, i, order)
             if i:
                 _judge_join(proof, run, a, i)
+    ends: dict[int, Ends] = {}
     for move in run.moves:
         _judge_move(proof, run, move)
+        take_entry(ends, run, move)
+    judge_ends(proof, run, ends)
     return proof
 
 
@@ -115,16 +122,17 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
         else:
             proof.breaks(line, f"{where}: the velocity jumps by {jump:g} counts/s")
         return
-    if order.jerks[0] == inf:
+    if not order.bends:
         return
     size = SLACK * max(1.0, *order.rates)
     if kinds == ("path", "path") and order.path is not None and order.path.members[0] == a.index:
         bend = _bend(run, order, time)
         if bend > size:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
-    elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.jerks[0] < inf:
+    elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
         bend = abs(after.acceleration - before.acceleration)
-        if bend > size + 4.0 * late * order.jerks[0]:
+        jerk = order.jerks[0] if order.jerks[0] < inf else abs(before.jerk)
+        if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
 
 
@@ -135,49 +143,57 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     named = [kind for kind in kinds if kind not in (*PLANNED, "rest", "path")]
     if named:
         return f"a step of {named[-1]}: a table, a master or a reference of the program"
-    order = run.orders.of[a.index][i]
-    if kinds != ("path", "path") or order.path is None:
+    order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
+    if order.path is None or earlier.path is None:
         return ""
-    axes, old, new = _both(run, order, a.starts[i])
-    before, after = _speed(axes, old), _speed(axes, new)
+    scales = order.path.scales
+    old, new = _both(run, order, a.starts[i])
+    before, after = _speed(scales, old), _speed(scales, new)
     if abs(before - after) > SLACK * max(1.0, before) or not before:
         return ""
     ways = [
-        (o.velocity / x.scale.counts / before, n.velocity / x.scale.counts / after)
-        for x, o, n in zip(axes, old, new, strict=True)
+        (o.velocity / k / before, n.velocity / k / after) for k, o, n in zip(scales, old, new, strict=True)
     ]
     dot = fsum(o * n for o, n in ways)
     chord = sqrt(fsum((o - n) ** 2 for o, n in ways))
     angle = half_angle(chord) if dot > 0.5 else degrees(acos(max(-1.0, min(1.0, dot))))
-    return "a kink within CONTOURANGLE" if angle <= order.path.angle_through + 1e-6 else ""
+    # The path before was planned into this one by the CONTOURANGLE of that time.
+    through = max(order.path.angle_through, earlier.path.angle_through)
+    return "a kink within CONTOURANGLE" if angle <= through + 1e-6 else ""
 
 
 def _bend(run: Run, order: Order, time: float) -> float:
     """By how much the acceleration along a path changes at a moment."""
-    axes, *both = _both(run, order, time)
+    assert order.path is not None
+    scales = order.path.scales
     rates = []
-    for states in both:
-        speed = _speed(axes, states)
-        power = fsum(
-            s.velocity * s.acceleration / x.scale.counts**2 for x, s in zip(axes, states, strict=True)
-        )
+    for states in _both(run, order, time):
+        speed = _speed(scales, states)
+        power = fsum(s.velocity * s.acceleration / k**2 for k, s in zip(scales, states, strict=True))
         if speed < SLACK:
             return 0.0
         rates.append(power / speed)
     return abs(rates[1] - rates[0])
 
 
-def _speed(axes: Sequence[WholeTrack], states: Sequence[State]) -> float:
-    return sqrt(fsum((s.velocity / a.scale.counts) ** 2 for a, s in zip(axes, states, strict=True)))
+def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
+    return sqrt(fsum((s.velocity / k) ** 2 for k, s in zip(scales, states, strict=True)))
 
 
-def _both(run: Run, order: Order, time: float) -> tuple[list[WholeTrack], list[State], list[State]]:
-    """The axes of a path, and their states just before a moment and from then on."""
+def _at_last(profile: Profile, time: float) -> State:
+    """Its state at a time that may be rounded to its end, where it has no acceleration any more."""
+    return profile.at(min(time, nextafter(profile.duration, 0.0)))
+
+
+def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
+    """The states of the axes of a path just before a moment and from then on."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
     places = [a.place(time) for a in axes]
-    old = [a.profiles[k - 1].at(time - a.starts[k - 1]) for a, k in zip(axes, places, strict=True)]
-    return axes, old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
+    # An axis that was given another zero has a profile of its own from then on, the others of the path have not.
+    before = [k - (a.starts[k] == time) for a, k in zip(axes, places, strict=True)]
+    old = [_at_last(a.profiles[k], time - a.starts[k]) for a, k in zip(axes, before, strict=True)]
+    return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
 
 
 # ---------------------------------------------------------------------------------------------------- the log

@@ -29,6 +29,10 @@ class Span:
         """Position, velocity, acceleration and jerk `x` seconds after it began."""
         return derivatives(self.piece, x)
 
+    def part(self, first: float, last: float) -> Span:
+        """The span from `first` to `last` seconds after it began."""
+        return Span(self.begin + first, last - first, _from(self.piece, first))
+
     def cuts(self) -> list[float]:
         """Its ends, and the times between at which velocity or acceleration change sign or have an extremum."""
         _, c1, c2, c3, amplitude, omega, phase = self.piece

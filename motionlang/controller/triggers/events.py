@@ -83,11 +83,19 @@ def stopped(controller: Core, a: Axis, kind: str) -> None:
 
 def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
     """A motion that a line ordered asks for more speed, counts/s, than its axis may have; told once."""
-    about = line, speed, a.max_speed
-    if controller.log.clamped.get(a.index) != about:
-        controller.log.clamped[a.index] = about
-        values = _speed(a, speed), _speed(a, a.max_speed)
-        controller.log.note(controller.clock.now, "clamp", a.index, *values, line, "speed")
+    _clamped(controller, a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
+
+
+def clamped_blend(controller: Core, a: Axis, line: int, asked: float, got: float) -> None:
+    """A path of the master `a` is blended over less than the distance asked for, user units; reported once."""
+    _clamped(controller, a, "blend distance", line, asked, got)
+
+
+def _clamped(controller: Core, a: Axis, what: str, line: int, asked: float, got: float) -> None:
+    about = line, asked, got
+    if controller.log.clamped.get((a.index, what)) != about:
+        controller.log.clamped[a.index, what] = about
+        controller.log.note(controller.clock.now, "clamp", a.index, asked, got, line, what)
 
 
 def _speed(a: Axis, speed: float) -> float:

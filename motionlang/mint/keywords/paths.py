@@ -49,10 +49,10 @@ ROWS = (
              "1: a path begins when BLENDDISTANCE is left of the one before it, on top of the rest of that one.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, 1),
     _setting("BLENDDISTANCE", "number", "blend_distance",
-             "What is left of a path when the next one begins, in user units along it.",
+             "What is left of a path when the next one begins, in user units along it; up to half of the path.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _LARGEST),
     Keyword("BLEND", "", "command", "C", "axes", "", "paths.blend",
-            "Begin the next path now, on top of what remains of the present one.",
+            "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",
             _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"
             "PAUSE IDLE(0)\nPRINT POS(1)", group="motion"),
     Keyword("VELDEMANDPATH", "", "reading", "R", "axis", "number", "path_speed",

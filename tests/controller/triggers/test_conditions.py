@@ -4,7 +4,8 @@ The rule is worked out by hand from the same motion without a limit. At the mome
 axis is at p and has the velocity v; then it rests at
 
 * p for a crash stop, with or without the drive going off;
-* p + v² / 2d for a stop at DECEL or at ERRORDECEL; on a path the same holds of the distance along it;
+* p + v² / 2d for a stop at DECEL or at ERRORDECEL; on a path the same holds of the distance along it, and of each path
+  that is blended;
 * where it would have come to without the limit, where that is to be ignored or only told of.
 """
 
@@ -54,7 +55,7 @@ def machine(motor: bool) -> Controller:
 class Kind:
     """One kind of motion: `begin` sets it off forward, `turn` lets it go back; `moment` is a time while it is fast.
 
-    `along` is where the axis is after a distance on a path, None for what is no path.
+    `along` is where the axis is after a distance on an arc.
     """
 
     def __init__(
@@ -89,6 +90,16 @@ def _several(c: Controller, blend: bool) -> None:
         c.configure(axis, "blend_distance", 1.0)
     c.load_line([0, 1], [60.0, 80.0])
     c.load_line([0, 1], [90.0, 120.0])
+    c.go([0])
+
+
+def _blended(c: Controller, count: int) -> None:
+    """Lines of 50 units, each blended into the next one from 0.85 s after its beginning up to its end at 1.375 s."""
+    for axis in (0, 1):
+        c.configure(axis, "blend_mode", True)
+        c.configure(axis, "blend_distance", 20.0)
+    for _ in range(count):
+        c.load_line_by([0, 1], [30.0, 40.0])
     c.go([0])
 
 
@@ -154,10 +165,12 @@ KINDS = {
     "move": Kind(lambda c: c.move_to(0, 80.0), lambda c: c.retarget_to(0, -20.0)),
     "buffered": Kind(_buffered, lambda c: c.retarget_to(0, -20.0), 0.3),
     "jog": Kind(lambda c: c.jog(0, 20.0), lambda c: c.jog(0, -20.0)),
-    "path": Kind(_line, None, 1.0, lambda s: 0.6 * s, renamed=False),
-    "path of another axis": Kind(lambda c: _line(c, 1), None, 1.0, lambda s: 0.6 * s, renamed=False),
-    "contour": Kind(lambda c: _several(c, False), None, 1.0, lambda s: 0.6 * s, renamed=False),
-    "blend": Kind(lambda c: _several(c, True), None, 1.0, lambda s: 0.6 * s, renamed=False),
+    "path": Kind(_line, None, 1.0, renamed=False),
+    "path of another axis": Kind(lambda c: _line(c, 1), None, 1.0, renamed=False),
+    "contour": Kind(lambda c: _several(c, False), None, 1.0, renamed=False),
+    "blend": Kind(lambda c: _several(c, True), None, 1.0, renamed=False),
+    "two blended": Kind(lambda c: _blended(c, 2), None, 1.0, renamed=False),
+    "three blended": Kind(lambda c: _blended(c, 3), None, 1.9, renamed=False),
     "arc": Kind(_arc, _arc, 1.0, lambda s: 30.0 * (1.0 - cos(s / 30.0)), renamed=False),
     "slave": Kind(_slave, lambda c: c.jog(1, -20.0)),
     "cam": Kind(_cam, _cam),
@@ -179,12 +192,14 @@ BACK: dict[str, Callable[[Controller], None]] = {
     "path of another axis": lambda c: _there_and_back(c, [1, 0]),
     "contour": lambda c: _there_and_back(c, [0, 1], "contour"),
     "blend": lambda c: _there_and_back(c, [0, 1], "blend"),
+    "two blended": lambda c: _there_and_back(c, [0, 1], "blend"),
+    "three blended": lambda c: _there_and_back(c, [0, 1], "blend"),
 }
 
 
 def _turn_of_path(name: str, action: str, motor: bool) -> tuple[Controller, float, Free, Kind]:
     """The reverse limit is active all the while; the path that goes back is come upon at 60."""
-    kind = Kind(BACK[name], None, 1.0, lambda s: 60.0 - 0.6 * s, renamed=False)
+    kind = Kind(BACK[name], None, 1.0, renamed=False)
     low, high = 0.0, 0.5 * END
     probe = Free(kind, END, motor).controller.axes[0]
     turned = next(k for k in range(round(END * 1e3)) if probe.velocity(k * 1e-3) < 0.0)
@@ -215,7 +230,10 @@ def soft(c: Controller, action: str, place: float) -> Limit:
 
 
 class Free:
-    """The motion without a limit up to a time: where the axis is, how fast, and how far along its path."""
+    """The motion without a limit up to a time: where the axis is, how fast, and how far along its path.
+
+    `lines` are the straight paths that it is on: what the axis has of a unit of each, the speed, and what is left.
+    """
 
     def __init__(self, kind: Kind, time: float, motor: bool, turns: bool = False) -> None:
         self.controller = c = machine(motor)
@@ -229,7 +247,13 @@ class Free:
         run = getattr(a.move.action, "run", None) if a.move is not None else None
         self.moves = a.move is not None
         self.speed = c.path_speed(0)
-        self.gone = run.segment.length - c.path_remaining(0) if run is not None else 0.0
+        self.gone = run.present.segment.length - c.path_remaining(0) if run is not None else 0.0
+        courses = run.courses if run is not None else []
+        self.lines: list[tuple[float, float, float]] = [
+            (course.segment.entry[course.axes.index(a)], course.speed, course.remaining)
+            for course in courses
+            if not course.segment.turn
+        ]
 
 
 def rest(kind: Kind, free: Free, action: str) -> float | None:
@@ -239,6 +263,8 @@ def rest(kind: Kind, free: Free, action: str) -> float | None:
     if action in ("abort", "off"):
         return free.position
     rate = DECEL if action == "stop" else ERROR_DECEL
+    if free.lines:
+        return free.position + sum(x * min(v * v / (2.0 * rate), left) for x, v, left in free.lines)
     if kind.along is not None and free.speed:
         return kind.along(free.gone + free.speed**2 / (2.0 * rate))
     return free.position + free.velocity * abs(free.velocity) / (2.0 * rate)

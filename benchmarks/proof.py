@@ -1,0 +1,54 @@
+"""What a proof costs as a run grows: S-ramp arcs that are blended every 19 ms, 41 of them and 84.
+
+The figures are CPU time, the best of several interleaved rounds. `proof_168_over_82` is the time for 168 entries of the
+log over that for 82: what is linear takes 2.05 times as long.
+"""
+
+from __future__ import annotations
+
+import gc
+from time import process_time
+
+from motionlang.execution import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+ROUNDS = 3
+# Jerk 200000 and acceleration 1000 take the arc of 0.05 in 4 * 5 ms. The next one begins 1 ms before its end,
+# when 200000 * 0.001³ / 6 is left of it.
+PROGRAM = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
+PROFILEMODE(0) = 1 : ACCELJERK(0) = 200000 : DECELJERK(0) = 200000
+MOVEBUFFERSIZE(0) = 100 : MOVEBUFFERSIZE(1) = 100
+BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 0.0000333333
+{}
+GO(0)
+PAUSE IDLE(0)
+"""
+
+
+def ran(paths: int) -> Run:
+    """A run of so many paths, two entries of the log each."""
+    text = PROGRAM.format("\n".join(["CIRCLER(0, 1) = 0.05, 0, 57.29578"] * paths))
+    return run(Source("blends.mnt", text), cache=False, prove=True)
+
+
+def main() -> None:
+    """Print `name value unit` lines."""
+    runs = {paths: ran(paths) for paths in (41, 84)}
+    best = dict.fromkeys(runs, float("inf"))
+    for _ in range(ROUNDS):
+        for paths, each in runs.items():
+            gc.collect()
+            gc.disable()
+            begun = process_time()
+            proof = each.proof()
+            best[paths] = min(best[paths], process_time() - begun)
+            gc.enable()
+            assert proof.holds, [violation.message for violation in proof.violations]
+            assert proof.counts["moves"] == 2 * paths
+    print(f"proof_168_entries {best[84]:.3f} s")
+    print(f"proof_168_over_82 {best[84] / best[41]:.2f} x")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,344 @@
+"""A course: one path under way and those ahead of it that are run through without coming to rest.
+
+A course plans the distance along its paths over time and knows what each axis does for it. It sets no event and moves
+no axis: `path_run.PathRun` does that, with the sum of all courses that are blended.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
+from motionlang.controller.moves.buffer import motions
+from motionlang.controller.moves.geometry import corner
+from motionlang.profile import Profile, hold
+from motionlang.profile.composed import travelled
+from motionlang.profile.halted import halted
+from motionlang.profile.lookahead import plan_course
+from motionlang.profile.relief import onset, stop_under_way
+from motionlang.profile.total import total
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+    from motionlang.controller.moves.geometry import Segment
+    from motionlang.controller.moves.path import PathMove
+    from motionlang.profile.lookahead import Pace
+
+# What a path may overshoot its end by, as a part of its length, before it counts as overshooting.
+SLACK = 1e-9
+
+
+class Course:
+    """The path `here`, laid out as `segment`, and the paths `ahead`.
+
+    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are those of the
+    paths ahead. It was planned to the end of the path `goal` (None: to rest wherever that is); times and distances are
+    rounded on the way there, and tell neither which path has ended nor whether it was the last one. `part` is the
+    profile up to the end of `here`, which comes at the time `due`.
+
+    `starts` is where the course was laid out from, on each axis, and `begins` where it begins: at the end of the course
+    that it is blended with, which may be cut short. `entered` are the paths that it has run along since.
+    `is_stopping` is set once it shall only come to rest, and `is_over` when it is done, which a course that it is
+    blended with may outlast.
+    """
+
+    __slots__ = (
+        "_controller",
+        "ahead",
+        "axes",
+        "began",
+        "begins",
+        "entered",
+        "goal",
+        "here",
+        "is_over",
+        "is_stopping",
+        "part",
+        "profile",
+        "segment",
+        "starts",
+    )
+
+    def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
+        self._controller, self.here, self.axes = controller, here, here.axes
+        self.segment = here.lay(starts)
+        self.starts, self.begins = list(starts), list(starts)
+        self.ahead: list[tuple[PathMove, Segment]] = []
+        self.entered: list[PathMove] = [here]
+        self.profile: Profile = hold(0.0)
+        self.part = self.profile
+        self.goal: PathMove | None = here
+        self.began = 0.0
+        self.is_stopping = self.is_over = False
+
+    # ----------------------------------------------------------------------------------------------- reading
+
+    @property
+    def elapsed(self) -> float:
+        """The time since the present profile began."""
+        return self._controller.clock.now - self.began
+
+    @property
+    def due(self) -> float:
+        """When the present path ends, if nothing else happens; infinite while the course is suspended."""
+        return self.began + self.part.duration
+
+    @property
+    def speed(self) -> float:
+        """The speed along the path now, user units/s."""
+        return self.profile.velocity(self.elapsed)
+
+    @property
+    def remaining(self) -> float:
+        """The distance along the present path still to go, user units."""
+        return max(0.0, self.segment.length - self.profile.position(self.elapsed))
+
+    @property
+    def is_suspended(self) -> bool:
+        """True while any of its axes is suspended."""
+        return any(a.suspended for a in self.axes)
+
+    @property
+    def leads_on(self) -> bool:
+        """Whether the profile goes beyond the end of this path."""
+        if self.goal is not None:
+            return self.here is not self.goal
+        return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + SLACK)
+
+    def following(self) -> PathMove | None:
+        """The next path of the same axes, if it is released and next on all of them."""
+        entries = motions(self.axes[0])
+        action = entries[0].action if entries else None
+        return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
+
+    @property
+    def stops_at_corner(self) -> bool:
+        """Whether it comes to rest at the end of this path only because of the angle to the next."""
+        following, master = self.following(), self.axes[0]
+        if following is None or not master.contour_mode or self.ahead:
+            return False
+        segment = following.lay(self.segment.ends)
+        return bool(segment.length) and corner(self.segment, segment) > master.contour_angle
+
+    @property
+    def ends(self) -> list[float]:
+        """Where each axis is at the end of the present path."""
+        return [self._at(k, end) for k, end in enumerate(self.segment.ends)]
+
+    def of(self, k: int) -> Profile:
+        """The motion of axis number k along its curve, from the time `began` to the end of this path."""
+        end = self._at(k, self.segment.ends[k])
+        if not self.segment.length:
+            return hold(end).cut(0.0)
+        part = self.part
+        made = travelled(part, self.segment.curves[k])
+        if self.begins[k] != self.starts[k]:
+            made = made.scaled(self._at(k, made.start), 1.0)
+        if self.segment.starts is not None and part.start == 0.0:
+            made.start = self._at(k, self.segment.starts[k])
+        arrives = self.goal is not None or part.end >= self.segment.length * (1.0 - 1e-12)
+        if arrives and part.duration < INFINITY:
+            made.end = end
+        return made
+
+    def places_at_rest(self) -> list[float]:
+        """Where its axes will be when it has come to rest."""
+        place = self.profile.end
+        for segment in (self.segment, *(each for _, each in self.ahead)):
+            if place <= segment.length * (1.0 + SLACK):
+                break
+            place -= segment.length
+        if not segment.length or place >= segment.length * (1.0 - 1e-12):
+            places = segment.ends
+        else:
+            places = [curve.position(place) for curve in segment.curves]
+        return [self._at(k, each) for k, each in enumerate(places)]
+
+    def _at(self, k: int, place: float) -> float:
+        """Where a place of axis number k is, as the course has been laid out, now that it begins elsewhere."""
+        begin, start = self.begins[k], self.starts[k]
+        return place if begin == start else begin + (place - start)
+
+    # -------------------------------------------------------------------------------------------- being run
+
+    def follow(self, profile: Profile, goal: PathMove | None) -> None:
+        """Go by another profile from now on."""
+        self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
+        self.part = self.profile
+        if self.leads_on:
+            time = profile.crossing(self.segment.length)
+            self.part = profile if time is None else profile.cut(time)
+
+    def leave(self, whole: bool) -> None:
+        """The path is under way no more; `whole` says whether it has come to its end."""
+        if self.here.guide is not None:
+            self.here.guide.ends(whole)
+
+    def cut_log(self) -> None:
+        """End the entries of the present path in the log now."""
+        now = self._controller.clock.now
+        for move in self.here.moves:
+            assert move.profile is not None
+            move.profile = move.profile.cut(now - move.start_time)
+
+    def begin_next(self) -> None:
+        """Be on the next path."""
+        self.here, self.segment = self.ahead.pop(0)
+        self.entered.append(self.here)
+
+    def go_on(self, rest: Profile) -> None:
+        """Follow what is left of the profile along the path just reached, as far as what has come since allows."""
+        known = len(self.ahead)
+        self.look_ahead()
+        self.profile = rest.shifted(-rest.start)
+        if len(self.ahead) > known:
+            self.plan_afresh()
+
+    def shift(self, k: int, by: float) -> None:
+        """Axis number k counts from another zero, `by` counts higher: the course stays where it is."""
+        self.starts[k] += by
+        self.begins[k] += by
+        for segment in (self.segment, *(each for _, each in self.ahead)):
+            segment.shift(k, by)
+
+    def begin_at(self, places: Sequence[float]) -> None:
+        """Begin at `places`, since the course that this one is blended with ends there now; the log says so, too."""
+        if list(places) == self.begins:
+            return
+        self.begins = list(places)
+        for k, place in enumerate(places):
+            for path in self.entered:
+                move = path.moves[k]
+                if move.profile is not None:
+                    move.profile = move.profile.scaled(place, 1.0)
+                    place = move.profile.end
+        by = [place - start for place, start in zip(places, self.starts, strict=True)]
+        for path in (*self.entered, *(path for path, _ in self.ahead)):
+            path.displace(self._controller, by)
+
+    # ------------------------------------------------------------------------------------------------ planning
+
+    def look_ahead(self) -> None:
+        """Lay out the paths of the buffers that can be entered without coming to rest."""
+        if not self.here.may_join or self.is_stopping:
+            return
+        before = self.ahead[-1] if self.ahead else (self.here, self.segment)
+        entries = motions(self.axes[0])
+        while len(entries) > len(self.ahead):
+            action = entries[len(self.ahead)].action
+            if not _continues(action, self.axes, len(self.ahead)):
+                return
+            segment = action.lay(before[1].ends)  # type: ignore[union-attr]
+            if not before[0].joins(before[1], action, segment):  # type: ignore[arg-type]
+                return
+            before = (action, segment)  # type: ignore[assignment]
+            self.ahead.append(before)
+
+    def plan_afresh(self) -> None:
+        """Plan from what the profile begins with; without room for that it goes on as it is."""
+        planned = self.planned(0.0)
+        if planned is not None:
+            self.profile, self.goal = planned
+
+    def planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
+        """From what the present profile does at `time` to rest at the end of the paths, and the last of them.
+
+        None where there is no room left to come to rest there. What is coming to rest already, with an acceleration
+        that can only be taken back at rest, goes on from there.
+        """
+        pace = self.here.pace(self._controller, self.segment)
+        if self.is_suspended or not pace.speed:
+            stop = self.standing(time)
+            return None if stop is None else (stop, None)
+        if not self.segment.length:
+            return hold(0.0).cut(0.0), self.here
+        stretches, goal = self._stretches(pace)
+        eased, place, speed, bent = onset(self.profile, time, pace.shape, pace.accel_jerk)
+        try:
+            profile = plan_course(stretches, place, max(speed, 0.0), bent)
+        except ValueError as problem:
+            raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
+        if profile is None:
+            return self._from_rest(time, stretches, goal)
+        return profile if eased is None else eased.then(profile), goal
+
+    def _from_rest(
+        self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
+    ) -> tuple[Profile, PathMove | None] | None:
+        """The same after the rest that a stop leads to within the paths; None where none does."""
+        still = self.profile.velocity_crossing(0.0, time)
+        if self.goal is not None or still is None or still == INFINITY:
+            return None
+        profile = plan_course(stretches, self.profile.position(still), 0.0)
+        return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
+
+    def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
+        """Length and pace of what is run as one, up to a path that may not move now; and the last path of it."""
+        stretches, goal = [(self.segment.length, pace)], self.here
+        for action, segment in self.ahead:
+            following = action.pace(self._controller, segment)
+            if not following.speed:
+                break
+            length, before = stretches[-1]
+            if before.key() == following.key():
+                stretches[-1] = (length + segment.length, before)
+            else:
+                stretches.append((segment.length, following))
+            goal = action
+        return stretches, goal
+
+    def stopped(self, decel: float | None) -> Profile | None:
+        """To rest as soon as it can, at `decel` or as hard as the paths allow; None where its plan does not change."""
+        profile = self.braking(self.elapsed, decel)
+        if profile is None and self.profile.duration == INFINITY:
+            # What was to stand at the end until it is resumed ends there.
+            rest = self.profile.after(self.elapsed)
+            profile = rest.cut(rest.knots[-2])
+        return profile
+
+    def standing(self, time: float) -> Profile | None:
+        """To rest from what the profile does at `time`, and to stand there; None where the paths end before."""
+        profile = self.braking(time)
+        return None if profile is None else halted(profile, "suspend")
+
+    def braking(self, time: float, decel: float | None = None, first: int = 0) -> Profile | None:
+        """To rest from what the present profile does at `time`, at `decel` or as hard as the paths it takes allow.
+
+        The profile is on path number `first` then. A stop that would come into a path ahead faster than that allows
+        begins there, since the present plan brakes harder before it. None where the paths end before, which the course
+        brakes for by itself.
+        """
+        if self.profile.velocity(time) <= 0.0:
+            return hold(self.profile.position(time)).cut(0.0)
+        paths = [(self.here, self.segment), *self.ahead]
+        room, most = total(segment.length for _, segment in paths[:first]), INFINITY
+        for k, (action, segment) in enumerate(paths[first:], first):
+            pace = action.pace(self._controller, segment)
+            place, room, most = room, room + segment.length, min(most, pace.decel)
+            rates = decel or most, pace.ramp, pace.accel_jerk, pace.decel_jerk
+            try:
+                stop = stop_under_way(self.profile, time, pace.shape, *rates)
+            except ValueError as problem:
+                raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
+            if k > first and _speed_at(stop, place) > pace.speed * (1.0 + SLACK):
+                due = self.profile.crossing(place, time)
+                if due is not None and _speed_at(stop, place) > self.profile.velocity(due) * (1.0 + SLACK):
+                    later = self.braking(due, decel, k)
+                    return None if later is None else self.profile.cut(due).after(time).then(later)
+            if stop.extrema()[1] <= room:
+                return stop
+        return None
+
+
+def _speed_at(profile: Profile, place: float) -> float:
+    """The speed with which a profile passes a place; 0 where it does not come to it."""
+    time = profile.crossing(place)
+    return 0.0 if time is None else profile.velocity(time)
+
+
+def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
+    """Whether an entry of the buffer is a path of the same axes, released, and next on all of them."""
+    return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined]

@@ -1,0 +1,39 @@
+"""`python -m tests.forged [COUNT]`: how many forged planners change the motion, and which of these the proof accepts.
+
+`--only TEXT` takes those whose names have the text.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+
+from tests.forged.changes import changes, chosen, forged
+from tests.forged.verdicts import honest, verdict
+
+
+def main(count: int, only: str) -> int:
+    """Print a line a planner; 1 where one changes the motion and passes."""
+    motions = honest()
+    every = [each for each in changes() if only in str(each)] if only else chosen(count)
+    kinds: Counter[str] = Counter()
+    passed = []
+    for each in every:
+        with forged(each):
+            found = verdict(motions, each.function)
+        kinds[found.kind] += 1
+        if found.kind == "passed":
+            passed.append(each)
+        print(f"{found.kind}: {each}: {found.program} {found.message}", flush=True)
+    print(f"{len(every)} forged planners: {dict(sorted(kinds.items()))}; passed:")
+    print(*passed, sep="\n")
+    return 1 if passed else 0
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(prog="python -m tests.forged", description=__doc__)
+    parser.add_argument("count", type=int, nargs="?", default=280)
+    parser.add_argument("--only", metavar="TEXT", default="")
+    given = parser.parse_args()
+    sys.exit(main(given.count, given.only))

@@ -1,0 +1,77 @@
+"""A slice of the forged planners, each with a program by which the proof rejects it; `-m long` runs all of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.forged.changes import changes, chosen, forged
+from tests.forged.verdicts import honest, ran, verdict
+
+# What decides how fast a path is run, within its bounds, and which corners it is run through.
+LISTED = ("motionlang.profile.lookahead", "motionlang.controller.moves.geometry")
+
+# By their module, their function, what stands there and what is forged, and the program.
+SLICE: tuple[tuple[str, str, str, str, str], ...] = (
+    ("profile.trapezoid", "plan_trapezoid", "target - start", "target + start", "moves.mnt"),
+    ("profile.trapezoid", "from_rest", "0.5 / accel", "0.5 * accel", "moves.mnt"),
+    ("profile.ramps", "ramp_distance", "v_from + 2.0 * v_to", "v_from", "parabolas of PMC.mcl"),
+    ("profile.ramps", "ramp_distance", "0.5 * (v_from + v_to)", "0.5 / (v_from + v_to)", "moves.mnt"),
+    ("profile.approach", "stretched", "a - b", "a", "events.mnt"),
+    ("profile.approach", "from_rest", "rise + fall", "rise - fall", "S-curves of PMC.mcl"),
+    ("profile.scurve", "plan_ratio", "stretch / accel", "stretch * accel", "S-curves of PMC.mcl"),
+    ("profile.parabolic", "plan_parabolic", "2.0 / accel", "2.0 * accel", "parabolas of PMC.mcl"),
+    ("profile.parabolic", "parabolic_ramps", "(a - b) * down", "a - b", "parabolas of PMC.mcl"),
+    ("profile.jerk", "plan_jerk", "first + slew", "first", "moves in S-ramps.mnt"),
+    ("profile.jerk", "plan_jerk", "0.5 * (first + last)", "0.5 / (first + last)", "moves in S-ramps.mnt"),
+    ("profile.fade", "fade", "0.5 * a0", "0.5", "jogs in S-ramps.mnt"),
+    ("profile.fade", "fade_distance", "0.5", "0.55", "events in S-ramps.mnt"),
+    ("profile.relief", "_on_slope", "index + 1", "index - 1", "S-curves of PMC.mcl"),
+    ("profile.stop", "plan_velocity", "sign * after", "sign / after", "jogs in S-ramps.mnt"),
+    ("profile.bent", "Bent.__init__", "1", "2", "targets in S-ramps.mnt"),
+    ("profile.bent", "bent_approach", "sign * a0", "sign / a0", "events in S-ramps.mnt"),
+    ("profile.between", "between", "length - used", "length + used", "events in S-ramps.mnt"),
+    ("profile.between", "_top", "max(speed, v1)", "min(speed, v1)", "paths.mnt"),
+    ("profile.lookahead", "plan_course", "max(0.0, length - passed)", "0.0", "paths.mnt"),
+    ("profile.composed", "_straight", "piece[1] * (along.start - begin)", "piece[1]", "a contour.mnt"),
+    ("profile.curve", "Profile.after", "knot - time", "knot + time", "a contour.mnt"),
+    ("profile.curve", "Profile._index", "1", "2", "moves.mnt"),
+    ("profile.arc", "arc_over", "angle + (0.5 * pi if cosine else 0.0)", "angle", "a contour.mnt"),
+    ("profile.arc", "arc_over", "-1.0 if turn % 2 else 1.0", "1.0 if turn % 2 else -1.0", "a contour.mnt"),
+    ("profile.pieces", "position_in", "(c3 * x + c2) * x", "(c3 * x + c2) / x", "moves.mnt"),
+    ("profile.pieces", "velocity_in", "c1 + amplitude * omega * cos(omega * x + phase)", "c1", "a contour.mnt"),
+    ("profile.crossing", "_first", "begin + x", "begin - x", "a contour.mnt"),
+    ("controller.motion.halt", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
+    ("controller.motion.follow", "FollowMove.profile", "finish - start", "finish", "speed references.mnt"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("module", "function", "before", "after", "program"), SLICE)
+def test_a_forged_planner_is_rejected(
+    module: str, function: str, before: str, after: str, program: str
+) -> None:
+    wanted = (f"motionlang.{module}", function, before, after)
+    found = changes(module.replace(".", "/") + ".py")
+    change = next(each for each in found if (each.module, each.function, each.before, each.after) == wanted)
+    motions = honest([program])
+    with forged(change):
+        assert verdict(motions).kind == "rejected"
+    assert verdict(motions).kind == "same"
+
+
+def test_the_programs_of_the_honest_planners_are_proved() -> None:
+    from tests.forged.programs import PROGRAMS
+
+    for name in PROGRAMS:
+        assert [each.message for each in ran(name).proof().violations] == [], name
+
+
+@pytest.mark.long
+def test_no_forged_planner_that_changes_the_motion_passes() -> None:
+    """280 of all changes, evenly spread, but for what `docs/proof.md` lists: the shortest time of a path."""
+    motions = honest()
+    passed = []
+    for change in chosen(280):
+        with forged(change):
+            if verdict(motions, change.function).kind == "passed" and change.module not in LISTED:
+                passed.append(str(change))
+    assert passed == []

@@ -1,0 +1,137 @@
+"""What becomes of the programs under a forged planner: the motion is the same, is rejected, fails, or passes."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import NamedTuple
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.forged.programs import PROGRAMS
+
+# Moments of a run at which the motion of two planners is compared, and by which part of its size it may differ.
+MOMENTS, ALIKE = 101, 1e-5
+# Seconds after which a forged planner that finds no end is given up.
+LONGEST = 5.0
+
+
+class Motion(NamedTuple):
+    """When a run ended, and where its axes were and how fast at some moments; and the functions that it called."""
+
+    time: float
+    states: tuple[tuple[float, float], ...]
+    called: frozenset[str] = frozenset()
+
+    def differs(self, other: Motion) -> bool:
+        """Whether another motion is not the same but for rounding."""
+        if abs(self.time - other.time) > ALIKE * max(1.0, self.time) or len(self.states) != len(other.states):
+            return True
+        sizes = [max(1.0, *(abs(state[which]) for state in self.states)) for which in (0, 1)]
+        return any(
+            not abs(a[which] - b[which]) <= ALIKE * sizes[which]
+            for a, b in zip(self.states, other.states, strict=True)
+            for which in (0, 1)
+        )
+
+
+class Verdict(NamedTuple):
+    """`kind` is "same", "rejected", "failed" or "passed"; `program` and `message` say of which program, and how."""
+
+    kind: str
+    program: str = ""
+    message: str = ""
+
+
+class Endless(Exception):
+    """A program takes too long."""
+
+
+def ran(name: str) -> Run:
+    """A program, run to be proved."""
+    machine = {"controller.instruction_time": 1e-9}
+    return run(Source(name, PROGRAMS[name]), machine=machine, cache=False, prove=True, until=60.0)
+
+
+def motion(result: Run, times: list[float]) -> Motion:
+    axes = [a for a in result.controller.axes.values() if len(a.profiles) > 1]
+    return Motion(
+        result.time, tuple((a.at(time).position, a.at(time).velocity) for a in axes for time in times)
+    )
+
+
+def honest(names: Iterable[str] = PROGRAMS) -> dict[str, Motion]:
+    """The motion of programs as they are planned."""
+    found = {}
+    for name in names:
+        called: set[str] = set()
+
+        def note(frame: FrameType, event: str, _: object, called: set[str] = called) -> None:
+            if event == "call":
+                called.add(frame.f_code.co_qualname)
+
+        sys.setprofile(note)
+        try:
+            result = ran(name)
+            states = motion(result, _times(result.time))
+        finally:
+            sys.setprofile(None)
+        found[name] = states._replace(called=frozenset(called))
+    return found
+
+
+def verdict(motions: dict[str, Motion], function: str = "") -> Verdict:
+    """What the planner in force does to the programs whose honest motions are given, of those that call a function.
+
+    It is rejected with the first program that is; it passes where it changes the motion of one and none is rejected.
+    """
+    told = Verdict("same")
+    for name, before in motions.items():
+        if function and function not in before.called:
+            continue
+        found = _of_program(name, before)
+        if found.kind == "rejected":
+            return found
+        if found.kind == "passed" or told.kind == "same":
+            told = found
+    return told
+
+
+def _of_program(name: str, before: Motion) -> Verdict:
+    try:
+        with _limited():
+            result = ran(name)
+            after = motion(result, _times(before.time))
+            if result.status == "fault" or result.crash is not None or result.diagnostics:
+                told = [each.message for each in result.diagnostics]
+                return Verdict("failed", name, f"{result.status} {told[:1]}")
+            violations = result.proof().violations
+    except Exception as error:
+        return Verdict("failed", name, repr(error))
+    if violations:
+        return Verdict("rejected", name, violations[0].message)
+    return Verdict("passed", name) if before.differs(after) else Verdict("same")
+
+
+def _times(end: float) -> list[float]:
+    return [end * k / (MOMENTS - 1) for k in range(MOMENTS)]
+
+
+@contextmanager
+def _limited() -> Iterator[None]:
+    """An exception where it takes too long."""
+
+    def give_up(number: int, frame: FrameType | None) -> None:
+        raise Endless
+
+    before: Callable[[int, FrameType | None], object] | int | None = signal.signal(signal.SIGALRM, give_up)
+    signal.setitimer(signal.ITIMER_REAL, LONGEST)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)

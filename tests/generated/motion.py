@@ -1,0 +1,55 @@
+"""Programs of both languages that move, each from one number.
+
+`generate(seed)` draws the language, the program and the machine that it runs on. What it writes follows the grammar
+and the keyword rows, but a statement may still be rejected by the axis at run time, as in any program.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from tests.generated.draw import Draw
+from tests.generated.mccl_motion import McclProgram
+from tests.generated.mint_motion import MintProgram
+
+# Machine seconds after which a program that has not ended is cut off.
+UNTIL = 20.0
+SUFFIX = {"mint": ".mnt", "mccl": ".mcl"}
+
+
+class Generated(NamedTuple):
+    """A program, its language, and the settings of its machine."""
+
+    seed: int
+    language: str
+    text: str
+    machine: dict[str, object]
+
+    @property
+    def name(self) -> str:
+        """Its file name."""
+        return f"motion-{self.seed}{SUFFIX[self.language]}"
+
+    @property
+    def machine_file(self) -> str:
+        """The settings as a machine file."""
+        return "".join(f"{key} = {value}\n" for key, value in self.machine.items())
+
+
+def generate(seed: int) -> Generated:
+    """The program of a seed: two in three are Mint."""
+    draw = Draw(seed)
+    language = "mccl" if draw.chance(1 / 3) else "mint"
+    machine: dict[str, object] = {}
+    if draw.chance(0.3):
+        machine["controller.instruction_time"] = draw.choice((1e-9, 1e-6, 1e-3))
+    if draw.chance(0.3):
+        scale = 1.0 if language == "mint" else 10.0
+        first = 0 if language == "mint" else 1
+        for axis in range(first, first + 3):
+            machine[f"axis.{axis}.home_switch"] = [-30.0 * scale, -20.0 * scale]
+            machine[f"axis.{axis}.index_every"] = 12.0 * scale
+            if draw.chance(0.4):
+                machine[f"axis.{axis}.travel"] = [-70.0 * scale, 70.0 * scale]
+    text = (McclProgram if language == "mccl" else MintProgram)(draw).text
+    return Generated(seed, language, text, machine)

@@ -1,0 +1,153 @@
+"""What generated programs found: the smallest program of each kind, proved, with figures worked out by hand."""
+
+from __future__ import annotations
+
+from math import hypot, sqrt
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+FINE = {"controller.instruction_time": 1e-9}
+RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
+
+
+def proved(program: str, suffix: str = "mnt", until: float = 20.0) -> Run:
+    """A run without a diagnostic, whose proof holds."""
+    result = run(Source(f"found.{suffix}", program), machine=FINE, cache=False, prove=True, until=until)
+    assert [each.message for each in result.diagnostics] == []
+    assert [each.message for each in result.proof().violations] == []
+    return result
+
+
+def places(result: Run, *axes: int) -> list[float]:
+    return [result.controller.axes[axis].position(result.time) for axis in axes]
+
+
+def test_a_path_begins_at_the_moment_at_which_a_move_without_a_distance_ends() -> None:
+    """30 by 40 is 50 at 20 with 100: 50/20 + 20/100 s."""
+    result = proved(RATES + "MOVEA(0) = 0 : VECTORA(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)\n")
+    assert places(result, 0, 1) == [30.0, 40.0]
+    assert result.time == pytest.approx(2.7)
+
+
+SPLINE = "Dim way(5) As Float = 4, 10, 20, 10, 0\nSPLINETABLE(0, way, NULL, NULL)\n"
+
+
+def test_a_spline_goes_on_by_the_same_distances_from_a_position_that_is_written() -> None:
+    """After 100 ms it is at 10, which becomes 5: 30 of its 40 are left."""
+    result = proved(f"{SPLINE}SPLINE(0) = 0 : GO(0)\nWAIT = 100\nPOS(0) = 5\nPAUSE IDLE(0)\n")
+    assert places(result, 0) == pytest.approx([35.0])
+
+
+def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_again() -> None:
+    """It comes to rest 20 of its 40 further on than the position that is written."""
+    suspend = "SPLINESUSPENDTIME(0) = 40\nSPLINE(0) = 0 : GO(0)\nWAIT = 200\nSUSPEND(0) = 1\nWAIT = 20\n"
+    twice = (
+        "k = POS(0)\nPOS(0) = 0\nSUSPEND(0) = 0\nSUSPEND(0) = 1\nWAIT = 100\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
+    )
+    result = proved(f"Dim k As Float\n{SPLINE}{suspend}{twice}PRINT POS(0) + k\n")
+    assert result.output == ["40.0000"]
+
+
+def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
+    """At 0.6 s the slave stands at 10 and the 0.5 of its offset; from 0.7 s on it follows for 0.3 s at 20."""
+    program = (
+        f"{RATES}MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
+    )
+    cancel = (
+        "OFFSET(1) = 10 : GO(1)\nWAIT = 100\nCANCEL(1)\nWAIT = 100\nFOLLOW(1) = 1\nWAIT = 300\nCANCEL(0)\n"
+    )
+    result = proved(program + cancel)
+    assert places(result, 0, 1) == pytest.approx([18.0, 16.5], abs=1e-6)
+
+
+def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> None:
+    """At 40 on a radius of 20 it turns at 80; a MAXDECEL of 30 has sqrt(1/2) of it for each of turning and braking.
+
+    So it brakes at 21.21 to a speed of sqrt(21.21 * 20), and both add up to at most sqrt(80² + 21.21²) until then.
+    """
+    arc = "CIRCLER(0, 1) = 20, 0, 360 : GO(0)\nWAIT = 1000\nMAXDECEL(1) = 30\nWAIT = 1000\nPRINT VELDEMANDPATH(0)\n"
+    result = proved(f"SPEED(0) = 40 : ACCEL(0) = 100 : DECEL(0) = 100\n{arc}PAUSE IDLE(0)\n")
+    rate = 30.0 * sqrt(0.5)
+    assert float(result.output[0]) == pytest.approx(sqrt(rate * 20.0), abs=1e-4)
+    slowed = (40.0 - sqrt(rate * 20.0)) / rate
+    axis = result.controller.axes[1]
+    peak = max(abs(axis.at(1.0 + slowed * k / 1000.0).acceleration) for k in range(1000))
+    assert 30.0 < peak <= hypot(80.0, rate)
+
+
+def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> None:
+    """The rest of the first segment takes the suspend time, 100 ms, and so do the three others."""
+    suspend = "SPLINE(0) = 0 : GO(0)\nWAIT = 40\nSUSPEND(0) = 1\nWAIT = 200\nSUSPEND(0) = 0\n"
+    result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
+    assert places(result, 0) == [40.0]
+    assert result.time == pytest.approx(0.04 + 0.2 + 4 * 0.1)
+
+
+def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
+    """After 1 s, 18 of its 50, the speed becomes 0.1 of a new unit of 100 counts, which is 10 of the old ones.
+
+    Braking to that takes 0.1 s and 1.5, the last ramp 0.1 s and 0.5, and the 30 between them 3 s.
+    """
+    line = (
+        "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 1000\nSCALEFACTOR(0) = 100 : SPEED(0) = 0.1\nPAUSE IDLE(0)\n"
+    )
+    result = proved(RATES + line)
+    assert places(result, 0, 1) == [30.0, 40.0]
+    assert result.time == pytest.approx(1.0 + 0.1 + 3.0 + 0.1, abs=1e-6)
+
+
+def stop_of(program: str) -> tuple[float, float]:
+    """Start time and duration of the profile of the stop of axis 1, and that its proof holds."""
+    result = proved(program, "mcl")
+    axis = result.controller.axes[1]
+    place = max(
+        k for k, profile in enumerate(axis.profiles) if "stop" in {each.name for each in profile.phases}
+    )
+    return axis.starts[place], axis.profiles[place].duration
+
+
+def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_own_ramp() -> None:
+    """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that: the acceleration grows by 1000 in 2/3 s.
+
+    After 0.3 s it is 450 and falls in another 0.3 s, to twice the 67.5 counts/s of that moment. From 135 the axis stops
+    in 135/(5000 * 0.6) s. An SV written together with the ST changes nothing of that.
+    """
+    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1SV100,1ST\n1WS\n"
+    begin, duration = stop_of(program)
+    assert begin == pytest.approx(0.3, abs=1e-6)
+    assert duration == pytest.approx(0.3 + 135.0 / 3000.0, abs=1e-5)
+
+
+def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
+    """DH as soon as ST: the flank of the stop, and all that follows it, are the rest of what was planned."""
+    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST,WA0.1,1DH0\n1WS\n"
+    begin, duration = stop_of(program)
+    assert begin == pytest.approx(0.4, abs=1e-6)
+    assert duration == pytest.approx(0.2 + 135.0 / 3000.0, abs=1e-5)
+
+
+def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
+    """It ends 300 from where it began, which is 1000 higher from then on; the other one of the path is at 400."""
+    program = "MN,1CM1,2CM1,1PS0.3,1VV100,1VA100,1VD100\n1CP1,1MA300,2MA400,WA0.5,1TP,1DH1000,1WS\n"
+    result = proved(program, "mcl")
+    shift = 1000.0 - float(result.output[0].split()[1])
+    assert places(result, 1, 2) == pytest.approx([300.0 + shift, 400.0], abs=1.0)
+
+
+def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_first() -> None:
+    """200 at 20 with 100, without a stop at the corner: 200/20 + 20/100 s."""
+    lines = "MOVEBUFFERSIZE(0) = 9 : MOVEBUFFERSIZE(1) = 9\nCONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n"
+    paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\nCONTOURMODE(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(RATES + lines + paths)
+    assert places(result, 0, 1) == [100.0, 100.0]
+    assert result.time == pytest.approx(200.0 / 20.0 + 0.2)
+
+
+def test_an_s_curve_takes_over_from_a_parabola_at_the_speed_that_it_leads_to() -> None:
+    """The parabola to 2000 takes 2 * 2000/500 = 8 s; left at 0.3 s, its flank still ends at 2000 and leaves no ramp."""
+    result = proved("1MN,1SV2000,1SA500,1DS500,1PP\n1VM,1GO,WA0.313,1PS0.45,1GO,WA8,1TV\n1AB\n", "mcl")
+    assert result.output == ["01 2000"]

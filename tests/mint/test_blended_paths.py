@@ -1,0 +1,139 @@
+"""Blended paths of Mint: every command that ends them, and the end of the run, shows in the report of each.
+
+At 0.5 s the first path has gone 4.5 at a speed of 10; the second one begins. At 0.55 s they have gone 5 and 0.125, the
+second one at a speed of 5. With rates of 100 they stop within 0.5 and 0.125, in 0.1 and 0.05 s.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from motionlang import run
+from motionlang.report import build
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.mint.blend_programs import program
+
+PATHS = """SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : ERRORDECEL(0) = 200
+VECTOR{how}(0, 1) = 100, 0
+VECTOR{how}(0, 1) = {x}, 100
+GO(0)
+WAIT = 500
+BLEND(0)
+WAIT = 50
+"""
+# What the first path and the second one still do at a rate: distances and seconds.
+AT_ONCE = (0.0, 0.0, 0.0, 0.0)
+AT_DECEL = (0.5, 0.1, 0.125, 0.05)
+AT_ERRORDECEL = (0.25, 0.05, 0.0625, 0.025)
+WAYS = {
+    "CANCEL(0)": ("cancel", AT_ONCE),
+    "CANCEL(1)": ("cancel", AT_ONCE),
+    "RESET(1) : POS(1) = 0.125": ("cancel", AT_ONCE),
+    "ABORT": ("fault", AT_ONCE),
+    "DRIVEENABLE(0) = 0": ("cancel", AT_ONCE),
+    "DRIVEENABLE(1) = 0": ("cancel", AT_ONCE),
+    "STOP(0) : WAIT = 500": ("stop", AT_DECEL),
+    "STOP(1) : WAIT = 500": ("stop", AT_DECEL),
+    "SOFTLIMITMODE(0) = 1 : SOFTLIMITFORWARD(0) = 4 : WAIT = 500": ("fault", AT_ONCE),
+    "SOFTLIMITMODE(1) = 3 : SOFTLIMITFORWARD(1) = 0.1 : WAIT = 500": ("fault", AT_ERRORDECEL),
+    "SUSPEND(0) = 1 : WAIT = 500": ("end-of-run", (0.5, 0.5, 0.125, 0.5)),
+    "SUSPEND(0) = 1 : WAIT = 400 : CANCEL(0)": ("cancel", (0.5, 0.4, 0.125, 0.4)),
+    "SUSPEND(0) = 1 : WAIT = 400 : STOP(0)": ("stop", (0.5, 0.4, 0.125, 0.4)),
+    "PRINT 1 / IDLE(0)": ("end-of-run", AT_ONCE),
+}
+
+
+def proved(text: str, until: float = 100.0) -> Run:
+    machine = {"controller.instruction_time": 1e-9}
+    result = run(Source("blend.mnt", text), machine=machine, cache=False, prove=True, until=until)
+    assert [each.message for each in result.proof().violations] == []
+    return result
+
+
+def rows(result: Run) -> list[tuple[float, float, float, float]]:
+    """Where each path began and ended on axis 0 and on axis 1, and how long it took."""
+    moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
+    return [
+        (first["start"], first["end"], second["start"], second["end"])
+        for first, second in zip(moves[::2], moves[1::2], strict=True)
+    ]
+
+
+@pytest.mark.parametrize("how", ["A", "R"])
+@pytest.mark.parametrize("way", WAYS)
+def test_what_ends_a_blend_is_told_of_both_paths(way: str, how: str) -> None:
+    ended, (first, first_time, second, second_time) = WAYS[way]
+    result = proved(PATHS.format(how=how, x=100 if how == "A" else 0) + way, until=1.05)
+    moves = build(result)["moves"]
+    x, y = 5.0 + first, 0.125 + second
+    assert rows(result) == [
+        pytest.approx((0.0, x, 0.0, 0.0), abs=1e-6),
+        pytest.approx((x, x, 0.0, y), abs=1e-6),
+    ]
+    seconds = [0.55 + first_time] * 2 + [0.05 + second_time] * 2
+    assert [move["duration"] for move in moves] == pytest.approx(seconds, abs=1e-6)  # type: ignore[attr-defined]
+    assert [move["ended"] for move in moves] == [ended] * 4  # type: ignore[attr-defined]
+    axes = result.controller.axes
+    assert [axes[k].position(result.time) for k in (0, 1)] == pytest.approx([x, y], abs=1e-6)
+
+
+def test_the_end_of_the_run_cuts_both_paths() -> None:
+    """At 0.6 s they have gone 5.5 and 0.5."""
+    result = proved(PATHS.format(how="R", x=0) + "PAUSE IDLE(0)", until=0.6)
+    assert rows(result) == [pytest.approx((0.0, 5.5, 0.0, 0.0)), pytest.approx((5.5, 5.5, 0.0, 0.5))]
+    moves = build(result)["moves"]
+    assert [move["ended"] for move in moves] == ["end-of-run"] * 4  # type: ignore[attr-defined]
+
+
+def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
+    """0.02 s after the stop they have 0.32 and 0.045 left, at speeds of 8 and 3; at 0.07 s the second one stands."""
+    words = (
+        "VEL(0)",
+        "VEL(1)",
+        "IDLE(0)",
+        "POSTARGET(0)",
+        "POSTARGET(1)",
+        "POSREMAINING(0)",
+        "VELDEMANDPATH(0)",
+    )
+    look = "PRINT " + '; " "; '.join(words) + "\n"
+    result = proved(
+        PATHS.format(how="R", x=0) + f"STOP(0)\nWAIT = 20\n{look}WAIT = 50\n{look}PAUSE IDLE(0)\nPRINT TIME"
+    )
+    readings = [[float(part) for part in line.split()] for line in result.output[:2]]
+    assert readings[0] == pytest.approx([8.0, 3.0, 0.0, 5.5, 0.25, 0.32, 3.0])
+    assert readings[1] == pytest.approx([3.0, 0.0, 0.0, 5.5, 0.25, 0.045, 3.0])
+    assert result.output[2] == "650"
+
+
+def consistent(seed: int) -> None:
+    """A random program is proved, at most two of its paths overlap, and its report and its axes agree."""
+    result = proved(program(seed), until=30.0)
+    moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
+    assert all(move["start_time"] + move["duration"] <= result.time + 1e-9 for move in moves)
+    for axis in (0, 1):
+        mine = [move for move in moves if move["axis"] == axis]
+        for before, after in pairwise(mine):
+            assert after["start"] == pytest.approx(before["end"], abs=1e-9), (seed, after["line"])
+        for first, _, third in zip(mine, mine[1:], mine[2:], strict=False):
+            assert first["start_time"] + first["duration"] <= third["start_time"] + 1e-9, (
+                seed,
+                third["line"],
+            )
+        a = result.controller.axes[axis]
+        at = a.scale.position_to_user(a.position(result.time))
+        assert mine[-1]["end"] == pytest.approx(at, abs=1e-9), seed
+
+
+def test_random_blends_are_consistent() -> None:
+    for seed in range(60):
+        consistent(seed)
+
+
+@pytest.mark.long
+def test_many_random_blends_are_consistent() -> None:
+    for seed in range(60, 5000):
+        consistent(seed)
