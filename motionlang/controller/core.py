@@ -359,7 +359,8 @@ class Core(Readings):
                 move.action.leave(self, a, ended)
             done = move.profile.cut(self.clock.now - move.start_time)
             exact = a.here(self.clock.now) - move.offset
-            if abs(exact - done.end) < triggers.watch.margin(exact):  # not on a path that is blended
+            # An axis that has not moved is where it was; one on two blended paths is not where either of them has it.
+            if done.distance and abs(exact - done.end) < triggers.watch.margin(exact):
                 done = done.ending_at(exact)
             move.profile = done
             move.ended = ended

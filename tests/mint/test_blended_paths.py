@@ -80,6 +80,14 @@ def test_what_ends_a_blend_is_told_of_both_paths(way: str, how: str) -> None:
     assert [axes[k].position(result.time) for k in (0, 1)] == pytest.approx([x, y], abs=1e-6)
 
 
+def test_an_axis_that_a_path_does_not_move_goes_no_distance() -> None:
+    """The second path runs along axis 1 alone, whatever the sum of both rounds to on axis 0."""
+    result = run(Source("blend.mnt", PATHS.format(how="R", x=0) + "CANCEL(0)"), machine={}, cache=False)
+    moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
+    assert [move["end"] - move["start"] for move in moves if move["axis"] == 0][1:] == [0.0]
+    assert [move["distance"] for move in moves if move["axis"] == 0][1:] == [0.0]
+
+
 def test_the_end_of_the_run_cuts_both_paths() -> None:
     """At 0.6 s they have gone 5.5 and 0.5."""
     result = proved(PATHS.format(how="R", x=0) + "PAUSE IDLE(0)", until=0.6)
