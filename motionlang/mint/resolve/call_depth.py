@@ -17,16 +17,23 @@ def count_calls(functions: Sequence[Function], typed: bool) -> None:
     They may where a function calls itself, directly or not, where a Gosub may lead to itself, and at a prompt
     (`typed`), where later lines may do so.
     """
-    heights: dict[Function, int] = {}
-    waiting = {
-        function: function.calls | {function} if function.gosubs else function.calls for function in functions
-    }
-    while waiting and not typed:
-        leaves = [function for function, callees in waiting.items() if not callees - heights.keys()]
-        if not leaves:
-            break
-        for function in leaves:
-            heights[function] = 1 + max([heights[each] for each in waiting.pop(function)], default=-1)
-    if waiting or max(heights.values()) > MAX_DEPTH:
+    callers: dict[Function, list[Function]] = {}
+    unknown: dict[Function, int] = {}
+    for function in functions:
+        unknown[function] = len(function.calls) + function.gosubs  # a Gosub may lead to itself
+        for callee in function.calls:
+            callers.setdefault(callee, []).append(function)
+    heights = dict.fromkeys(functions, 0)
+    ready = [] if typed else [function for function, count in unknown.items() if not count]
+    known = 0
+    while ready:
+        callee = ready.pop()
+        known += 1
+        for caller in callers.get(callee, ()):
+            heights[caller] = max(heights[caller], heights[callee] + 1)
+            unknown[caller] -= 1
+            if not unknown[caller]:
+                ready.append(caller)
+    if known < len(functions) or max(heights.values()) > MAX_DEPTH:
         for function in functions:
             function.counted = True

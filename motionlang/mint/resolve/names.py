@@ -67,7 +67,8 @@ class Names:
         self._surveys: dict[Function, Survey] = {}
         # The Defines that are being put in the places of their names, one within the other.
         self._replacing: list[Symbol] = []
-        self._depths: dict[Symbol, int] = {}
+        # How deep their expressions nest; whether that was too deep once, so that no further ones are replaced.
+        self._defined_depth = 0
         self._defines_too_deep = False
         # Names in Python, with the number of the last one that was made of each.
         self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
@@ -409,18 +410,21 @@ class Names:
 
     def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
         """Have a name stand for what a Define says, resolved where it is used."""
+        if self._defines_too_deep:
+            return
         if define in self._replacing:
             message = f"{define.name} stands for itself"
             self.problems.add(
                 "type", message, define.at, "the expression of a Define may not come back to its name"
             )
             return
-        if self._defined_depth(define) > MAX_DEFINED_DEPTH:
-            message = (
-                f"the Defines behind {define.name} nest their expressions more than {MAX_DEFINED_DEPTH} deep"
-            )
+        depth = depth_of(define.node)  # type: ignore[arg-type]
+        if self._defined_depth + depth > MAX_DEFINED_DEPTH:
+            message = f"Defines nest expressions more than {MAX_DEFINED_DEPTH} deep, with this one"
             self.problems.add("syntax", message, define.at, "use a variable for a part of them")
+            self._defines_too_deep = True
             return
+        self._defined_depth += depth
         self._replacing.append(define)
         stands: nodes.Expr = copied(define.node)  # type: ignore[assignment]
         for inner in walk([stands]):
@@ -429,16 +433,8 @@ class Names:
                 inner.resolve(symbol, self.table.get(inner.name) if symbol is None else None)
                 self._use_name(function, inner)
         self._replacing.pop()
+        self._defined_depth -= depth
         node.stands = stands
-
-    def _defined_depth(self, define: Symbol) -> int:
-        """How deep the expressions nest that are being put in the places of names, with that of one more Define."""
-        depth = 0
-        for each in (*self._replacing, define):
-            if each not in self._depths:
-                self._depths[each] = depth_of(each.node)  # type: ignore[arg-type]
-            depth += self._depths[each]
-        return depth
 
     def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
         for argument, parameter in zip(node.args or (), callee.parameters, strict=False):

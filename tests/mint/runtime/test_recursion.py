@@ -150,7 +150,7 @@ def test_the_command_line_says_the_same(tmp_path: Path) -> None:
     path.write_text(text + HANDLER, encoding="utf-8")
     for more in ([], ["--no-cache"], ["--trace", str(tmp_path / "t.csv")], ["--profile"]):
         done = run_process(
-            [sys.executable, "-m", "motionlang", "run", str(path), "--report", "none", *more],
+            [sys.executable, "-m", "motionlang", "run", str(path), *more],
             capture_output=True,
             text=True,
             check=False,
