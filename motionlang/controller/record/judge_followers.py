@@ -7,6 +7,7 @@ from itertools import pairwise
 from math import fsum, isfinite, sqrt
 from typing import TYPE_CHECKING
 
+from motionlang.controller.record.flanks import last_change
 from motionlang.controller.record.judge import SLACK, Uses, gone, position
 from motionlang.controller.record.spans import Span, derivatives
 
@@ -199,12 +200,20 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
             uses.look("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
     uses.tell(order.line, where, " counts")
     took = profile.knots[-2] if endless else profile.knots[-1]
-    wanted = _reference_time(entry.velocity, entry.acceleration, order.goal, order.slopes)
+    wanted = _reference_time(entry.velocity, _carried(a, i), order.goal, order.slopes)
     if abs(took - wanted) > wanted * SLACK + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
     if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
         words = f"it comes to {profile.end_velocity:g} counts/s, written is {order.goal:g}"
         proof.breaks(order.line, f"{where}: {words}")
+
+
+def _carried(a: WholeTrack, i: int) -> float:
+    """The acceleration that profile number i finds; its own may begin with another one, where a slope has no edge."""
+    if not i or not a.profiles[i - 1].pieced:
+        return 0.0
+    before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
+    return before.at(elapsed).acceleration if elapsed < last_change(before) else 0.0
 
 
 def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:
