@@ -25,14 +25,14 @@ LAZY = {
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
     "mccl/__init__.py": "keywords keywords.switchable lint.check models resolve.asked runtime.program "
-    "runtime.session syntax.tokens",
+    "runtime.session syntax.parser syntax.tokens",
     "mint/__init__.py": "interactive keywords keywords.machine_readings keywords.switchable lint models program "
     "resolve.asked runtime.wait_sources syntax.extent syntax.parser",
     "mint/keywords/__init__.py": "keywords.vocabulary",
     "mint/keywords/vocabulary.py": "keywords.all_words",
     "mint/program.py": "compile.compiler syntax.parser",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
-    "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing",
+    "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",
     "profile/packed.py": "ahead chain composed rate summed",
     "profile/shapes.py": "jerk parabolic scurve",
     # The plainest runs, which load as little as they can.
@@ -56,7 +56,7 @@ LAZY = {
     "mint/keywords/buffer_operations.py": "keywords.following_masters",
     "mint/resolve/names.py": "resolve.flattening",
     "mint/runtime/printing.py": "models",
-    "mint/runtime/task.py": "runtime.errors",
+    "mint/runtime/task.py": "runtime.errors runtime.task_state",
     "mint/syntax/parser.py": "syntax.errors syntax.nesting",
 }
 

@@ -45,12 +45,9 @@ class Places:
         else:
             last = self._run.source.text.count("\n") + 1
             lines = (line for line in range(1, last + 1) if not self.sub(line))
-        first = next(filter(self._has_code, lines), None)
+        dialect, source = self._run.dialect, self._run.source
+        first = next((line for line in lines if dialect.has_code(source.line(line))), None)
         return None if first is None else self.at_line(first)
-
-    def _has_code(self, line: int) -> bool:
-        """Whether a line has more than a comment."""
-        return any(kind != "comment" for kind, _, _ in self._run.dialect.tokens(self._run.source.line(line)))
 
     def sub(self, line: int) -> str:
         """The innermost block that a line stands in."""

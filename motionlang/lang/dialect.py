@@ -117,6 +117,10 @@ class Dialect:
         """The subs, tasks and handlers of a program: how each is called, its first and its last line."""
         return []
 
+    def has_code(self, line: str) -> bool:
+        """Whether a line has more than blanks and a comment; cheap, as a profile asks it after every run."""
+        return bool(line.strip())
+
     def asked(self, source: Source) -> Callable[[int], Asked | None]:
         """What the loop, or the wait for a condition, at a place asks for; None where that is not known."""
         return lambda place: None

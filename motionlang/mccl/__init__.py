@@ -68,6 +68,11 @@ class Mccl(Dialect):
 
         return Session(machine)
 
+    def has_code(self, line: str) -> bool:
+        from motionlang.mccl.syntax.parser import spans
+
+        return next(iter(spans(line)), None) is not None
+
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
         from motionlang.mccl.syntax.tokens import tokens
 

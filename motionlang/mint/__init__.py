@@ -102,6 +102,14 @@ class Mint(Dialect):
 
         return MintInteractive(machine)
 
+    def has_code(self, line: str) -> bool:
+        """`REM x`, `rem` and `REMConfigure` are comments as `' x` is; `remaining` and `REMOTEOUT` are names."""
+        code = line.strip()
+        if code[:3].lower() != "rem":
+            return bool(code) and code[0] != "'"
+        joined = code[:3] == "REM" and code[3:4].isupper() and code[4:5].islower()
+        return (code[3:4].isalnum() or code[3:4] == "_") and not joined
+
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
         from motionlang.mint.syntax.parser import tokens
 
