@@ -175,12 +175,16 @@ def _running(run: Run) -> dict[int, float | None]:
     """
     found: dict[int, float | None] = {}
     for axis in run.controller.axes.values():
-        begin: float | None = None
+        before: Move | None = None
         for move in axis.entries:
-            assert move.profile is not None
+            begin: float | None = None
+            if before is not None:
+                assert before.profile is not None
+                begun = found[id(before)]
+                by = 0.0 if begun is None else begun - before.profile.start
+                begin = before.profile.position(run.time - before.start_time) + by
             found[id(move)] = begin
-            by = 0.0 if begin is None else begin - move.profile.start
-            begin = move.profile.position(run.time - move.start_time) + by
+            before = move
     return found
 
 
