@@ -291,9 +291,10 @@ class Chain:
     ) -> tuple[float, float, Place | None]:
         """Charge computing to the loops that it was in, and to `place` outside of them; the first of these loops.
 
-        A place in a sub that a loop calls is nearer than the loop.
+        A place in a sub that a loop calls is nearer than the loop, if the loop was running there.
         """
         first: tuple[float, float, Place | None] = (1.0, 0.0, None)
+        waited = begin
         spans = self._polls.spans.get(task, [])
         number = bisect_right(spans, begin, key=itemgetter(1))
         while begin < end:
@@ -302,7 +303,7 @@ class Chain:
             begin = max(begin, since)
             if begin < end:
                 loop = self.places.of(at, callers)
-                nearer = place if len(place.callers) > len(loop.callers) else loop
+                nearer = place if since < waited and len(place.callers) > len(loop.callers) else loop
                 self._add(begin, min(until, end), "computing", nearer, task)
                 if first[2] is None:
                     first = since, until, loop

@@ -253,6 +253,15 @@ def test_a_sub_without_loops_has_what_it_computes() -> None:
     assert computing.get(3, 0.0) < 2e-5
 
 
+def test_a_loop_behind_a_sub_that_waits_has_its_own_time() -> None:
+    """1 000 iterations of two statements take 20 ms; the WAIT in the sub was over before the loop began."""
+    text = "Inner()\nFor i = 1 To 1000\n  x = x + i\nNext\nEnd\nSub Inner()\n  WAIT(5)\nEnd Sub\n"
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    computing = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
+    assert computing[2] == pytest.approx(20e-3, abs=3e-5)
+    assert computing.get(7, 0.0) < 3e-5
+
+
 # ------------------------------------------------------------------------------------------------------ who asks
 
 
