@@ -22,31 +22,37 @@ def wanted() -> bool:
     return not os.environ.get(OFF)
 
 
-def folder() -> str:
-    """The user's cache folder for motionlang; `MOTIONLANG_CACHE` names another one."""
+def folder() -> str | None:
+    """The user's cache folder for motionlang; `MOTIONLANG_CACHE` names another one. None without a home."""
     named = os.environ.get("MOTIONLANG_CACHE")
     if named:
         return named
     return own_folder("Caches", "XDG_CACHE_HOME", ".cache")
 
 
-def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str:
-    """The user's folder for motionlang of one kind: in ~/Library, where a variable says, or else below the home."""
+def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str | None:
+    """The user's folder for motionlang of one kind: in ~/Library, in the folder that `variable` names, or in the home.
+
+    None where that would be relative to the working folder: a user without an entry in the password file and without
+    HOME, as in a container, has no home, and a relative `variable` is ignored, as the XDG specification demands.
+    """
     home = os.path.expanduser("~")
     if sys.platform == "win32":
         root = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
     elif sys.platform == "darwin":
         root = os.path.join(home, "Library", on_a_mac)
     else:
-        root = os.environ.get(variable) or os.path.join(home, elsewhere)
-    return os.path.join(root, "motionlang")
+        root = os.environ.get(variable, "")
+        if not os.path.isabs(root):
+            root = os.path.join(home, elsewhere)
+    return os.path.join(root, "motionlang") if os.path.isabs(root) else None
 
 
 def opened(name: str) -> int | None:
     """The descriptor of an entry's file, which the caller closes; None where there is none that can be trusted."""
-    if not wanted():
+    place = folder() if wanted() else None
+    if place is None:
         return None
-    place = folder()
     try:
         if not is_private(os.stat(place)):
             return None

@@ -16,27 +16,32 @@ ENTRIES = 512
 
 def writable() -> bool:
     """Whether the folder is there and an entry may be written into it; it is made where it is not there yet."""
-    if not wanted():
-        return False
-    place = folder()
-    try:
-        os.makedirs(place, 0o700, exist_ok=True)
-        return is_private(os.stat(place)) and os.access(place, os.W_OK)
-    except OSError:
-        return False
+    return _writable() is not None
 
 
 def write(name: str, parts: Iterable[bytes]) -> None:
     """Write an entry; no reader sees half of it, and the oldest entries make room."""
-    if not writable():
+    place = _writable()
+    if place is None:
         return
-    place = folder()
     try:
         with replacing(os.path.join(place, name), private=True) as file:
             file.write(b"".join(parts))
         _prune(place)
     except OSError:
         pass
+
+
+def _writable() -> str | None:
+    """The cache folder, made if it is missing; None if the cache is off or the folder cannot be written."""
+    place = folder() if wanted() else None
+    if place is None:
+        return None
+    try:
+        os.makedirs(place, 0o700, exist_ok=True)
+        return place if is_private(os.stat(place)) and os.access(place, os.W_OK) else None
+    except OSError:
+        return None
 
 
 def _prune(place: str) -> None:

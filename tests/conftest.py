@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import signal
+import zipfile
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from motionlang.result import Run
+from tests.built import distributions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -75,3 +78,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if long:
         config.hook.pytest_deselected(items=long)
         items[:] = [item for item in items if item not in long]
+
+
+@pytest.fixture(scope="session")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder with the unpacked wheel."""
+    folder = tmp_path_factory.mktemp("wheel")
+    (built,) = distributions(folder, "wheel")
+    with zipfile.ZipFile(built) as archive:
+        archive.extractall(folder / "unpacked")
+    return folder / "unpacked"

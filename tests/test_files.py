@@ -20,7 +20,7 @@ from motionlang.files import InUse, Lock, replacing, same_file, unwritable
 
 PACKAGE = Path(motionlang.__file__).parent
 # What is no file of the user's: the null device, a history that prompt_toolkit appends to, a build.
-ELSEWHERE = {"files.py", "cli/__init__.py", "repl/history.py", "_wheel.py"}
+ELSEWHERE = {"files.py", "cli/standard_streams.py", "repl/history.py", "_wheel.py"}
 # The flags of what only reads.
 READING = {"O_RDONLY", "O_BINARY"}
 WRITERS = {

@@ -10,7 +10,7 @@ import gc
 import sys
 
 from motionlang.cli.signals import SIGNALS, status_of
-from motionlang.cli.unbuffered import write_whole
+from motionlang.cli.standard_streams import prepare, silence
 from motionlang.errors import Diagnostic, Terminated
 
 TYPE_CHECKING = False
@@ -40,21 +40,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _guarded(given: list[str]) -> int:
-    _open_closed()
-    write_whole()
+    prepare()
     try:
-        _forgive_letters()
         status = _command(given)
         sys.stdout.flush()
     except BrokenPipeError:
-        _silence()
+        silence()
         return PIPE_CLOSED
     except OSError as error:
         # Every file has answered for itself by now: what is left is standard output, on a full disk for one.
         sys.stderr.write(
             f"motionlang: the output cannot be written: {(error.strerror or str(error)).lower()}\n"
         )
-        _silence()
+        silence()
         return 1
     except Exception as error:
         from motionlang.cli.complaints import complain
@@ -117,30 +115,3 @@ def _command(given: Sequence[str]) -> int:
     from motionlang.cli.commands import parse
 
     return parse(given)
-
-
-def _open_closed() -> None:
-    """A stream that was closed before we began is empty, and swallows what is written to it."""
-    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
-        if getattr(sys, name) is None:
-            import os
-
-            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: SIM115 - for as long as we run
-
-
-def _forgive_letters() -> None:
-    """A letter that the terminal's encoding lacks is shown by its number; it never ends the run."""
-    for stream in (sys.stdout, sys.stderr):
-        reconfigure = getattr(stream, "reconfigure", None)
-        if reconfigure is not None:
-            reconfigure(errors="backslashreplace")
-
-
-def _silence() -> None:
-    """Nothing can be written any more: let Python's own last flush go nowhere, instead of complaining."""
-    import os
-
-    try:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except (OSError, ValueError, AttributeError):
-        pass

@@ -148,10 +148,10 @@ def _guarded(handler: Handler) -> Handler:
             _complain(error.diagnostics, error.source)
         except ProgramError as error:
             _complain(error.diagnostics, None)
-        except BrokenPipeError:
-            raise
         except OSError as error:
-            _complain([Diagnostic("file", f"{error.filename or args.file}: {error.strerror or error}")], None)
+            if error.filename is None:  # of standard output: `main` reports it
+                raise
+            _complain([Diagnostic("file", f"{error.filename}: {error.strerror or error}")], None)
         return WRONG
 
     return run

@@ -351,7 +351,9 @@ def _guarded(name: str, handler: Handler) -> Handler:
             _check_plot(args.plot)
             return handler(args)
         except OSError as problem:
-            return _complain(name, f"{problem.filename or 'a file'}: {problem.strerror or problem}", WRONG)
+            if problem.filename is None:  # of standard output: `main` reports it
+                raise
+            return _complain(name, f"{problem.filename}: {problem.strerror or problem}", WRONG)
         except (ValueError, OverflowError) as problem:
             return _complain(name, str(problem), USAGE)
 

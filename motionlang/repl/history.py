@@ -15,7 +15,8 @@ VARIABLE = "MOTIONLANG_HISTORY"
 
 def history(dialect: str) -> History:
     """The history of a dialect."""
-    path = os.environ.get(VARIABLE, os.path.join(_folder(), f"{dialect}-history"))
+    folder = _folder()
+    path = os.environ.get(VARIABLE, os.path.join(folder, f"{dialect}-history") if folder else "")
     return KeptHistory(path) if path and _is_writable(path) else InMemoryHistory()
 
 
@@ -29,8 +30,8 @@ class KeptHistory(FileHistory):
             return
 
 
-def _folder() -> str:
-    """The user's state folder for motionlang."""
+def _folder() -> str | None:
+    """The user's state folder for motionlang; None without a home."""
     return own_folder("Application Support", "XDG_STATE_HOME", os.path.join(".local", "state"))
 
 

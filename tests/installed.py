@@ -1,0 +1,215 @@
+"""The wheel with chosen libraries beside it, and what users do with it: the help and real uses of every command.
+
+The wheel is unpacked beside links to the installed libraries that are to be there, and Python is started without its
+own ones (`-S`): nothing is installed, and what is missing is really missing. One process runs all commands.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterable, Mapping
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+from packaging.requirements import Requirement
+
+from motionlang.cli.commands import COMMANDS
+from motionlang.extras import LIBRARIES
+from tests.built import ROOT
+
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+EXTRAS: dict[str, list[str]] = PROJECT["optional-dependencies"]
+USED = sorted({extra for extra, _ in LIBRARIES.values()})
+PROGRAM = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
+# Where that move is each 20 ms: half of 500 uu/s² over 0.1 s, and the same back.
+RECORDED = "time_s,axis0_position_uu\n" + "".join(
+    f"{time / 100},{250 * (time / 100) ** 2 if time <= 10 else 5 - 250 * (0.2 - time / 100) ** 2}\n"
+    for time in range(0, 21, 2)
+)
+HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export", "stream")), "servo step"]
+# Real uses of every command, and in brackets the extra that it needs.
+USES = """\
+run move.mnt
+run move.mnt --report json --prove
+run move.mnt --trace move.csv --rate 100
+run move.mnt --trace move.npz
+run move.mnt --trace move.parquet [parquet]
+run move.mnt --trace move.mcap [mcap]
+run move.mnt --plot move.html
+run move.mnt --plot move.svg [plot]
+check move.mnt
+repl move.mnt
+plan --distance 10 --time 1 --rule third
+profiles
+profiles --plot profiles.png [plot]
+keywords SPEED
+verify move.mnt --update
+verify move.mnt --jobs 1
+pvt plot --positions 0,10,20 --time 10
+pvt plot --positions 0,10,20 --time 10 --plot pvt.svg [plot]
+pvt refine --positions 0,10,20 --time 10
+pvt export --positions 0,10,20 --time 10 --format pdo
+pvt stream --positions 0,10,20 --time 10 [can]
+servo slip
+servo step
+servo step --plot step.svg [plot]
+servo figure 12.1 --plot figure.svg [plot]
+diff move.mnt move.mnt
+sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --out rows.csv
+sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --out rows.parquet [parquet]
+sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --plot sweep.svg [plot]
+compare move.mnt recorded.csv
+probe mint
+serve move.mnt --modbus 127.0.0.1:0
+completion bash [completion]
+"""
+DRIVER = """\
+import contextlib, io, json, sys
+from motionlang.cli import main
+
+ran = {}
+for command in json.load(sys.stdin):
+    out, err, sys.stdin = io.StringIO(), io.StringIO(), io.StringIO("")
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            status = main(command.split())
+        except SystemExit as end:
+            status = end.code
+    ran[command] = status, out.getvalue(), err.getvalue()
+print(json.dumps(ran))
+"""
+
+
+def closure(requirements: Iterable[str]) -> set[str]:
+    """The names of installed distributions that are required, and required by those in turn."""
+    found: set[str] = set()
+    left = [(Requirement(each), {""}) for each in requirements]
+    while left:
+        required, asked = left.pop()
+        if required.marker and not any(required.marker.evaluate({"extra": extra}) for extra in asked):
+            continue
+        try:
+            there = distribution(required.name)
+        except PackageNotFoundError:
+            continue
+        if there.name not in found:
+            found.add(there.name)
+            extras = {"", *required.extras}
+            left += [(Requirement(each), extras) for each in there.requires or ()]
+    return found
+
+
+def link(folder: Path, names: Iterable[str]) -> None:
+    """Make the top-level modules and packages of installed distributions importable from `folder`."""
+    for name in names:
+        there = distribution(name)
+        for top in {
+            file.parts[0] for file in there.files or () if file.parts[0] not in ("..", "__pycache__")
+        }:
+            if not (folder / top).exists():
+                (folder / top).symlink_to(str(there.locate_file(top)))
+
+
+class Install:
+    """A folder with a program, in which the wheel runs with the distributions that are named, and no other."""
+
+    def __init__(self, folder: Path, wheel: Path, names: Iterable[str]) -> None:
+        self.folder = folder / "work"
+        self.folder.mkdir()
+        write_files(self.folder)
+        (folder / "site").mkdir()
+        link(folder / "site", names)
+        (folder / "driver.py").write_text(DRIVER, encoding="utf-8")
+        self.driver = str(folder / "driver.py")
+        self.environment = {
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join((str(wheel), str(folder / "site"))),
+            "MOTIONLANG_CACHE": str(folder / "cache"),
+            "PYTHONUTF8": "1",
+        }
+
+    def python(self, *flags: str) -> list[str]:
+        """Python without its own libraries."""
+        return [sys.executable, "-S", *flags]
+
+    def environment_with(self, changes: Mapping[str, str | None]) -> dict[str, str]:
+        """The environment with some variables set, and without those that are None."""
+        changed = {**self.environment, **changes}
+        return {name: value for name, value in changed.items() if value is not None}
+
+    def start(self, *command: str, code: str = "") -> subprocess.Popen[str]:
+        """A command, or Python code, in a process of its own."""
+        return subprocess.Popen(
+            [*self.python(), *(("-c", code) if code else ("-m", "motionlang", *command))],
+            cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+
+    def __call__(
+        self, commands: Iterable[str], *flags: str, **changes: str | None
+    ) -> dict[str, tuple[int, str, str]]:
+        """Exit status, standard output and standard error of each command, all run by one process.
+
+        `flags` are Python's own, `changes` those of the environment.
+        """
+        command = [*self.python(*flags), self.driver]
+        return drive(command, commands, self.folder, self.environment_with(changes))
+
+
+def write_files(folder: Path) -> None:
+    """Write the files that `USES` name."""
+    (folder / "move.mnt").write_text(PROGRAM, encoding="utf-8")
+    (folder / "recorded.csv").write_text(RECORDED, encoding="utf-8")
+
+
+def drive(
+    command: list[str], commands: Iterable[str], folder: Path, environment: dict[str, str]
+) -> dict[str, tuple[int, str, str]]:
+    """What `DRIVER`, started by `command`, prints for `commands`; Python itself has nothing to report."""
+    ran = subprocess.run(
+        command, input=json.dumps(list(commands)), cwd=folder, env=environment, capture_output=True, text=True,
+        encoding="utf-8", check=False,
+    )  # fmt: skip
+    assert (ran.returncode, ran.stderr) == (0, "")
+    found: dict[str, tuple[int, str, str]] = json.loads(ran.stdout)
+    return found
+
+
+def needed() -> dict[str, str]:
+    """Each of `USES` and the extra that it needs, or ""."""
+    found = (re.fullmatch(r"(.*?)(?: \[(\w+)\])?", line) for line in USES.splitlines())
+    return {each[1]: each[2] or "" for each in found if each}
+
+
+def first_uses() -> list[str]:
+    """One use of each command, the first, which needs no extra but for `completion`."""
+    firsts: dict[str, str] = {}
+    for command in needed():
+        firsts.setdefault(command.split()[0], command)
+    return list(firsts.values())
+
+
+def helps() -> list[str]:
+    """The command lines that show each command's help."""
+    return [f"{command} --help" for command in HELP]
+
+
+def check(ran: dict[str, tuple[int, str, str]], uses: dict[str, str], absent: set[str]) -> None:
+    """Each help is shown; each use works, or names the extra that it needs and what installs it."""
+    for command in helps():
+        status, out, err = ran[command]
+        assert (status, err) == (0, ""), command
+        assert out.startswith("usage: motionlang"), command
+    for command, extra in uses.items():
+        status, out, err = ran[command]
+        if extra in absent:
+            assert (status, out) == (2 if "--" in err.partition(" needs ")[0] else 1, ""), command
+            assert err.startswith("error[extra]: "), command
+            assert err.endswith(f'\n  hint: python -m pip install "motionlang[{extra}]"\n'), command
+        else:
+            assert status == 0, (command, err)
+            assert "error" not in err, command

@@ -1,0 +1,163 @@
+"""The bare wheel in the environments that users have: interpreter options, homes, locales, and streams.
+
+Each is a row of a table; every row runs the same few real uses.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from motionlang import user_cache
+from tests.cli.programs import LONGEST
+from tests.installed import PROJECT, Install, closure, first_uses, needed
+
+posix = pytest.mark.skipif(os.name == "nt", reason="POSIX descriptors, homes and locales")
+pytestmark = posix
+STRICT = ("-X", "dev", "-W", "error")
+
+
+@pytest.fixture
+def install(wheel: Path, tmp_path: Path) -> Install:
+    """The wheel with the libraries that it depends on."""
+    return Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
+
+
+def works(install: Install, *flags: str, **changes: str | None) -> None:
+    """Run one use of each command; none of them leaves a file in the working folder but those that it should."""
+    uses = [each for each in first_uses() if not needed()[each]]
+    for command, (status, _, err) in install(uses, *flags, **changes).items():
+        assert (status, "error" in err) == (0, False), (command, err)
+    made = {each.name for each in install.folder.iterdir()}
+    assert made == {"move.mnt", "recorded.csv", "move.golden.json", "rows.csv"}
+
+
+@pytest.mark.parametrize("flags", [("-O",), ("-OO",), STRICT], ids=" ".join)
+def test_every_command_under_an_option_of_python(flags: tuple[str, ...], install: Install) -> None:
+    works(install, *flags)
+
+
+def test_every_command_without_a_home(install: Install, tmp_path: Path) -> None:
+    """The folder for caches is named, so that the test stays out of the user's own."""
+    works(
+        install, HOME=None, MOTIONLANG_CACHE=None, XDG_CACHE_HOME=str(tmp_path), XDG_STATE_HOME=str(tmp_path)
+    )
+
+
+@pytest.mark.parametrize("kind", ["read-only", "a file", "relative"])
+def test_every_command_with_a_home_that_takes_no_file(kind: str, install: Install, tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    if kind == "a file":
+        home.touch()
+    else:
+        home.mkdir(0o555)
+    name = "nowhere" if kind == "relative" else str(home)
+    works(install, HOME=name, MOTIONLANG_CACHE=None, XDG_CACHE_HOME="too", XDG_STATE_HOME=None)
+
+
+def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a container with `--user 1234`: Python leaves ~ as it is, which once became a folder of that name."""
+    for name in ("MOTIONLANG_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(os.path, "expanduser", lambda path: path)
+    assert user_cache.folder() is None
+    monkeypatch.setenv("XDG_CACHE_HOME", "/var/caches")
+    monkeypatch.setattr("sys.platform", "linux")
+    assert user_cache.folder() == os.path.join("/var/caches", "motionlang")
+
+
+# ------------------------------------------------------------------------------------------- streams and locale
+
+# Real uses, and the exit status of each: two that print, one that complains of a file, one of the command line.
+USES = {
+    "run move.mnt": 0,
+    "pvt plot --positions 0,10,20 --time 10": 0,
+    "servo slip": 0,
+    "run none.mnt": 1,
+    "run": 2,
+}
+PRINTS = {use for use, status in USES.items() if status == 0}
+FULL = "motionlang: the output cannot be written: no space left on device\n"
+
+
+def result(
+    install: Install,
+    use: str,
+    closed: str = "",
+    *,
+    stdout: int = subprocess.PIPE,
+    stderr: int = subprocess.PIPE,
+) -> tuple[int, str, str]:
+    """Exit status, standard output and standard error, warnings of Python included; `closed` as a shell has it."""
+    command = [*install.python(*STRICT), "-m", "motionlang", *use.split()]
+    ran = subprocess.run(
+        ["sh", "-c", f'exec "$@" {closed}', "sh", *command], cwd=install.folder, env=install.environment,
+        text=True, encoding="utf-8", check=False, timeout=LONGEST, stdout=stdout, stderr=stderr,
+    )  # fmt: skip
+    return ran.returncode, ran.stdout or "", ran.stderr or ""
+
+
+@contextmanager
+def unread() -> Iterator[int]:
+    """A pipe whose reader has gone."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    yield writer
+    os.close(writer)
+
+
+@contextmanager
+def full() -> Iterator[int]:
+    """A full disk."""
+    disk = os.open("/dev/full", os.O_WRONLY)
+    yield disk
+    os.close(disk)
+
+
+needs_full = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no /dev/full")
+
+
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
+def test_streams_that_are_closed(closed: str, install: Install) -> None:
+    """The exit status is the same, and what still can be written is."""
+    for use, status in USES.items():
+        got, out, err = result(install, use, closed)
+        assert got == status, (use, err)
+        assert bool(out) == (use in PRINTS and ">&-" not in closed.split()), use
+        assert ("error" in err) == (status > 0 and "2>&-" not in closed), use
+        assert "Warning" not in err, use
+
+
+@pytest.mark.parametrize(
+    ("broken", "status", "message"), [(unread, 141, ""), pytest.param(full, 1, FULL, marks=needs_full)]
+)
+def test_standard_output_that_takes_nothing(
+    broken: type, status: int, message: str, install: Install
+) -> None:
+    for use in PRINTS:
+        with broken() as stream:
+            assert result(install, use, stdout=stream) == (status, "", message), use
+
+
+@pytest.mark.parametrize("broken", [unread, pytest.param(full, marks=needs_full)])
+def test_standard_error_that_takes_nothing(broken: type, install: Install) -> None:
+    """The message is lost, the exit status is not."""
+    for use, status in USES.items():
+        with broken() as stream:
+            got, out, _ = result(install, use, stderr=stream)
+        assert (got, bool(out)) == (status, use in PRINTS), use
+
+
+def test_the_c_locale(install: Install) -> None:
+    """A file name and a text outside ASCII: the letters that the locale lacks are shown by their numbers."""
+    (install.folder / "größe.mnt").write_text('PRINT "5 µm"\n', encoding="utf-8")
+    install.environment |= {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    assert result(install, "run größe.mnt --report none") == (0, "5 \\xb5m\n", "")
+    works_too = result(install, "run move.mnt")
+    assert works_too[0] == 0
+    assert works_too[1].isascii()
