@@ -16,6 +16,7 @@ from motionlang.extras import LIBRARIES
 from tests.built import ROOT
 from tests.cli.programs import LONGEST
 from tests.installed import EXTRAS, PROJECT, USED, Install, check, closure, first_uses, helps, needed
+from tests.lowest import SUPPORTED, lowest
 
 # Extras of which the package itself imports nothing: for those who work on it, and Dask, whose executor users pass in.
 UNUSED = {"dev", "bench", "dask"}
@@ -107,6 +108,20 @@ def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
         "motionlang.client.errors.ConnectionLost: "
         'a serial line needs pyserial: python -m pip install "motionlang[serial]"'
     )
+
+
+def test_the_lowest_versions_are_declared_for_each_python() -> None:
+    """`python -m tests.lowest` installs these; numpy's are the first with a wheel for that Python."""
+    numpy = {version: lowest(version)[1] for version in SUPPORTED}
+    assert numpy == {
+        "3.11": "numpy==1.26",
+        "3.12": "numpy==1.26",
+        "3.13": "numpy==2.1",
+        "3.14": "numpy==2.3.2",
+    }
+    assert {len(lowest(version)) for version in SUPPORTED} == {4}
+    named = {each.rpartition(" ")[2] for each in PROJECT["classifiers"] if " :: 3." in each}
+    assert named == set(SUPPORTED)
 
 
 # ------------------------------------------------------------------------------------------ the table of extras

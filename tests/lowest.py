@@ -1,0 +1,99 @@
+"""The wheel with the lowest versions of its dependencies that it declares: `python -m tests.lowest [PYTHON …]`.
+
+For each Python an environment in a temporary folder gets the wheel and those versions, and runs the help and the real
+uses of every command, with all warnings as errors. Without arguments each Python from 3.11 to 3.14 that this machine
+has is used, on PATH or of pyenv; the others are skipped. Needs a package index.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from packaging.requirements import Requirement
+from packaging.version import Version
+
+from tests.built import distributions
+from tests.installed import DRIVER, PROJECT, check, drive, helps, needed, write_files
+
+SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
+PIP = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary", ":all:")
+VERSION = "import platform; print(platform.python_version())"
+
+
+def lowest(python_version: str) -> list[str]:
+    """The declared dependencies with the lowest version that a Python may have of each: "numpy==1.26"."""
+    environment = {"python_version": ".".join(python_version.split(".")[:2])}
+    found = []
+    for text in PROJECT["dependencies"]:
+        required = Requirement(text)
+        if required.marker is None or required.marker.evaluate(environment):
+            bounds = [Version(each.version) for each in required.specifier if each.operator == ">="]
+            found.append(f"{required.name}=={max(bounds)}")
+    return found
+
+
+def run(python: str, wheel: Path, folder: Path) -> str:
+    """Run every command with `python` in an environment of its own, below a new `folder`; what was installed."""
+    folder.mkdir()
+    version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
+    versions = lowest(version)
+    subprocess.run([python, "-m", "venv", str(folder / "env")], check=True)
+    installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
+    subprocess.run([installed, *PIP, str(wheel), *versions], check=True)
+    work = folder / "work"
+    work.mkdir()
+    write_files(work)
+    (folder / "driver.py").write_text(DRIVER, encoding="utf-8")
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    environment |= {"MOTIONLANG_CACHE": str(folder / "cache"), "PYTHONUTF8": "1"}
+    uses = {use: extra for use, extra in needed().items() if not extra}
+    command = [installed, "-X", "dev", "-W", "error", str(folder / "driver.py")]
+    check(drive(command, [*helps(), *uses], work, environment), uses, set())
+    return f"Python {version} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
+
+
+def interpreters() -> dict[str, str | None]:
+    """A Python of this machine for each version that the package supports; None where there is none."""
+    found: dict[str, str | None] = {}
+    for name in SUPPORTED:
+        places = [
+            sys.executable,
+            shutil.which(f"python{name}") or "",
+            *map(str, sorted(Path.home().glob(f".pyenv/versions/{name}.*/bin/python"))),
+        ]
+        found[name] = next((each for each in places if each and is_version(each, name)), None)
+    return found
+
+
+def is_version(python: str, name: str) -> bool:
+    """True if `python` is of that version and can make environments, which takes a package of its own on Debian."""
+    code = "import ensurepip, sys; print('%d.%d' % sys.version_info[:2])"
+    ran = subprocess.run([python, "-c", code], capture_output=True, text=True, check=False)
+    return ran.stdout.strip() == name
+
+
+def main() -> int:
+    """Build the wheel once, and run it with each Python, as many at a time as there are processors."""
+    given: dict[str, str | None] = {each: each for each in sys.argv[1:]} or interpreters()
+    present = [python for python in given.values() if python is not None]
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
+        folder = Path(name)
+        (wheel,) = distributions(folder, "wheel")
+        for line in pool.map(
+            lambda number: run(present[number], wheel, folder / str(number)), range(len(present))
+        ):
+            print(line, flush=True)
+    for version, python in given.items():
+        if python is None:
+            print(f"Python {version} skipped: this machine has none that can make environments")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
