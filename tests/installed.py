@@ -198,7 +198,7 @@ def helps() -> list[str]:
     return [f"{command} --help" for command in HELP]
 
 
-def check(ran: dict[str, tuple[int, str, str]], uses: dict[str, str], absent: set[str]) -> None:
+def check(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str], absent: set[str]) -> None:
     """Each help is shown; each use works, or names the extra that it needs and what installs it."""
     for command in helps():
         status, out, err = ran[command]

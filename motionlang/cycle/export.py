@@ -44,7 +44,9 @@ def _report(made: TimeProfile) -> Iterator[str]:
     """
     document = made.report(chain=False)
     written: dict[int, str] = {}  # what a link has behind its times, by the identity of what that is made of
-    links: list[str] = []
+    yield json.dumps(document, indent=1).removesuffix("\n}")
+    yield ',\n "chain": ['
+    separator = "\n"
     before, text = -1.0, ""
     for begin, end, about in made.spans():
         rest = written.get(id(about))
@@ -52,14 +54,9 @@ def _report(made: TimeProfile) -> Iterator[str]:
             rest = written[id(about)] = _inner(about_link(about))
         begins = text if begin == before else repr(begin)
         before, text = end, repr(end)
-        links.append(f'  {{\n   "begin": {begins},\n   "end": {text},\n{rest}')
-    yield json.dumps(document, indent=1).removesuffix("\n}")
-    yield ',\n "chain": ['
-    if links:
-        yield "\n"
-        yield ",\n".join(links)
-        yield "\n "
-    yield "]\n}\n"
+        yield f'{separator}  {{\n   "begin": {begins},\n   "end": {text},\n{rest}'
+        separator = ",\n"
+    yield "\n ]\n}\n" if written else "]\n}\n"
 
 
 def _inner(row: Row) -> str:
