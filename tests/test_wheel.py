@@ -6,6 +6,8 @@ import ast
 import os
 import re
 import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -65,7 +67,7 @@ def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
     (install.folder / "motor.mnt").write_text("PRINT 1\n")
     (install.folder / "motor.machine.toml").write_text("[axis.0.plant]\nkind = 'dc'\n")
     plain = [use for use, extra in needed().items() if not extra and use not in WITHOUT_NUMPY]
-    ran = install([f"{command} --help" for command in HELP] + plain + [*WITHOUT_NUMPY])
+    ran = install([*helps(), *plain, *WITHOUT_NUMPY])
     for command, (status, out, err) in ran.items():
         user = WITHOUT_NUMPY.get(command)
         if user is None:
