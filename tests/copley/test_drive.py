@@ -149,6 +149,20 @@ def test_clear_aborts_the_move() -> None:
     assert "move aborted at 500: the buffer was cleared" in told(drive)
 
 
+def test_a_second_stop_does_not_cut_the_first_one_short() -> None:
+    """From 5000 counts/s at 1 000 000 counts/s²: 5 ms, 12.5 counts."""
+    drive = loaded(SCURVE)
+    drive.start()
+    drive.run_until(200_000)
+    drive.stop()
+    drive.run_until(202_000)
+    drive.stop()
+    assert drive.state == STOPPING
+    drive.run_until(300_000)
+    assert drive.position == pytest.approx(512.5)
+    assert drive.state == IDLE
+
+
 def test_a_second_start_in_mid_move_changes_nothing() -> None:
     drive = loaded(SCURVE)
     drive.start()
@@ -183,6 +197,15 @@ class TestSubMode0:
             drive.add_entry(Entry(place, None, 10_000))
             assert drive.state == state
         assert drive.position == 0.0
+
+    def test_a_stop_ends_the_waiting(self) -> None:
+        drive = self.steering()
+        drive.start()
+        drive.stop()
+        assert drive.state == IDLE
+        for place in (0, 10, 20, 30):
+            drive.add_entry(Entry(place, None, 10_000))
+        assert (drive.state, drive.position) == (IDLE, 0.0)
 
     @pytest.mark.parametrize(("waiting", "span"), [(2, 10_250), (3, 10_000), (4, 9_750), (20, 9_750)])
     def test_a_segment_is_steered_by_the_points_left(self, waiting: int, span: int) -> None:

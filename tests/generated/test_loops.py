@@ -18,6 +18,22 @@ def test_an_overflow_in_a_loop_with_a_hole_is_found() -> None:
     assert found["output"] == ["900000000"]
 
 
+# Loops whose y overflows, as far as i is what it can be: the value that does not fit, and what bounds it too tightly.
+OVERFLOWS: dict[str, tuple[str, int]] = {
+    "a whole number above 2147483647 is a Float": ("x = 3000000000 + i : y = x", 3_000_000_000 - 3),
+    "-1 & n is n": ("m = i & 2147483647 : y = m * 2", (2**31 - 3) * 2),
+    "n & -1 is n": ("m = 2147483647 & i : y = m * 2", (2**31 - 3) * 2),
+}
+
+
+@pytest.mark.parametrize("name", OVERFLOWS)
+def test_an_overflow_is_found_whatever_the_range_of_a_counter(name: str) -> None:
+    statement, value = OVERFLOWS[name]
+    head = "Dim i As Integer, m As Integer, y As Integer, x As Float\n"
+    found = outcome(f"{head}For i = -3 To 0\n  {statement}\nNext\nPRINT y\n")
+    assert [each[1] for each in found["diagnostics"]] == [f"{value} does not fit an Integer"]
+
+
 @cases("seed", range(300))
 def test_loops_end_as_they_do_without_range_analysis(seed: int) -> None:
     text = Draw(seed).program()

@@ -39,11 +39,12 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/servo/discrete.py: exponential: 5 -> 6": (
         "halved and squared once more, which is the same"
     ),
+    "motionlang/controller/servo/feedback.py: Feedback: _judge: "
+    "was_calm and (not self.calm) -> was_calm or not self.calm": (
+        "one look more at the present sample, which finds nothing new"
+    ),
     "motionlang/controller/servo/slip.py: _beyond: 1.0 -> 2.0": (
         "a piece without an end has one acceleration for ever"
-    ),
-    "motionlang/controller/servo/slip.py: _levels: -1 -> 1": (
-        "no phase is negative: a turn back lies before the piece"
     ),
     "motionlang/controller/servo/stretch.py: _spans: True -> False": (
         "between as many turns and one there is one span more"

@@ -229,6 +229,13 @@ def test_a_velocity_is_found_in_whichever_part_of_a_chain_runs_at_it_first() -> 
     assert row.velocity_crossing(-5.0) == pytest.approx(1.1 + 0.05)
     assert row.velocity_crossing(11.0) is None
     assert row.crossing(5.0, after=0.6) == pytest.approx(1.1 + 0.55)
+    assert row.velocity_crossing(0.0, after=9.0) == 9.0  # it stands after its end
+
+
+def test_a_velocity_at_the_end_of_a_part_is_found_although_the_next_part_begins_otherwise() -> None:
+    out = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0)
+    row = Chain("pvt", [out.cut(0.1), out.cut(0.05).shifted(0.5)], "pvt")
+    assert row.velocity_crossing(10.0) == pytest.approx(0.1)
 
 
 def test_every_time_at_a_place() -> None:

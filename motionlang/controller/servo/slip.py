@@ -164,15 +164,14 @@ def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]
 
 
 def _levels(piece: Piece, most: float) -> list[float]:
-    """Local times at which the acceleration is `most` or -`most`."""
+    """Local times at which the acceleration is `most` or -`most`; a sine piece is within one half wave."""
     _, _, c2, c3, amplitude, omega, phase = piece
     if not amplitude:
         return [(sign * most - 2.0 * c2) / (6.0 * c3) for sign in (1.0, -1.0)] if c3 else []
     share = most / (abs(amplitude) * omega * omega)
     if share >= 1.0:
         return []
-    angles = (asin(share), pi - asin(share), -asin(share), asin(share) - pi)
-    return [(angle + turn * 2.0 * pi - phase) / omega for angle in angles for turn in (-1, 0, 1)]
+    return [(angle - phase) / omega for angle in (asin(share), pi - asin(share))]
 
 
 def _joined(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:

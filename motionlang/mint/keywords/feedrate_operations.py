@@ -25,7 +25,7 @@ class TimesToMost:
         most = self._controller.axes[axis].max_speed
         if most == inf:
             raise Refusal("range", f"{name} needs the highest speed of axis {axis}", "set MAXSPEED first")
-        rate = most / seconds if seconds else 0.0
+        rate = most / seconds
         self._given[name, axis] = seconds, rate
         self._controller.configure(axis, _rate(name), rate)
 

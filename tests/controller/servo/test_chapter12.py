@@ -207,8 +207,11 @@ def test_the_override_keeps_the_load_where_it_is() -> None:
     assert fine_held.onset < LIMIT
 
 
-def test_the_override_is_shown_to_the_end_of_its_move_and_the_rest_behind_it() -> None:
+def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it() -> None:
+    """100 000 counts/s are SPEED: a quarter of LIMIT for 0.2 s is half of it times 0.2²."""
     for run in demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60):
+        accelerated = 0.5 * 0.25 * LIMIT * 100_000.0 / SPEED * 0.2**2
+        assert run.trace.commanded[round(0.2 / run.trace.loop.period)] == pytest.approx(accelerated, abs=1.0)
         moves = np.flatnonzero(np.diff(run.trace.commanded))
         end = (moves[-1] + 1) * run.trace.loop.period
         assert run.trace.time[-1] - end == pytest.approx(0.5, abs=2.0 * run.trace.loop.period)
@@ -241,6 +244,8 @@ def test_a_sine_slips_where_it_is_above_the_limit() -> None:
     ramp = pi / 2.0 * SPEED / 4.0
     first = ramp * asin(3.22 / 4.0) / pi
     assert found.spans[0] == pytest.approx((first, ramp - first))
+    total = 2.0 / SPEED + ramp  # the distance at full speed, and half of each ramp
+    assert found.spans[1] == pytest.approx((total - ramp + first, total - first))
 
 
 def test_at_the_limit_nothing_slips() -> None:

@@ -455,6 +455,29 @@ def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
     assert np.ptp(trace.position[-2000:]) > 5.0
 
 
+def test_a_motor_that_no_longer_stands_is_watched_again() -> None:
+    """An unstable loop amplifies a tenth of a millionth of a count: for a while that is a motor at rest."""
+    controller, feedback = fitted(MOTOR, {"proportional": 0.0225})
+    trips: list[float] = []
+
+    def trip() -> None:
+        trips.append(abs(feedback.error))
+        feedback.set_error_limit(np.inf)
+
+    feedback.tripped = trip
+    feedback.set_error_limit(1.0)
+    controller.move_to(0, 1e-7)
+    calm, error = [], []
+    for k in range(1, 101):  # each reading computes half a second more
+        controller.clock.advance(0.5 * k)
+        error.append(abs(feedback.error))
+        calm.append(feedback.calm)
+    assert any(calm)
+    assert max(error) > 10.0
+    (at,) = trips
+    assert 1.0 < at < 2.0  # at the sample that was beyond the limit, not where the next reading was
+
+
 def test_blocks_do_not_depend_on_who_reads() -> None:
     """A program that reads all the time ends where one does that reads nothing."""
     quiet = run(MOVE + "PAUSE IDLE(0)", MOTOR, servo=GAINS)

@@ -52,13 +52,14 @@ def test_the_current_of_a_motor_without_inductance() -> None:
     assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * math.pi / 4000.0, 1.2, 0.0))
 
 
+@pytest.mark.parametrize("load", [0.0, 0.01])
 @pytest.mark.parametrize("inductance", [0.0, 1e-3])
-def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: float) -> None:
-    """Through an inductance the output has no part in it yet."""
-    motor = Motor(inductance=inductance, viscous=0.0)
+def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: float, load: float) -> None:
+    """Through an inductance the output has no part in it yet; a load pulls in the negative direction."""
+    motor = Motor(inductance=inductance, viscous=0.0, load_torque=load)
     moved = Track([0.01], [plan_trapezoid(0.0, 500.0, 8000.0, 90_000.0, 90_000.0)])
     trace = simulate(moved, Loop(0.04, 2e-5, 0.9, integral_limit=5.0), motor, until=0.1)
-    assert trace.onset == pytest.approx(trace.torque * motor.counts_per_radian / motor.inertia)
+    assert trace.onset == pytest.approx((trace.torque - load) * motor.counts_per_radian / motor.inertia)
     assert trace.peak_output > 0.1
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import pytest
 
 from motionlang.controller.servo import tuning
@@ -10,6 +12,16 @@ from motionlang.controller.servo.loop import Loop
 from motionlang.controller.servo.plant import Drive, Motor
 from motionlang.controller.servo.response import bandwidth
 from motionlang.controller.servo.tuning import BeyondPlant, suggest
+
+
+@pytest.mark.parametrize(("amplifier", "resistance"), [("voltage", 2.0), ("current", 1.0)])
+def test_feed_forward_is_the_output_that_the_motion_needs(amplifier: str, resistance: float) -> None:
+    """A volt makes gain / R amperes of a voltage amplifier and gain of a current one: 0.05 N m each on 2e-5 kg m²."""
+    motor = Motor(amplifier=amplifier, resistance=2.0, inductance=0.0, coulomb=0.01)
+    loop = suggest(motor, 20.0).loop
+    per_volt = 2.4 / resistance * 0.05 / 2e-5 * 4000.0 / (2.0 * pi)  # counts/s²
+    assert loop.accel_ff == loop.decel_ff == pytest.approx(1.0 / per_volt)
+    assert loop.velocity_ff == pytest.approx(1.0 / motor.speed_per_volt)
 
 
 @pytest.mark.parametrize("inductance", [10.0, 1e6, 1e12])

@@ -78,6 +78,12 @@ def test_a_bounded_loop_needs_no_check_and_no_float(declared: str) -> None:
     assert "v_i += 1" in text
 
 
+def test_bits_of_a_counter_are_bounded_by_their_mask() -> None:
+    head = "Dim i As Integer, x As Integer, y As Integer\n"
+    text = text_of(f"{head}For i = 0 To 10\n  x = i & 7\n  y = x * 300000000\nNext")  # 7 * 300000000 fits
+    assert "v_y = v_x * 300000000" in text
+
+
 def test_a_sum_without_bound_keeps_its_check() -> None:
     assert "(z := v_x + v_i)" in text_of("Dim i As Integer, x As Integer\nFor i = 1 To 10\n  x = x + i\nNext")
 

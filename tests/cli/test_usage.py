@@ -1,0 +1,14 @@
+"""Command lines that name no command, or not enough of one."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.cli import main
+
+
+def test_a_line_of_options_alone_names_no_command(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["--"])
+    assert end.value.code == 2
+    assert "the following arguments are required: COMMAND" in capsys.readouterr().err
