@@ -13,7 +13,7 @@ import pytest
 from motionlang.cli import main
 from motionlang.errors import ProgramError
 from motionlang.execution import run
-from motionlang.measured.comparison import Comparison, Mapped, compare
+from motionlang.measured.comparison import Comparison, Mapped, _own, compare
 from motionlang.measured.recording import read_table
 from motionlang.result import Run
 from motionlang.source import Source
@@ -226,3 +226,15 @@ def test_json_and_a_page_with_both(folder: Path, capsys: pytest.CaptureFixture[s
     assert report["schema"] == "motionlang.compare/1"
     assert report["delay"] == pytest.approx(0.2, abs=1e-6)
     assert '"quantity":"position"' in (folder / "x.html").read_text(encoding="utf-8").replace(" ", "")
+
+
+def test_of_our_own_columns_the_measured_position_goes_before_the_demanded_one() -> None:
+    columns = dict.fromkeys(
+        ["time_s", "axis0_position_uu", "axis0_actual_uu", "axis0_velocity_uu_per_s"], np.zeros(1)
+    )
+    assert [(each.target, each.column) for each in _own(columns)] == [
+        ("position.0", "axis0_actual_uu"),
+        ("velocity.0", "axis0_velocity_uu_per_s"),
+    ]
+    other = dict.fromkeys(["axis1_actual_uu", "axis1_position_uu"], np.zeros(1))
+    assert [(each.target, each.column) for each in _own(other)] == [("position.1", "axis1_actual_uu")]

@@ -61,6 +61,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/keywords/registers_operations.py: wrapped: value + 2147483648 -> value - 2147483648": (
         "both are the same in 32 bits"
     ),
+    "motionlang/measured/recording.py: _names: True -> False": "both rows are as wide as the numbers",
     "motionlang/mint/keywords/buffer_operations.py: read_status: "
     "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
         "by no place to the left or to the right"

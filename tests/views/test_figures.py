@@ -1,0 +1,93 @@
+"""How pictures are laid out, asked of the figures themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+from motionlang.execution import run
+from motionlang.source import Source
+from motionlang.views import plot, sweep_plot
+from motionlang.views.chapter12 import _steps_of_acceleration, trapezoid
+from motionlang.views.table import _motors
+from motionlang.views.window import Window
+
+pytest.importorskip("matplotlib")
+
+from matplotlib.figure import Figure
+
+from motionlang.views.chapter12_plot import _draw_motion
+from motionlang.views.plot_panel import mark_events
+
+
+def test_panels_fill_a_figure_from_its_head_to_its_foot() -> None:
+    """Two panels and one, inches: a gap within the group of two, and one between the groups."""
+    figure, groups = plot._layout([[1.0, 2.0], [1.5]], 0.7)
+    height = figure.get_figheight()
+    assert height == pytest.approx(0.7 + 1.0 + plot.WITHIN + 2.0 + plot.BETWEEN + 1.5 + plot.BOTTOM)
+    assert (1.0 - groups[0][0].get_position().y1) * height == pytest.approx(0.7)
+    assert groups[-1][-1].get_position().y0 * height == pytest.approx(plot.BOTTOM)
+
+
+@pytest.mark.parametrize(("axes", "titles"), [((0,), [""]), ((0, 1), ["axis 0", "axis 1"])])
+def test_of_several_axes_each_is_named(axes: tuple[int, ...], titles: list[str]) -> None:
+    made = run(Source("a.mnt", "".join(f"MOVER({axis}) = 1 : GO({axis})\n" for axis in axes)), cache=False)
+    figure = plot._figure(made, {}, Window())
+    named = [each.get_title(loc="left") for each in figure.axes]
+    assert [title for title in named if title] == [title for title in titles if title]
+
+
+def test_panels_of_a_sweep_have_one_scale(monkeypatch: pytest.MonkeyPatch) -> None:
+    figures = []
+
+    @contextmanager
+    def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
+        figures.append(Figure())
+        yield figures[-1]
+
+    monkeypatch.setattr(sweep_plot, "drawing", drawing)
+    curves = {"time": {"": [(0.0, 1.0), (1.0, 2.0)]}, "peak": {"": [(0.0, 3.0), (9.0, 4.0)]}}
+    sweep_plot.plot_lines("x.svg", "speed", curves, {})
+    upper, lower = figures[0].axes
+    assert upper.get_xlim() == lower.get_xlim()
+
+
+def test_an_acceleration_is_drawn_from_just_before_its_motion_to_just_behind_it() -> None:
+    figure = Figure()
+    _draw_motion([("", trapezoid(), "black")], figure)
+    times = np.asarray(figure.axes[1].lines[0].get_xdata(), float)
+    assert [times[0], times[-1]] == pytest.approx([0.0, trapezoid().duration], abs=1e-6)
+    assert times[0] < 0.0
+    assert times[-1] > trapezoid().duration
+
+
+def test_the_steps_of_acceleration_go_from_each_to_the_next() -> None:
+    """From rest to the limit, to none, to the limit of braking and to rest: each begins where the last one ended."""
+    rows = [line.split() for line in _steps_of_acceleration() if line.lstrip().startswith("A")]
+    assert [row[0] for row in rows] == ["A1", "A2", "A3", "A4", "A5", "A6"]
+    assert rows[0][2] == rows[-1][3] == "0.000"
+    assert [row[3] for row in rows[:-1]] == [row[2] for row in rows[1:]]
+
+
+@pytest.mark.parametrize(("time", "side"), [(3.0, "left"), (7.0, "right")])
+def test_an_event_is_named_towards_the_middle_of_its_run(time: float, side: str) -> None:
+    panels = Figure().subplots(2, 1)
+    mark_events(panels, [{"time": time, "kind": "limit"}], (0.0, 10.0), 1.0)
+    (text,) = panels[0].texts
+    assert (text.get_text(), text.get_ha()) == (" limit ", side)
+    assert list(panels[1].texts) == []
+    assert [line.get_xdata()[0] for panel in panels for line in panel.lines] == [time, time]
+
+
+def test_a_motor_that_never_settles_is_said_to() -> None:
+    figures = {"peak_following_error": 2.0, "rms_torque": 0.1, "peak_output": 3.0}
+    rows = [
+        {"axis": axis, "line": 1, "motor": {**figures, "settle_time": time}}
+        for axis, time in ((0, None), (1, 0.25))
+    ]
+    lines = _motors(rows, 100, False, False)
+    assert ["never" in line for line in lines if line.split()[0] in ("0", "1")] == [True, False]
+    assert "0.25" in lines[-1]
