@@ -19,6 +19,7 @@ from motionlang.controller.record.extremes import Extreme, extremes, peak_speed
 from motionlang.execution import run
 from motionlang.result import Run
 from motionlang.source import Source
+from motionlang.views.certificate import _row
 
 SCRIPTS = Path(__file__).parents[2] / "scripts"
 SET = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 500 : "
@@ -93,6 +94,8 @@ def test_a_certificate_says_when_and_on_which_line_and_what_is_left() -> None:
     assert [low.margin, high.margin, speed.margin, accel.margin] == pytest.approx([1.0, -10.0, 0.0, 0.2])
     assert [speed.line, speed.reached, speed.time] == pytest.approx([2, 100.0, 0.1], abs=1e-4)
     assert least_margin([low, high, speed, accel]) == pytest.approx(-1 / 3)
+    # What is left of a position is a distance, of anything else a share.
+    assert [_row(line)[-2].split()[1] for line in (low, high, accel)] == ["uu", "uu", "%"]
 
 
 def test_what_speaks_against_signing_is_told() -> None:

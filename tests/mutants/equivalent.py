@@ -120,4 +120,5 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/profile/sample.py: _sample_short: 0 -> 1": "how many points are worked on at once",
     "motionlang/profile/sample.py: _sample_short: 1 -> 2": "how many points are worked on at once",
+    "motionlang/views/csv.py: _Buffer: fill: 1 -> 2 #3": "NumPy takes any negative number for the unknown dimension",
 }
