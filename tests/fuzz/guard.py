@@ -24,13 +24,16 @@ class TooLong(Exception):
 
 @contextmanager
 def bounded(seconds: float) -> Iterator[None]:
-    """`TooLong` in the main thread after so many seconds of the process."""
+    """`TooLong` in the main thread after so many seconds of the process.
+
+    It is raised again every second, because the first one may come where Python ignores exceptions: in a `__del__`.
+    """
 
     def end(number: int, frame: FrameType | None) -> None:
         raise TooLong(f"more than {seconds:g} s")
 
     before = signal.signal(signal.SIGVTALRM, end)
-    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds, 1.0)
     try:
         yield
     finally:
