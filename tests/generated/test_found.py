@@ -151,3 +151,14 @@ def test_an_s_curve_takes_over_from_a_parabola_at_the_speed_that_it_leads_to() -
     """The parabola to 2000 takes 2 * 2000/500 = 8 s; left at 0.3 s, its flank still ends at 2000 and leaves no ramp."""
     result = proved("1MN,1SV2000,1SA500,1DS500,1PP\n1VM,1GO,WA0.313,1PS0.45,1GO,WA8,1TV\n1AB\n", "mcl")
     assert result.output == ["01 2000"]
+
+
+def test_a_cyclic_cam_goes_into_the_cycle_before_at_its_beginning() -> None:
+    """Backwards from the beginning the last segment goes 40 in 10 of the master, the one before it 15 in the other 5.
+
+    The slope changes from 2 to 4 there, which made a step of it when the master was a part of a cycle farther back.
+    """
+    cam = "SCALEFACTOR(1) = 100 : MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\n"
+    table = "Dim rise(4) As Float = 3, 20, 30, 40\nCAMTABLE(1, rise, NULL) : MASTERDISTANCE(1) = 10\n"
+    result = proved(f"{RATES}{cam}{table}CAM(1) = 4 : GO(1)\nMOVER(0) = -15 : GO(0)\nPAUSE IDLE(0)\n")
+    assert places(result, 0, 1) == pytest.approx([-15.0, -5500.0])

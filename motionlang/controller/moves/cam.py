@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
-# Parts of a cycle by which the master must be back before its beginning, and may lack to be at its end.
+# Parts of a cycle by which the master must go back to leave it, and may lack to be at its end.
 _NEAR = 1e-9
 _AT_END = 1e-13
 # A cycle shorter than this, in counts of the master, would be over before anything could be done.
@@ -74,12 +74,15 @@ class CurveFollow(Follow):
         along, clock = self._along(coming), self.controller.clock
         length = self.curve.duration
         times: list[tuple[float, bool]] = []
-        if along.start >= length * (1.0 - _AT_END):
-            times.append((0.0, True))
-        elif (time := along.crossing(length)) is not None:
+        time: float | None
+        if along.start < length * (1.0 - _AT_END):
+            time = along.crossing(length)
+        else:
+            back = _runs_back(along, length, _NEAR * length) if self.goes_back else None
+            time = 0.0 if back is None else along.crossing(length, back)
+        if time is not None:
             times.append((time, True))
-        back = -_NEAR * length
-        if self.goes_back and along.extrema()[0] < back and (time := along.crossing(back)) is not None:
+        if self.goes_back and (time := _beginning(along, 2.0 * _NEAR * length)) is not None:
             times.append((time, False))
         if times:
             time, forward = min(times)
@@ -263,6 +266,32 @@ class Shear(CurveFollow):
         assert whole is not None
         move.profile = whole.cut(now - move.start_time)
         self.a.move = None
+
+
+def _runs_back(along: Profile, edge: float, least: float) -> float | None:
+    """The time at which a master that starts at `edge` is `least` before it; None if it goes as far forward first."""
+    if along.start < edge - least:
+        return 0.0
+    if along.extrema()[0] >= edge - least or (time := along.crossing(edge - least)) is None:
+        return None
+    ahead = along.crossing(edge + least)
+    return time if ahead is None or time < ahead else None
+
+
+def _beginning(along: Profile, least: float) -> float | None:
+    """The time at which a master passes the beginning of a cycle backwards; None if it stays within `least` of it.
+
+    A cycle is left for the one before it only if it does not end at once again: so `least` is more than what counts as
+    running back at the end of that one.
+    """
+    if along.extrema()[0] >= -least:
+        return None
+    if along.start > 0.0:
+        return along.crossing(0.0)
+    if _runs_back(along, 0.0, least) is not None:
+        return 0.0
+    ahead = along.crossing(least)
+    return along.crossing(0.0, ahead) if ahead is not None else None
 
 
 def _segment(start: float, distance: float, over: float, ratio: float) -> Profile:
