@@ -70,6 +70,11 @@ class Move:
         self.offset = 0.0
 
 
+def keeps_rates(move: Move | None) -> bool:
+    """Whether an axis moves at rates of its own, not as a table, a master or a reference has it."""
+    return move is None or move.action is None or move.action.keeps_rates
+
+
 class Action:
     """What an entry of the buffer, or a motion in progress, is when it is not a move to a position."""
 
@@ -81,6 +86,8 @@ class Action:
     lies_on_top = False
     # Whether the axis takes no other motion before this one has been stopped.
     exclusive = False
+    # Whether its motion keeps the rates of the axis, as that of a table, a master or a reference does not.
+    keeps_rates = True
     # The limits of the axis that act on it at once, where not every setting does (`live`).
     live_limits: tuple[str, ...] = ()
 

@@ -54,6 +54,12 @@ def onset(
     return None, state.position, state.velocity, state.acceleration if shape == "scurve" else 0.0
 
 
+def admitted(acceleration: float, velocity: float, accel: float, decel: float) -> float:
+    """The acceleration with which a ramp takes over motion that does not keep its rates: no more than these."""
+    most = accel if acceleration * velocity >= 0.0 else decel
+    return max(-most, min(acceleration, most))
+
+
 def stop_under_way(
     profile: Profile,
     time: float,
@@ -62,8 +68,11 @@ def stop_under_way(
     ramp: float,
     accel_jerk: float = inf,
     decel_jerk: float = inf,
+    accel: float | None = None,
 ) -> Profile:
     """Come to rest at `decel` from a motion under way; the acceleration of an S-curve does not jump.
+
+    Motion that does not keep the rates of the axis has its `accel`: it is stopped from an acceleration within both.
 
     A ramp of PMC's that slows down already goes on to rest as planned, if that is no farther and nowhere harder than
     `decel`. Raises ValueError as `plan_stop`.
@@ -71,6 +80,8 @@ def stop_under_way(
     state = profile.at(time)
     if shape == "trapezoid" or (shape == "scurve" and decel_jerk < inf):
         bent = state.acceleration if shape == "scurve" else 0.0
+        if accel is not None:
+            bent = admitted(bent, state.velocity, accel, decel)
         return plan_stop(shape, state.position, state.velocity, decel, ramp, decel_jerk, bent, accel_jerk)
     eased = relief(profile, time) if shaped(shape, decel_jerk) else None
     if eased is None:

@@ -85,6 +85,8 @@ class Follow(Action):
         self._callback = lambda _: self.renew()
         move.action = self
 
+    keeps_rates = False
+
     # -- what a subclass says
 
     def base(self, coming: Profile, position: float) -> Profile:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.axis import BY_WORD
 from motionlang.controller.faults import Refusal
-from motionlang.controller.move import Action
+from motionlang.controller.move import Action, keeps_rates
 from motionlang.controller.triggers.conditions import release
 from motionlang.profile.halted import halted
 
@@ -54,11 +54,10 @@ def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """From the state of the axis to rest."""
     from motionlang.profile.relief import stop_under_way
 
-    now = controller.clock.now
+    now, jerks = controller.clock.now, (a.accel_jerk, a.decel_jerk)
+    accel = None if keeps_rates(a.move) else min(controller.rates(a, a.speed)[0], a.max_accel)
     try:
-        made = stop_under_way(
-            a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, a.accel_jerk, a.decel_jerk
-        )
+        made = stop_under_way(a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, *jerks, accel)
     except ValueError as problem:
         raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
     rounding = a.here(now) - made.start

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
-from motionlang.controller.move import Action, Move
+from motionlang.controller.move import Action, Move, keeps_rates
 from motionlang.controller.triggers.events import clamped
 from motionlang.profile import plan_velocity
 from motionlang.profile.curve import relabelled
-from motionlang.profile.relief import onset
+from motionlang.profile.relief import admitted, onset
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,6 +50,8 @@ class Jog(Action):
         eased, position, velocity, bent = onset(
             a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, a.accel_jerk
         )
+        if not keeps_rates(a.move):
+            bent = admitted(bent, velocity, accel, decel)
         try:
             made = plan_velocity(
                 a.shape,

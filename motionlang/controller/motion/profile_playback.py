@@ -34,6 +34,7 @@ class Played(Action):
     """
 
     __slots__ = ("_is_paced", "on_path", "ordered", "step")
+    keeps_rates = False
 
     def __init__(self, on_path: bool = False, step: float = 0.0) -> None:
         self.on_path, self.step = on_path, step

@@ -10,10 +10,11 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import FollowMove
-from motionlang.controller.move import Action
+from motionlang.controller.move import Action, keeps_rates
 from motionlang.profile import Profile, hold
 from motionlang.profile.curve import relabelled
 from motionlang.profile.reference import Slope, plan_reference
+from motionlang.profile.relief import admitted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ class Reference(Action):
     """What the axis does by its reference; a new one takes the place of the rest of its profile."""
 
     __slots__ = ("move",)
+    keeps_rates = False
 
     def __init__(self, move: FollowMove) -> None:
         self.move = move
@@ -67,7 +69,10 @@ class SpeedReference(Reference):
         wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
         s = a.at(controller.clock.now)
         try:
-            made = plan_reference(s.position, s.velocity, wanted, *self.slopes, s.acceleration)
+            bent, (up, down) = s.acceleration, self.slopes
+            if a.move is not self.move and not keeps_rates(a.move):
+                bent = admitted(bent, s.velocity, up.rate, down.rate)
+            made = plan_reference(s.position, s.velocity, wanted, up, down, bent)
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot follow its reference: {problem}") from None
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
