@@ -162,3 +162,38 @@ def test_a_cyclic_cam_goes_into_the_cycle_before_at_its_beginning() -> None:
     table = "Dim rise(4) As Float = 3, 20, 30, 40\nCAMTABLE(1, rise, NULL) : MASTERDISTANCE(1) = 10\n"
     result = proved(f"{RATES}{cam}{table}CAM(1) = 4 : GO(1)\nMOVER(0) = -15 : GO(0)\nPAUSE IDLE(0)\n")
     assert places(result, 0, 1) == pytest.approx([-15.0, -5500.0])
+
+
+S_RAMPS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
+
+
+def test_a_jog_takes_over_from_a_spline_at_no_more_than_the_rate_of_the_axis() -> None:
+    """The cubic of 10 in 20 ms from rest to rest has an acceleration of 6 * 10/0.02² * (1 - 2 * 0.1) at 2 ms.
+
+    That is 120 000, which a jerk of 1000 takes back in two minutes, on the way to a velocity of 7 million. The jog
+    takes over the 100 of ACCEL, which take 0.1 s and add 5 to the velocity.
+    """
+    table = "Dim way(2) As Float = 1, 10\nDim slow(2) As Float = 1, 0\n"
+    table += "SPLINETABLE(0, way, slow, NULL) : SPLINETIME(0) = 20\n"
+    result = proved(f"{RATES}{S_RAMPS}{table}SPLINE(0) = 0 : GO(0)\nWAIT = 2\nJOG(0) = 0\nPAUSE IDLE(0)\n")
+    jog = next(each for each in result.controller.axes[0].profiles if each.shape == "jog")
+    assert jog.acceleration(0.0) == pytest.approx(100.0)
+    assert jog.peak_speed == pytest.approx(jog.start_velocity + 100.0**2 / (2.0 * 1000.0))
+
+
+def test_a_jog_the_other_way_slows_down_by_an_s_ramp_at_once() -> None:
+    """It decelerates at 1215 all the way to rest: the speed of the jog holds from 12 on, not from the first moment."""
+    move = "DECEL(0) = 1215\nMOVER(0) = 50 : GO(0)\nWAIT = 500\nINCA(0) = 0\nPROFILEMODE(0) = 1\n"
+    proved(f"{RATES}{move}WAIT = 1\nJOG(0) = -12\nWAIT = 900\nCANCEL(0)\n")
+
+
+def test_a_move_with_the_room_of_a_stop_may_have_the_time_of_the_rounding_of_its_positions() -> None:
+    """5e-6 at another zero of 491: their difference is known to 6e-14, which takes 1.5e-8 s from rest at 1000."""
+    learn = "1MN,1SV500,1SA10000,1DS1000,1PT\n1LP1,1MR-3,1MP1\n1DH491\n1WS0.05\n"
+    proved(learn, "mcl")
+
+
+def test_a_stop_as_soon_as_a_ramp_of_pmc_has_begun_has_pieces_of_no_time() -> None:
+    """After 3 ns the velocity is 3e-12, and the flanks of the ramp to rest take less than the clock can tell."""
+    result = proved("1MN,1SV500,1SA5000,1DS1000,1PS0.2\nWA4\n1VM,1DI0,1GO\n1VM,1GO,1IA20,1ST\n1WS0\n", "mcl")
+    assert places(result, 1) == pytest.approx([0.0], abs=1e-9)

@@ -7,7 +7,7 @@ jerks are pairs, of speeding up and of slowing down.
 
 from __future__ import annotations
 
-from math import cbrt, fsum, inf, pi, sqrt
+from math import fsum, inf, pi, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 # Halves of an interval of speeds after which nothing changes any more.
 _HALVES = 70
-# A part of a distance that rounding may be worth.
-ROUNDING = 1e-13
+# Parts of a distance, and of the positions at its ends, that rounding may be worth.
+_ROUNDING, _EPSILON = 1e-13, 4e-16
 
 
 class Law(NamedTuple):
@@ -118,15 +118,28 @@ def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, roun
     return _travel(v0, a0, distance, speed, by, rounding)
 
 
-def doubt(v0: float, a0: float, distance: float, by: Law) -> float:
-    """The seconds that rounding of a distance is worth where a motion hardly has the room that a stop needs.
+def rounding(distance: float, *places: float) -> float:
+    """What rounding of a distance between places may be worth."""
+    return _ROUNDING * abs(distance) + _EPSILON * max(map(abs, places))
 
-    What is missing or left over is gone from a standstill: its time goes by the square root, or the cube root.
+
+def move_times(
+    v0: float, a0: float, distance: float, speed: float, by: Law, rounded: float
+) -> tuple[float, float]:
+    """The shortest and the longest time of such a move over a distance that is rounded.
+
+    Where it hardly has the room that a stop needs, what is missing or left over is gone from a standstill: its time
+    goes by the square root of it, or the cube root.
     """
     if not (v0 or a0):
-        return 0.0
-    rounding = ROUNDING * abs(distance)
-    return 4.0 * (sqrt(rounding / min(by.rates)) + (cbrt(rounding / min(by.jerks)) if by.smooth else 0.0))
+        whole = move_time(v0, a0, distance, speed, by)
+        return min(whole, move_time(v0, a0, distance, speed, by, rounded)), whole
+    times = [move_time(v0, a0, distance + d, speed, by) for d in (-rounded, 0.0, rounded)]
+    least = min(*times, move_time(v0, a0, distance, speed, by, rounded))
+    time, way = lead(v0, a0, 0.0, by)
+    if abs(way - distance) <= rounded:
+        least = min(least, time)
+    return least, max(times)
 
 
 def _turns(v0: float, a0: float, by: Law) -> bool:

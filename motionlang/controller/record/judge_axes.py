@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from math import copysign, inf, isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.due import ROUNDING, doubt, law, lead, move_time, top_speed
+from motionlang.controller.record.due import law, lead, move_times, rounding, top_speed
 from motionlang.controller.record.flanks import begin, last_change
 from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.judge_slowing import LATE, slowing
@@ -48,8 +47,8 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
     uses = Uses(proof)
     eased = abs(begun.bent)
     for span in slow.cuts(parts):
-        end = span.begin + span.length
-        uses.look("speed", span.peak(1), slow.bound(end))
+        middle = span.begin + 0.5 * span.length
+        uses.look("speed", span.peak(1), slow.bound(middle))
         sides = list(span.sides())
         for power, left, right in sides:
             side = 0 if power > 0.0 else 1
@@ -59,7 +58,9 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
             if len(sides) > 1:  # what turns round eases out at the jerk that it came with
                 jerk = max(order.jerks)
             name = ("acceleration", "deceleration")[side]
-            uses.look(name, max(abs(left[2]), abs(right[2])), max(rate, eased if end <= slow.eased else 0.0))
+            uses.look(
+                name, max(abs(left[2]), abs(right[2])), max(rate, eased if middle < slow.eased else 0.0)
+            )
             if order.jerks[0] < inf:
                 uses.look("jerk", max(abs(left[3]), abs(right[3])), jerk)
     where = f"axis {a.index} from {a.starts[i]:.6f} s"
@@ -69,35 +70,36 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
         if reached > due + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
             words = f"it does not slow down: {reached:g} counts/s after {length:g} s, due are {due:g}"
             proof.breaks(order.line, f"{where}: {words}")
-    _judge_time(proof, profile, order, begun, where)
+    size = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
+    _judge_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
 
 
-def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, where: str) -> None:
-    """What was planned takes as long as its bounds ask for, from whatever state it begins with, and ends as ordered."""
+def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
+    """What was planned takes as long as its bounds ask for, from whatever state it begins with, and ends as ordered.
+
+    `size` is the position at which it begins, at the zero before it or its own, whichever is farther away.
+    """
     by = law(order.shape, order.rates, order.jerks, order.ramp)
-    v0, a0, rounded = begun.velocity, begun.acceleration, 0.0
+    v0, a0 = begun.velocity, begun.acceleration
     if order.kind in ("move", "step"):
         if not isfinite(profile.duration):
             return
         way, late = _to_go(profile, order, begun)
-        wanted, took = move_time(v0, a0, way, order.speed, by) - late, profile.duration
-        if took < wanted:
-            wanted = move_time(v0, a0, way, order.speed, by, ROUNDING * abs(way)) - late
-            rounded = doubt(v0, a0, way, by)
+        least, most = move_times(v0, a0, way, order.speed, by, rounding(way, size, profile.end))
+        least, most, took = least - late, most - late, profile.duration
     else:
-        wanted = lead(v0, a0, order.goal, by)[0]
+        least = most = lead(v0, a0, order.goal, by)[0]
         took = last_change(profile)
         if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
             words = f"it comes to {profile.end_velocity:g} counts/s, ordered is {order.goal:g}"
             proof.breaks(order.line, f"{where}: {words}")
-    wanted += begun.time
-    least, most = wanted, wanted
+    least, most = least + begun.time, most + begun.time
     if begun.left is not None:  # it may go on as it was planned to
-        least, most = min(wanted, begun.left), max(wanted, begun.left)
+        least, most = min(least, begun.left), max(most, begun.left)
     slack = 1e-9 + 4e-16 * abs(profile.start)
     if took > most * (1.0 + SLACK) + slack:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {most:g} s are due")
-    elif took < least * (1.0 - SLACK) - slack - rounded:
+    elif took < least * (1.0 - SLACK) - slack:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where no less than {least:g} s are due")
 
 
@@ -152,15 +154,22 @@ def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
         : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends and profile.shape != "blend" else 2
     ]
     sizes = [max(1.0, abs(profile.start))]
-    # A ramp between velocities that differ by their rounding takes no time, whatever its rate.
-    lasting = (span for span in parts if span.length > 4e-16 * (1.0 + a.starts[i] + span.begin))
-    for left, right in pairwise(lasting):
+    # A ramp between velocities that differ by their rounding takes no time, whatever its rate: what it changes counts.
+    if not parts:
+        return
+    left, changed = parts[0], [0.0, 0.0, 0.0]
+    for right in parts[1:]:
+        if right.length <= 4e-16 * (1.0 + a.starts[i] + right.begin):
+            first, last = right.at(0.0), right.at(right.length)
+            changed = [before + abs(y - x) for before, x, y in zip(changed, first, last, strict=False)]
+            continue
         before, after = left.at(left.length), right.at(0.0)
         if len(sizes) == 1:
             sizes += [max(1.0, profile.peak_speed), max(1.0, *(r for r in order.rates if r < inf), 1.0)]
         late = 4e-16 * (1.0 + a.starts[i] + right.begin)
         for which, name in enumerate(names):
             gap = abs(after[which] - before[which])
-            if gap > SLACK * sizes[which] + 4.0 * late * abs(before[which + 1]):
+            if gap > SLACK * sizes[which] + 4.0 * late * abs(before[which + 1]) + changed[which]:
                 where = f"axis {a.index} at {a.starts[i] + right.begin:.6f} s"
                 proof.breaks(order.line, f"{where}: the {name} jumps by {gap:g} counts within a profile")
+        left, changed = right, [0.0, 0.0, 0.0]

@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.due import doubt, law, lead, move_time, ramp
+from motionlang.controller.record.due import law, lead, move_time, move_times, ramp, rounding
 from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.judge_slowing import slowing
 from motionlang.controller.record.spans import combined, rotation, spans
@@ -226,13 +226,13 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
         if span.length <= late:  # the time of a join is rounded
             continue
         # What begins too fast, since a limit has come down, is excused until it has slowed down.
-        end = span.begin + span.length
-        excused = end <= max(slow.until, slow.eased)
+        middle = span.begin + 0.5 * span.length
+        excused = middle < max(slow.until, slow.eased)
         came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
-        eased = bent if end <= slow.eased else 0.0
+        eased = bent if middle < slow.eased else 0.0
         fastest, peak = 0.0 if path.rests else order.speed, span.peak(1)
         if peak > SLACK or not path.rests:  # at rest but for rounding
-            uses.look("path speed", peak, max(fastest, came if end <= slow.until else 0.0))
+            uses.look("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, speed = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
@@ -325,7 +325,7 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
     due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
     if way.unit is not None and not last[1] > SLACK * speed and not shaped:
         left = last[0] - first[0]
-        due = min(due, move_time(first[1], bent, left, speed, by) + doubt(first[1], bent, left, by))
+        due = min(due, move_times(first[1], bent, left, speed, by, rounding(left, first[0], last[0]))[1])
     took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
     if took > due * (1.0 + SLACK) + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")

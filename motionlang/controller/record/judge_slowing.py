@@ -36,9 +36,9 @@ class Slowing(NamedTuple):
     eased: float
     stretches: tuple[tuple[float, float, float], ...]
 
-    def bound(self, end: float) -> float:
-        """The bound on the speed of a stretch of `cut` spans that ends at a time."""
-        return max(self.came, self.speed) if end <= self.until else self.speed
+    def bound(self, middle: float) -> float:
+        """The bound on the speed of a stretch of `cut` spans that has a time inside."""
+        return max(self.came, self.speed) if middle < self.until else self.speed
 
     def cuts(self, spans: Sequence[Span]) -> Iterator[Span]:
         """The spans, cut where the excuses end."""
