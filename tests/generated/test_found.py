@@ -197,3 +197,26 @@ def test_a_stop_as_soon_as_a_ramp_of_pmc_has_begun_has_pieces_of_no_time() -> No
     """After 3 ns the velocity is 3e-12, and the flanks of the ramp to rest take less than the clock can tell."""
     result = proved("1MN,1SV500,1SA5000,1DS1000,1PS0.2\nWA4\n1VM,1DI0,1GO\n1VM,1GO,1IA20,1ST\n1WS0\n", "mcl")
     assert places(result, 1) == pytest.approx([0.0], abs=1e-9)
+
+
+def test_paths_that_were_planned_into_each_other_stay_so_beside_a_lower_contourangle() -> None:
+    """Three lines of 20 there and back at 20 with 100, as one: 60/20 + 20/100 s."""
+    lines = "VECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = -20, 0\nVECTORR(0, 1) = 20, 0\nGO(0)\n"
+    contour = "MOVEBUFFERSIZE(0, 1) = 9; : CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 180\n"
+    result = proved(f"{RATES}{contour}{lines}WAIT = 100\nCONTOURANGLE(0) = 5\nPAUSE IDLE(0)\n")
+    assert places(result, 0) == [20.0]
+    assert result.time == pytest.approx(60.0 / 20.0 + 0.2, abs=1e-6)
+
+
+def test_a_jog_goes_on_where_the_end_of_a_stop_leads_the_other_way() -> None:
+    """A stop at a jerk of 1000 ends with 1 to go at an acceleration of sqrt(2 * 1000).
+
+    At a jerk of 500 that is taken back in twice the time, and leads to 1 the other way, from where the jog goes on.
+    """
+    stop = "DECELJERK(0) = 1000\nJOG(0) = -20\nWAIT = 600\nJOG(0) = 0\nWAIT = 255\nDECELJERK(0) = 500\nJOG(0) = 20\n"
+    result = proved(f"{RATES}{S_RAMPS}{stop}WAIT = 900\nCANCEL(0)\n")
+    jog = next(each for each in result.controller.axes[0].profiles[2:] if each.end_velocity == 20.0)
+    entry, eased = jog.at(0.0), jog.phases[0].duration
+    assert eased == pytest.approx(entry.acceleration / 500.0)
+    assert jog.velocity(eased) == pytest.approx(entry.velocity + entry.acceleration**2 / 1000.0)
+    assert jog.velocity(eased) > 0.0

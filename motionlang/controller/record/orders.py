@@ -38,9 +38,9 @@ class PathOrder(NamedTuple):
     `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its further
     axes; `plane` are the places of the two that go round. `length` is what it counts as, None for its way in space. Of
     a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
-    began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
-    run through. Of several paths that begin at one moment, since they are blended into each other, it is the `nth`.
-    `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
+    began; `most`, `most_accel` and `most_decel` are the limits of its axes; it may be entered at an angle of up to
+    `angle_into` degrees. Of several paths that begin at one moment, since they are blended into each other, it is the
+    `nth`. `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
     `tails` are those that it is blended with, begun before it.
     A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
     """
@@ -59,7 +59,7 @@ class PathOrder(NamedTuple):
     most: tuple[float, ...]
     most_accel: tuple[float, ...]
     most_decel: tuple[float, ...]
-    angle_through: float
+    angle_into: float
     rests: bool = False
     ahead: tuple[Order, ...] = ()
     entry: int = -1
@@ -140,6 +140,8 @@ class Orders:
         self.stands: dict[tuple[int, float], str] = {}
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
+        # The angle up to which each path may be entered, by the settings when another one was planned into it.
+        self._angles: dict[PathMove, float] = {}
         # The paths that each axis is the master of, as far as they are under way, and what was last ordered for them.
         self._under_way: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
@@ -184,7 +186,16 @@ class Orders:
             self.data[a.index].append(a.datum)
             return
         self.is_full, self._controller.orders = True, None
-        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._entries, self._steps):
+        for kept in (
+            self.of,
+            self.data,
+            self.stands,
+            self._nth,
+            self._angles,
+            self._counts,
+            self._entries,
+            self._steps,
+        ):
             kept.clear()
         self._known.clear()
 
@@ -213,6 +224,10 @@ class Orders:
             entry = self._controller.log.moves.number(move)
             self._entries[move] = move.start_time, entry
         order = self._planned_by(a, action) or _path(action, move, self._nth[action], entry)
+        assert order.path is not None
+        for each in _paths_ahead(action):
+            self._angles.setdefault(each, _angle_through(each))
+        order = order._replace(path=order.path._replace(angle_into=self._angles.get(action, 0.0)))
         if a is action.axes[0] and order.path is not None:
             running = self._under_way.setdefault(a.index, {})
             tails = self._tails(running, action, order.path.rests)
@@ -267,13 +282,21 @@ class Orders:
 
 def _ahead(action: PathMove) -> tuple[Order, ...]:
     """The orders of the paths that a path goes on into."""
+    return tuple(_path(each, each.moves[0], 0, -1) for each in _paths_ahead(action))
+
+
+def _paths_ahead(action: PathMove) -> list[PathMove]:
+    """The paths that a path goes on into."""
     courses = () if action.run is None else action.run.courses
-    return tuple(
-        _path(each, each.moves[0], 0, -1)
-        for course in courses
-        if course.here is action
-        for each, _ in course.ahead
-    )
+    return [each for course in courses if course.here is action for each, _ in course.ahead]
+
+
+def _angle_through(action: PathMove) -> float:
+    """The angle up to which a path may be entered without a rest, by the settings of now."""
+    master = action.axes[0]
+    if action.guide is not None:
+        return STRAIGHT
+    return master.contour_angle if master.contour_mode else 0.0
 
 
 def _gentler(order: Order, before: Order, rests: bool) -> Order:
@@ -371,10 +394,9 @@ def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
     shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
     if guide is None:
         speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
-        through = master.contour_angle if master.contour_mode else 0.0
     else:
         pace = guide.pace()
-        shape, k, through, ramp = pace.shape, 1.0, STRAIGHT, pace.ramp
+        shape, k, ramp = pace.shape, 1.0, pace.ramp
         speed, rates, jerks = pace.speed, (pace.accel, pace.decel), ENDLESS
     run = action.run
     if guide is None and run is not None and run.ended and run.hard:
@@ -395,7 +417,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
         most=tuple(each.max_speed for each in axes),
         most_accel=tuple(each.max_accel for each in axes),
         most_decel=tuple(each.max_decel for each in axes),
-        angle_through=through,
+        angle_into=0.0,
         rests=rests,
         ahead=_ahead(action) if rests else (),
         entry=entry,

@@ -157,9 +157,7 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     dot = fsum(o * n for o, n in ways)
     chord = sqrt(fsum((o - n) ** 2 for o, n in ways))
     angle = half_angle(chord) if dot > 0.5 else degrees(acos(max(-1.0, min(1.0, dot))))
-    # The path before was planned into this one by the CONTOURANGLE of that time.
-    through = max(order.path.angle_through, earlier.path.angle_through)
-    return "a kink within CONTOURANGLE" if angle <= through + 1e-6 else ""
+    return "a kink within CONTOURANGLE" if angle <= order.path.angle_into + 1e-6 else ""
 
 
 def _bend(run: Run, order: Order, time: float) -> float:
