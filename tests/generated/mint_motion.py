@@ -10,7 +10,7 @@ Dim ways(5) As Float = 4, 10, 20, 10, 20
 Dim small(4) As Float = 3, 5, -5, 8
 Dim speeds(5) As Float = 4, 100, 60, 0, 0
 Dim spans(5) As Float = 4, 200, 100, 200, 100
-Dim k As Integer"""
+Dim k As Integer, faults As Integer"""
 # What a program does, by how often; each is a method of `MintProgram`.
 _ACTIONS = {
     "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "blended": 4, "retarget": 4, "jog": 5, "follow": 6,
@@ -80,7 +80,7 @@ class MintProgram:
         self.lines.append("End")
         if draw.chance(0.85):
             self.lines += ["Event ONERROR", "  ERRORCLEAR(_egALL, 0)"]
-            self.lines += self._indented(self._action()) if draw.chance(0.2) else []
+            self.lines += self._handled() if draw.chance(0.2) else []
             self.lines.append("End Event")
         if tasks:
             body = [line for _ in range(draw.randrange(1, 6)) for line in self._action()]
@@ -88,6 +88,11 @@ class MintProgram:
         if draw.chance(0.12):
             self.lines.insert(6, f"TIMEREVENT = {draw.choice((20, 150, 400))}")
             self.lines += ["Event TIMER", *self._indented(self._speed()), "End Event"]
+
+    def _handled(self) -> list[str]:
+        """An action of ONERROR, which may raise the next error at once: the program ends that by itself."""
+        action = ["faults = faults + 1", *self._action()]
+        return ["  If faults < 20 Then", *self._indented(self._indented(action)), "  End If"]
 
     def _indented(self, lines: list[str]) -> list[str]:
         return [f"  {line}" for line in lines]
