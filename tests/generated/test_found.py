@@ -220,3 +220,15 @@ def test_a_jog_goes_on_where_the_end_of_a_stop_leads_the_other_way() -> None:
     assert eased == pytest.approx(entry.acceleration / 500.0)
     assert jog.velocity(eased) == pytest.approx(entry.velocity + entry.acceleration**2 / 1000.0)
     assert jog.velocity(eased) > 0.0
+
+
+def test_a_cam_whose_table_was_rewritten_goes_back_by_the_cycle_that_it_is_in() -> None:
+    """A cycle of 20 by the first table, half of one of 30 by the second one; back by 15, and 15 of another 30.
+
+    The master is then at 10 + 5 - 10; the slave is 20 + 15 - 30 from where it began.
+    """
+    cam = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 10\n"
+    tables = "Dim low(2) As Float = 1, 20\nDim high(2) As Float = 1, 30\nCAMTABLE(1, low, NULL)\n"
+    there = "CAM(1) = 4 : GO(1)\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nCAMTABLE(1, high, NULL)\nMOVER(0) = 10 : GO(0)\n"
+    result = proved(f"{RATES}{cam}{tables}{there}PAUSE IDLE(0)\nMOVER(0) = -10 : GO(0)\nPAUSE IDLE(0)\n")
+    assert places(result, 0, 1) == pytest.approx([5.0, 5.0])

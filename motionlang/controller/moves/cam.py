@@ -156,9 +156,9 @@ class CurveFollow(Follow):
 
 
 class Cam(CurveFollow):
-    """A cam table, once or over and over; `rise` is what a whole cycle adds to the slave's position."""
+    """A cam table, once or over and over."""
 
-    __slots__ = ("cyclic", "first", "rise")
+    __slots__ = ("cyclic", "first")
 
     def __init__(
         self,
@@ -171,7 +171,12 @@ class Cam(CurveFollow):
         first: int,
     ) -> None:
         super().__init__(controller, a, master, move, curve, 1)
-        self.cyclic, self.first, self.rise = cyclic, first, curve.end - curve.start
+        self.cyclic, self.first = cyclic, first
+
+    @property
+    def rise(self) -> float:
+        """How far a whole cycle takes the slave, counts."""
+        return self.curve.end - self.curve.start
 
     @property
     def goes_back(self) -> bool:  # type: ignore[override]
