@@ -68,8 +68,8 @@ def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
         return time, -way
     if v1 < 0.0:
         if _turns(v0, a0, by):  # it is on its way there when its acceleration is taken back
-            eased = _steps(v0, a0, [(-a0, -a0 / by.jerks[1])])
-            return _both(eased, lead(v0 - 0.5 * a0 * a0 / by.jerks[1], 0.0, v1, by))
+            back = _steps(v0, a0, [(-a0, -a0 / by.jerks[1])])
+            return _both(back, lead(v0 - 0.5 * a0 * a0 / by.jerks[1], 0.0, v1, by))
         return _both(lead(v0, a0, 0.0, by), lead(0.0, 0.0, v1, by))
     if not a0 or not by.smooth:
         return ramp(v0, v1, by)
