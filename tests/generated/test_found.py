@@ -232,3 +232,13 @@ def test_a_cam_whose_table_was_rewritten_goes_back_by_the_cycle_that_it_is_in() 
     there = "CAM(1) = 4 : GO(1)\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nCAMTABLE(1, high, NULL)\nMOVER(0) = 10 : GO(0)\n"
     result = proved(f"{RATES}{cam}{tables}{there}PAUSE IDLE(0)\nMOVER(0) = -10 : GO(0)\nPAUSE IDLE(0)\n")
     assert places(result, 0, 1) == pytest.approx([5.0, 5.0])
+
+
+def test_a_blended_path_does_not_go_on_into_itself_once_contours_are_switched_on() -> None:
+    """CONTOURMODE is set while the first path runs: the second one is still 100 long, not 200 with itself ahead."""
+    modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+    paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\n"
+    result = proved(
+        f"{RATES}{modes}{paths}BLENDMODE(0) = 0 : CONTOURANGLE(0) = 180 : CONTOURMODE(0) = 1\nPAUSE IDLE(0)\n"
+    )
+    assert places(result, 0, 1) == pytest.approx([100.0, 100.0])

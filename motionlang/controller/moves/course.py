@@ -221,15 +221,18 @@ class Course:
 
     # ------------------------------------------------------------------------------------------------ planning
 
-    def look_ahead(self) -> None:
-        """Lay out the paths of the buffers that can be entered without coming to rest."""
+    def look_ahead(self, begins: bool = False) -> None:
+        """Lay out the paths of the buffers that can be entered without coming to rest.
+
+        A course that `begins` on top of another one has its own path in the buffers still.
+        """
         if not self.here.may_join or self.is_stopping:
             return
         before = self.ahead[-1] if self.ahead else (self.here, self.segment)
         entries = motions(self.axes[0])
-        while len(entries) > len(self.ahead):
-            action = entries[len(self.ahead)].action
-            if not _continues(action, self.axes, len(self.ahead)):
+        while len(entries) > (place := len(self.ahead) + begins):
+            action = entries[place].action
+            if not _continues(action, self.axes, place):
                 return
             segment = action.lay(before[1].ends)  # type: ignore[union-attr]
             if not before[0].joins(before[1], action, segment):  # type: ignore[arg-type]

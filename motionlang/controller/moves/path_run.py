@@ -383,7 +383,7 @@ class PathRun:
         self._cancel_blend()
         self._wanted, self._is_late = None, False
         course = Course(controller, following, newest.segment.ends)
-        _prepare(course)
+        _prepare(course, begins=True)
         for a, move in zip(self.axes, following.moves, strict=True):
             a.move = None
             reach(controller, a, move)
@@ -404,12 +404,12 @@ class PathRun:
             self._blend_event = None
 
 
-def _prepare(course: Course) -> None:
-    """Plan a course from rest on its first path."""
+def _prepare(course: Course, begins: bool = False) -> None:
+    """Plan a course from rest on its first path; one that `begins` on top of another has not left the buffers."""
     if course.here.guide is not None:
         course.here.guide.starts()
     try:
-        course.look_ahead()
+        course.look_ahead(begins)
         course.plan_afresh()
     except Refusal as refusal:
         refusal.line = course.here.moves[0].line
