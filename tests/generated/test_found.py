@@ -242,3 +242,10 @@ def test_a_blended_path_does_not_go_on_into_itself_once_contours_are_switched_on
         f"{RATES}{modes}{paths}BLENDMODE(0) = 0 : CONTOURANGLE(0) = 180 : CONTOURMODE(0) = 1\nPAUSE IDLE(0)\n"
     )
     assert places(result, 0, 1) == pytest.approx([100.0, 100.0])
+
+
+def test_a_position_that_is_written_and_taken_back_leaves_the_log_where_it_was() -> None:
+    """The shifts of 43 and -43 add up to none; between them the track counts from another zero than the log."""
+    shear = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 40\nFLY(1) = 20 : GO(1)\n"
+    result = proved(f"{RATES}{shear}POS(1) = 43\nWAIT = 20\nPOS(1) = 0\nWAIT = 20\n")
+    assert places(result, 1) == [0.0]

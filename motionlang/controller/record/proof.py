@@ -226,8 +226,11 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
     if move.overlaid or move.offset or not isfinite(profile.start):
         return
     length = min(profile.duration, run.until - move.start_time)
+    data, first = run.orders.data[move.axis], a.place(move.start_time)
     for share in LOOKS:
         time = move.start_time + share * length
+        if a.starts and data[a.place(time)] != data[first]:  # another zero, which a later one may take back
+            continue
         if not a.starts or time < move.start_time:
             continue
         told, done = (
