@@ -79,7 +79,7 @@ def _judge_peak(
             return
         if profile.pieced:
             seen = max([seen, *(span.peak(1) for span in spans(profile, first, last - first))])
-        else:
+        elif last > first:  # another profile may take its place at once
             exact = False
             steps = [first + (last - first) * n / 16.0 for n in range(17)]
             seen = max([seen, *(abs(profile.velocity(step)) for step in steps)])

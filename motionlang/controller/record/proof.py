@@ -226,10 +226,10 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
     if move.overlaid or move.offset or not isfinite(profile.start):
         return
     length = min(profile.duration, run.until - move.start_time)
-    data, first = run.orders.data[move.axis], a.place(move.start_time)
+    zero = _zero(run, a, move.start_time)
     for share in LOOKS:
         time = move.start_time + share * length
-        if a.starts and data[a.place(time)] != data[first]:  # another zero, which a later one may take back
+        if _zero(run, a, time) != zero:  # another zero, which a later one may take back
             continue
         if not a.starts or time < move.start_time:
             continue
@@ -243,3 +243,9 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
                 move.line, f"{where}: the log has it at {told:g} at {time:.6f} s, the track at {done:g}"
             )
             return
+
+
+def _zero(run: Run, a: WholeTrack, time: float) -> float:
+    """The zero of an axis at a time; of a run that was interrupted the last one that was recorded."""
+    data = run.orders.data[a.index]
+    return data[min(a.place(time), len(data) - 1)] if data and a.starts else 0.0
