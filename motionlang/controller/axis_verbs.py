@@ -76,6 +76,8 @@ class AxisVerbs(Core):
             a.decel_time = None
         if a.move is not None and name in LIVE:
             motion.feedrate.changed(self, a, name)
+            if self.orders is not None:
+                self.orders.heed(a)
 
     def restore(self, axis: int) -> None:
         """Give an axis at rest all `SETTINGS` as they are at power-up."""
@@ -261,7 +263,10 @@ class AxisVerbs(Core):
         """Ramp to `velocity`, counts/s, and keep it; with `ends` a jog to 0 is over when the axis stands."""
         from motionlang.controller.motion.jog import jog
 
-        jog(self, self.movable(axis), velocity, command, line, rates, ends)
+        a = self.movable(axis)
+        jog(self, a, velocity, command, line, rates, ends)
+        if self.orders is not None:
+            self.orders.jogs(a, velocity)
 
     def play(
         self,
@@ -319,6 +324,8 @@ class AxisVerbs(Core):
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the move, and those of the buffer, until `resume` has taken every reason off."""
         motion.halt.suspend(self, self.axes[axis], reason)
+        if self.orders is not None:
+            self.orders.heed(self.axes[axis])
 
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Take a reason to be suspended off; go on where none is left."""

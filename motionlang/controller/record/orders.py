@@ -111,6 +111,13 @@ class Order(NamedTuple):
         """Whether the acceleration of its shape never jumps."""
         return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
 
+    @property
+    def asks(self) -> tuple[object, ...]:
+        """What settings ask of a motion that is under way."""
+        if self.path is not None:
+            return self.kind, self.path.entry, self.speed, self.path.most
+        return self.kind, self.speed, self.goal, self.rates
+
 
 REST = Order("rest", 0)
 # Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.
@@ -126,7 +133,7 @@ class Orders:
 
     A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis was told
     to stand at once, with the word for it. Orders that are alike are one. Beyond `MOST` profiles it `is_full`, and
-    holds nothing more.
+    holds nothing more. `unheeded` has, by axis and time, what settings ask of a profile that they have not replaced.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -138,6 +145,7 @@ class Orders:
             number: [a.datum] * len(a.profiles) for number, a in axes.items()
         }
         self.stands: dict[tuple[int, float], str] = {}
+        self.unheeded: dict[tuple[int, float], Order] = {}
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
         # The angle up to which each path may be entered, by the settings when another one was planned into it.
@@ -175,6 +183,7 @@ class Orders:
 
     def _append(self, a: Axis, order: Order) -> None:
         """One that is like another is that one; where there is no room the run goes on as one without a proof."""
+        self.unheeded.pop((a.index, self._controller.clock.now), None)
         if order.path is None and order.tie is None and order.points is None:
             known = self._known.get(order)
             self._count += MANY_ALIKE if known is None else 1
@@ -197,6 +206,7 @@ class Orders:
             self._steps,
         ):
             kept.clear()
+        self.unheeded.clear()
         self._known.clear()
 
     def keep_whole(self) -> None:
@@ -274,6 +284,40 @@ class Orders:
                 if order.path is not None and (order.path.begun, order.path.nth) == (begun, nth):
                     path = order.path._replace(**_places(action))
                     records[-back] = order._replace(path=path)
+
+    def heed(self, a: Axis) -> None:
+        """A setting that acts at once was written: note what it asks for if the motion goes on as it was planned."""
+        move = a.move
+        if move is None:
+            return
+        action = move.action
+        if isinstance(action, PathMove):
+            a = action.axes[0]
+            began = self._entries.get(action.moves[0])
+            if action.guide is not None or began is None:
+                return
+            wanted = _path(action, action.moves[0], self._nth[action], began[1])
+        elif isinstance(action, Stopping) or self.of[a.index][-1].kind == "step":
+            return
+        else:
+            wanted = _order(a)
+            if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
+                wanted = wanted._replace(rates=self.of[a.index][-1].rates)
+        key = a.index, self._controller.clock.now
+        if wanted.asks == self.of[a.index][-1].asks:
+            self.unheeded.pop(key, None)
+        else:
+            self.unheeded[key] = wanted
+
+    def jogs(self, a: Axis, velocity: float) -> None:
+        """A jog was ordered: note its velocity if the axis does not go to it."""
+        move = a.move
+        if move is None or a.suspended or not isinstance(move.action, Jog):
+            return
+        goal, last = max(-a.max_speed, min(velocity, a.max_speed)), self.of[a.index][-1]
+        if last.kind == "jog" and last.goal != goal:
+            key = a.index, self._controller.clock.now
+            self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""

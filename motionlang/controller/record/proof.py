@@ -14,6 +14,7 @@ from motionlang.controller.record.judge_blends import judge_blend
 from motionlang.controller.record.judge_entries import Ends, judge_ends, take_entry
 from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
+from motionlang.controller.record.judge_settings import judge_settings
 from motionlang.controller.record.judge_views import judge_report, judge_trace
 from motionlang.controller.record.orders import MOST
 from motionlang.controller.record.spans import half_angle
@@ -77,6 +78,7 @@ def prove(
                     judge_reference(proof, a, i, order)
             if i:
                 _judge_join(proof, run, a, i)
+    judge_settings(proof, run)
     ends: dict[int, Ends] = {}
     for move in run.moves:
         _judge_move(proof, run, move)

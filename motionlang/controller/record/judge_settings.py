@@ -1,0 +1,67 @@
+"""The judge of settings that are written in motion: the profile in force is replaced, or keeps them all the same.
+
+A planner that goes on as it had planned is judged by what the setting asks for from that moment on. New rates may come
+too late: a move that could not stop at its end with them goes on as it was.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.controller.record.due import law, lead
+from motionlang.controller.record.judge import SLACK
+from motionlang.controller.record.judge_paths import judge_tail
+
+if TYPE_CHECKING:
+    from motionlang.controller.record.judge import Proof, Run
+    from motionlang.controller.record.orders import Order
+    from motionlang.controller.record.track import WholeTrack
+
+
+def judge_settings(proof: Proof, run: Run) -> None:
+    """Every setting that has not replaced the profile of its axis."""
+    for (number, time), wanted in run.orders.unheeded.items():
+        a = run.axes[number]
+        i = a.place(time)
+        order = run.orders.of[number][i]
+        end = run.span(a, i)[1]
+        if end - time > SLACK * SLACK * (1.0 + time) and order.asks != wanted.asks:
+            _judge_setting(proof, run, a, i, order, wanted, (time, end))
+
+
+def _judge_setting(
+    proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, wanted: Order, span: tuple[float, float]
+) -> None:
+    time, end = span
+    where = f"axis {a.index} at {time:.6f} s"
+    if order.path is not None and wanted.path is not None:
+        if order.path.rests or order.path.entry != wanted.path.entry:
+            return
+        # Only what is lower: a path may keep its speed where it could not stop at its end otherwise.
+        most = tuple(map(min, order.path.most, wanted.path.most))
+        lower = order._replace(
+            speed=min(order.speed, wanted.speed), path=order.path._replace(most=most, rests=wanted.path.rests)
+        )
+        judge_tail(proof, run, lower, time, end - time)
+        return
+    kinds = order.kind, wanted.kind
+    if kinds in (("move", "stop"), ("jog", "stop")):
+        proof.breaks(order.line, f"{where}: it goes on, ordered is to come to rest")
+    elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
+        words = f"it goes to {order.goal:g} counts/s, ordered is {wanted.goal:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+    elif kinds == ("move", "move") and order.speed != wanted.speed:
+        words = f"it is planned for {order.speed:g} counts/s, ordered is {wanted.speed:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+    elif kinds == ("move", "move") and order.rates != wanted.rates:
+        profile, state = a.profiles[i], a.profiles[i].at(time - a.starts[i])
+        by, left = law(wanted.shape, wanted.rates, wanted.jerks, wanted.ramp), profile.end - state.position
+        bent = state.acceleration if by.smooth else 0.0
+        shaped = state.acceleration and not by.smooth and order.shape != "trapezoid"
+        if state.velocity * left <= 0.0 or shaped:
+            return
+        if abs(lead(state.velocity, bent, 0.0, by)[1]) < abs(left) * (1.0 - SLACK):
+            words = f"it keeps the rates {order.rates[0]:g} and {order.rates[1]:g}"
+            proof.breaks(
+                order.line, f"{where}: {words}, ordered are {wanted.rates[0]:g} and {wanted.rates[1]:g}"
+            )
