@@ -306,6 +306,8 @@ class AxisVerbs(Core):
         a = self.axes[axis]
         if ended == "stop":
             triggers.events.stopped(self, a, ended)
+        if self.orders is not None:
+            self.orders.stop(a, ended)
         self._hold(a)
         freed = triggers.conditions.release(a)
         if a.sequence is not None:
@@ -319,6 +321,8 @@ class AxisVerbs(Core):
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
         """Decelerate to rest at the set rate and keep what the buffer holds: it is next."""
+        if ended and self.orders is not None:
+            self.orders.stop(self.axes[axis], ended)
         motion.halt.stop(self, self.axes[axis], ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:

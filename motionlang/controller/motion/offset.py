@@ -52,6 +52,8 @@ def offset(
     limits = _limits(controller, a, tie, total, mode, over)
     if limits is None:
         return
+    if controller.orders is not None:
+        controller.orders.offset(a, distance, left, line)
     speed, accel, decel = limits
     profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,
                    a.accel_jerk, a.decel_jerk)  # fmt: skip

@@ -32,7 +32,7 @@ def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
     for tail in path.tails:
         assert tail.path is not None
         moves = run.members(tail.path)
-        if not moves or moves[0].profile is None:
+        if len(moves) != len(path.members) or moves[0].profile is None:
             continue
         finish = min(end, moves[0].start_time + moves[0].profile.duration)
         if finish - begin > ROUNDED * (1.0 + begin):
@@ -43,7 +43,7 @@ def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
         count = len(ends) + 1
         words = f"{count} paths overlap at {begin:.6f} s, {MAX_OVERLAP} may at the most"
         proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
-    if ends:
+    if ends and all(len(moves) == len(path.members) for moves in entries):
         _judge_sum(proof, run, order, entries, (begin, min(end, *ends)))
 
 

@@ -1,43 +1,210 @@
-"""The judge of how entries of the log end: before the run does, and where their axis is left."""
+"""The judge of the entries of the log beside each other: one after the other, all that their axis has done.
+
+Each ends for the reason that it gives, before the run does, and the last one where its axis is left.
+"""
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from math import fsum, isfinite
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
+from motionlang.controller.move import CONTINUED, MOST_PIECES
 from motionlang.controller.record.judge import ROUNDED, SLACK, position
+from motionlang.controller.record.judge_offsets import judge_offset
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from motionlang.controller.move import Move
     from motionlang.controller.record.judge import Proof, Run
+    from motionlang.controller.record.orders import Order
     from motionlang.controller.record.track import WholeTrack
+    from motionlang.profile import Profile
+
+
+# A part of a time by which one that was added up may differ.
+LATE = 4.0 * ROUNDED
+# The reasons of entries that another one follows at once.
+FOLLOWED = ("retarget", CONTINUED)
+# Kinds of motion that come to rest by themselves, or never.
+RESTING = ("move", "jog")
 
 
 class Ends:
-    """How the entries of one axis end: `going` are those that end after the run, `last` is the one begun last."""
+    """How the entries of one axis end: `going` are those that end after the run, `last` is the one begun last.
 
-    __slots__ = ("going", "last")
+    `until` is the latest end of all, and `place` the number of the profile of the track that comes behind it. `begun`
+    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time.
+    """
 
-    def __init__(self) -> None:
+    __slots__ = ("begun", "going", "last", "place", "stood", "until")
+
+    def __init__(self, begun: Iterable[float] = ()) -> None:
+        self.begun, self.stood = set(begun), set[float]()
         self.going: list[Move] = []
         self.last: Move | None = None
+        self.until = 0.0
+        self.place = 0
 
 
-def take_entry(ends: dict[int, Ends], run: Run, move: Move) -> None:
-    """Count an entry of the log; those that lie on top of another one are none of their own."""
+def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> None:
+    """Judge an entry beside the one before it; those that lie on top of another one are none of their own."""
     profile = move.profile
-    if move.overlaid or profile is None:
+    if profile is None:
         return
-    found = ends.setdefault(move.axis, Ends())
-    found.last = move
+    if move.overlaid:
+        judge_offset(proof, run, move, profile)
+        return
+    found = ends.get(move.axis)
+    if found is None:
+        found = ends[move.axis] = Ends(run.orders.begun[move.axis])
+    if not run.orders.was_cut:
+        _judge_entry(proof, run, found, move, profile)
+    found.last, found.until = move, max(found.until, move.start_time + profile.duration)
     if move.start_time + profile.duration > run.until * (1.0 + ROUNDED):
         found.going.append(move)
 
 
+def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profile) -> None:
+    a, start, before = run.axes[move.axis], move.start_time, found.last
+    where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
+    order, scale = run.order_of(move), run.orders.scale(move.axis, start)
+    if order.kind != "rest" and move.line not in _lines(run, a, start):
+        proof.breaks(move.line, f"{where}: it is ordered by line {order.line}")
+    if not profile.duration:
+        found.stood.add(start)
+    elif start in found.begun:
+        found.begun.remove(start)
+    else:
+        proof.breaks(move.line, f"{where}: no motion begins then that has no other entry")
+    if scale and (move.scale, move.zero) not in scale:
+        words = f"it counts {move.scale:g} a unit from {move.zero:g}, its axis differs"
+        proof.breaks(move.line, f"{where}: {words}")
+    if start < found.until - late and order.kind != "path":
+        proof.breaks(move.line, f"{where}: the entry before it ends at {found.until:.6f} s")
+    if before is not None and before.profile is not None and before.ended in FOLLOWED:
+        end = before.start_time + before.profile.duration
+        if abs(start - end) > late:
+            words = f"it does not follow at {end:.6f} s, where the one before ends"
+            proof.breaks(before.line, f"{where}: {words}")
+    _judge_gap(proof, run, a, found, start - late)
+    if start + profile.duration <= run.until * (1.0 + ROUNDED):
+        _judge_ended(proof, run, a, move, where)
+
+
+def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
+    """The lines of what begins on an axis at a moment."""
+    i, records = a.place(start), run.orders.of[a.index]
+    found = {records[i].line}
+    while i > 0 and a.starts[i] == start:
+        i -= 1
+        found.add(records[i + 1].line)
+    return found
+
+
+def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
+    """Between the entries up to now and a time the axis has not moved."""
+    records = run.orders.of[a.index]
+    while found.place < len(a.starts) and a.starts[found.place] < until:
+        i = found.place
+        begin, end = run.span(a, i)
+        begin, end = max(begin, found.until), min(end, until)
+        if begin >= until:
+            return
+        if end - begin > LATE * (1.0 + begin) and records[i].kind != "rest":
+            first = a.profiles[i].position(begin - a.starts[i])
+            middle, last = (a.profiles[i].position(each - a.starts[i]) for each in (0.5 * (begin + end), end))
+            if max(abs(middle - first), abs(last - first)) > SLACK * max(1.0, abs(first)):
+                where = f"axis {a.index} from {begin:.6f} s"
+                proof.breaks(records[i].line, f"{where}: it moves, and no entry of the log says so")
+                return
+        if run.span(a, i)[1] > until:
+            return
+        found.place += 1
+
+
+def _judge_ended(proof: Proof, run: Run, a: WholeTrack, move: Move, where: str) -> None:
+    """An entry has ended for the reason that it gives: a stop that was ordered, another one, or its own end."""
+    assert move.profile is not None
+    orders, start = run.orders, move.start_time
+    end = start + move.profile.duration
+    late = LATE * (1.0 + end)
+    ordered = orders.stops[a.index]
+    first, past = (bisect_left(ordered, time, key=itemgetter(0)) for time in (start - late, end + late))
+    stops = ordered[first:past]
+    i = _last(a, start, end)
+    last, over = orders.of[a.index][i], run.span(a, i)[1]
+    if move.profile.duration and last.kind != "path" and abs(over - end) > late:
+        proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
+    if move.ended == CONTINUED and len(move.profile.knots) <= MOST_PIECES:
+        proof.breaks(move.line, f"{where}: it is said to go on as another entry, and has room")
+    elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
+        proof.breaks(move.line, f"{where}: it is said to be replaced, where it comes to its end")
+    if move.ended in ("stop", "cancel", "fault"):
+        if all(word != move.ended for _, word in stops):
+            proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
+    elif not move.ended and move.profile.duration:
+        rests = last.kind in RESTING or last.slopes is not None
+        if rests and abs(move.profile.end_velocity) > SLACK * max(1.0, move.profile.peak_speed):
+            proof.breaks(move.line, f"{where}: it is said to have come to its end, where it moves")
+        points = None if last.points is None or move.offset else last.points[0]
+        if points is not None and abs(move.profile.end - points[-1]) > SLACK * max(1.0, abs(points[-1])):
+            proof.breaks(move.line, f"{where}: it is said to have come to its end, which is {points[-1]:g}")
+        for time, word in stops:
+            if (
+                time < end + (late if last.tie is not None else -late)
+                and _order_before(run, a, time).kind != "stop"
+            ):
+                proof.breaks(
+                    move.line, f"{where}: a {word} was ordered at {time:.6f} s, and it says nothing of it"
+                )
+                return
+
+
+def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool:
+    """Whether what an entry ends with comes to its own end then: what is to go on for ever, or has been stopped, has
+    none."""
+    order = run.orders.of[a.index][i]
+    if order.tie is not None and order.tie.table is not None and order.tie.table[2] == "even":
+        gone = position(run.track(order.tie.master), end) - order.tie.origin
+        length = order.tie.table[0][-1]
+        return abs(gone * order.tie.direction - length) <= SLACK * max(1.0, length)
+    return order.kind not in ("jog", "stop") and a.starts[i] + a.profiles[i].duration <= end + late
+
+
+def _order_before(run: Run, a: WholeTrack, time: float) -> Order:
+    i = a.place(time)
+    while i > 0 and a.starts[i] >= time:
+        i -= 1
+    return run.orders.of[a.index][i]
+
+
+def _last(a: WholeTrack, start: float, end: float) -> int:
+    """The number of the last profile of an entry."""
+    i = a.place(end)
+    while i > 0 and a.starts[i] >= end - LATE * (1.0 + end) and a.starts[i] > start:
+        i -= 1
+    return i
+
+
 def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
     """No entry ends after the run unless its axis is on it, as fast as it says; the last one ends where its axis is."""
-    for number, found in ends.items():
-        a = run.axes[number]
+    for number, a in run.axes.items():
+        found = ends.get(number)
+        if found is None:
+            found = Ends(run.orders.begun[number])
+        if run.orders.was_cut:
+            found.begun.clear()
+        else:
+            _judge_gap(proof, run, a, found, run.until)
+        for time in sorted(found.begun - found.stood):
+            line = run.orders.of[number][a.place(time)].line
+            proof.breaks(line, f"axis {number} from {time:.6f} s: no entry of the log tells of it")
+        if found.last is not None and found.last.ended in FOLLOWED:
+            where = f"axis {number} from {found.last.start_time:.6f} s"
+            proof.breaks(found.last.line, f"{where}: nothing follows what is said to be replaced")
         if found.going:
             _judge_going(proof, run, a, found.going)
         elif found.last is not None:

@@ -6,7 +6,9 @@ never what a planner made of it.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from copy import copy
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.controller.motion.follow import Gear
@@ -134,6 +136,9 @@ class Orders:
     A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis was told
     to stand at once, with the word for it. Orders that are alike are one. Beyond `MOST` profiles it `is_full`, and
     holds nothing more. `unheeded` has, by axis and time, what settings ask of a profile that they have not replaced.
+    `offsets` has, by axis and time, the line and the distance of an OFFSET, and what one before it had left to do.
+    `begun` has, by axis, when its motions began that have an entry of their own.
+    `stops` has, by axis, the times at which its motion was told to come to rest or to stand, with the word for it.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -146,6 +151,10 @@ class Orders:
         }
         self.stands: dict[tuple[int, float], str] = {}
         self.unheeded: dict[tuple[int, float], Order] = {}
+        self._scales: dict[int, list[tuple[float, float, float]]] = {number: [] for number in axes}
+        self.offsets: dict[tuple[int, float], tuple[int, float, float]] = {}
+        self.begun: dict[int, set[float]] = {number: set() for number in axes}
+        self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
         # The angle up to which each path may be entered, by the settings when another one was planned into it.
@@ -174,16 +183,23 @@ class Orders:
                     -1
                 ]  # the same motion at a new zero: settings that came since do not act
             self._append(a, order)
+            if move is not None and not self.is_full:
+                self.begun[a.index].add(move.start_time)
 
     def add_plain(self, a: Axis, line: int) -> None:
         """An axis begins a plain move, the last of its rows."""
         own = a.plain[-1][-1][4]
         speed = a.speed if own is None else own
         self._append(a, Order("move", line, speed, a.rates(speed), ENDLESS, a.shape, ramp=a.ramp))
+        if not self.is_full:
+            self.begun[a.index].add(self._controller.clock.now)
 
     def _append(self, a: Axis, order: Order) -> None:
         """One that is like another is that one; where there is no room the run goes on as one without a proof."""
-        self.unheeded.pop((a.index, self._controller.clock.now), None)
+        now, scales = self._controller.clock.now, self._scales[a.index]
+        self.unheeded.pop((a.index, now), None)
+        if not scales or scales[-1][1:] != (a.scale.counts, a.scale.zero):
+            scales.append((now, a.scale.counts, a.scale.zero))
         if order.path is None and order.tie is None and order.points is None:
             known = self._known.get(order)
             self._count += MANY_ALIKE if known is None else 1
@@ -206,7 +222,8 @@ class Orders:
             self._steps,
         ):
             kept.clear()
-        self.unheeded.clear()
+        for more in (self.unheeded, self.offsets, self.begun, self.stops, self._scales):
+            more.clear()
         self._known.clear()
 
     def keep_whole(self) -> None:
@@ -285,6 +302,13 @@ class Orders:
                     path = order.path._replace(**_places(action))
                     records[-back] = order._replace(path=path)
 
+    def scale(self, axis: int, time: float) -> set[tuple[float, float]]:
+        """Counts a unit and the zero of an axis at a time; several if they changed just then."""
+        scales = self._scales[axis]
+        last = bisect_right(scales, time, key=itemgetter(0))
+        first = bisect_left(scales, time, key=itemgetter(0))
+        return {(counts, zero) for _, counts, zero in scales[max(0, min(first, last - 1)) : last]}
+
     def heed(self, a: Axis) -> None:
         """A setting that acts at once was written: note what it asks for if the motion goes on as it was planned."""
         move = a.move
@@ -319,9 +343,22 @@ class Orders:
             key = a.index, self._controller.clock.now
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
 
+    def offset(self, a: Axis, distance: float, left: float, line: int) -> None:
+        """An offset begins, where one before it had so much left."""
+        self.offsets[a.index, self._controller.clock.now] = line, distance, left
+
+    def stop(self, a: Axis, ended: str) -> None:
+        """An axis is about to be told to decelerate to rest, and those that move together with it."""
+        if a.move is not None:
+            action = a.move.action
+            for each in (a,) if action is None else action.together_with(a):
+                self.stops[each.index].append((self._controller.clock.now, ended))
+
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
-        self.stands[a.index, self._controller.clock.now] = ended
+        now = self._controller.clock.now
+        self.stands[a.index, now] = ended
+        self.stops[a.index].append((now, ended))
 
 
 def _ahead(action: PathMove) -> tuple[Order, ...]:

@@ -82,7 +82,7 @@ def prove(
     ends: dict[int, Ends] = {}
     for move in run.moves:
         _judge_move(proof, run, move)
-        take_entry(ends, run, move)
+        take_entry(proof, ends, run, move)
     judge_ends(proof, run, ends)
     return proof
 

@@ -1,0 +1,45 @@
+"""The judge of offsets on top of following: each goes as far as was ordered, and what the one before it has left."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.controller.record.judge import ROUNDED, SLACK
+
+if TYPE_CHECKING:
+    from motionlang.controller.move import Move
+    from motionlang.controller.record.judge import Proof, Run
+    from motionlang.profile import Profile
+
+# A part of a time by which one that was added up may differ.
+LATE = 4.0 * ROUNDED
+
+
+def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
+    """The entry of an offset; what an offset goes on with after a suspension has no order of its own."""
+    start, end = move.start_time, move.start_time + profile.duration
+    where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + end)
+    if abs(profile.start) > SLACK:
+        proof.breaks(move.line, f"{where}: it lies on top of other motion, and begins at {profile.start:g}")
+    orders = run.orders
+    scale = {counts for counts, _ in orders.scale(move.axis, start)}
+    if (scale and move.scale not in scale) or move.zero:
+        proof.breaks(move.line, f"{where}: it counts {move.scale:g} a unit, its axis differs")
+    ordered = orders.offsets.get((move.axis, start))
+    if ordered is None:
+        return
+    line, distance, left = ordered
+    if line != move.line:
+        proof.breaks(move.line, f"{where}: it is ordered by line {line}")
+    if not move.ended:
+        wanted = distance + left
+        if abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
+            proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")
+    elif end <= run.until:
+        words = {word for time, word in orders.stops[move.axis] if abs(time - end) <= late}
+        followed = any(
+            number == move.axis and abs(time - end) <= late
+            for number, time in (*orders.offsets, *((move.axis, time) for time in orders.begun[move.axis]))
+        )
+        if move.ended not in words and not (move.ended == "retarget" and followed):
+            proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")

@@ -1,0 +1,28 @@
+"""Forged logs: 100 single changes of entries, each of which the proof rejects; `-m long` takes all."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.forged.logs import Forged, candidates, chosen, forge
+
+
+def accepted(logs: list[Forged]) -> list[str]:
+    """Those that say something else of the motion, and are not rejected."""
+    found = []
+    for each in logs:
+        result, differs = forge(each)
+        if differs and not result.proof().violations:
+            found.append(str(each))
+    return found
+
+
+def test_a_forged_log_is_rejected() -> None:
+    logs = chosen(112)
+    assert sum(forge(each)[1] for each in logs) >= 100
+    assert accepted(logs) == []
+
+
+@pytest.mark.long
+def test_every_forged_log_is_rejected() -> None:
+    assert accepted(list(candidates())) == []
