@@ -315,6 +315,8 @@ class AxisVerbs(Core):
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
             motion.halt.stop(self, a, ended, hard)
+        if self.orders is not None:
+            self.orders.heed(a)
         for each in freed:
             if each is not a and not each.suspended:
                 self.start_next(each)

@@ -33,7 +33,7 @@ def main(count: int, only: str) -> int:
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(prog="python -m tests.forged", description=__doc__)
-    parser.add_argument("count", type=int, nargs="?", default=280)
+    parser.add_argument("count", type=int, nargs="?", default=300)
     parser.add_argument("--only", metavar="TEXT", default="")
     given = parser.parse_args()
     sys.exit(main(given.count, given.only))

@@ -62,6 +62,10 @@ MINT = {
         _RATES + _SLAVE + "FOLLOWMODE(1) = 1 : FOLLOW(1) = 0.5\n" + _DRIVE + "FOLLOW(1) = -1.5\nWAIT 800\n"
         "SPEED(0) = 10 : OFFSET(1) = 7 : GO(1)\nWAIT 900\nJOG(0) = -20\nWAIT 500\n" + _STOP
     ),
+    "two offsets": (
+        _RATES + _SLAVE + "FOLLOWMODE(1) = 1 : FOLLOW(1) = 0.5\n" + _DRIVE + "OFFSET(1) = 30 : GO(1)\nWAIT 200\n"
+        "OFFSET(1) = 12 : GO(1)\nWAIT 1500\n" + _STOP
+    ),
     "gears at once": _RATES + _SLAVE + "FOLLOW(1) = 0.75\n" + _DRIVE + _STOP,
     "a cam": _RATES + _SLAVE + _CAM + "CAM(1) = 0 : GO(1)\n" + _DRIVE + "WAIT 800\n" + _STOP,
     "cams on and on": _RATES + _SLAVE + _CAM + "CAM(1) = _spCONTINUOUS : GO(1)\n" + _DRIVE + "WAIT 2500\n" + _STOP,

@@ -151,7 +151,8 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         along = _along(tracks, way, end - begin)
     _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
-        _judge_along(proof, order, way, along, where)
+        fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
+        _judge_along(proof, order, way, along, where, fresh)
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # what was planned counts, also where something else has come before its end
             planned = min(profile.duration - time for profile, time in tracks)
@@ -166,6 +167,23 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
             abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
         ):
             _judge_path_time(proof, order, way, along, where)
+
+
+def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
+    """Whether the path before one was not slowing down: what begins too fast then should have slowed down for it."""
+    earlier = run.orders.of[master.index][i - 1].path
+    if earlier is None or earlier.rests or earlier.members != path.members:
+        return False
+    begin, end = master.starts[i - 1], master.starts[i]
+    entries = [(run.axes[number], k) for number, k in zip(path.members, path.scales, strict=True)]
+    first, last = (
+        fsum(
+            (a.profiles[a.place(begin)].velocity(time - a.starts[a.place(begin)]) / k) ** 2
+            for a, k in entries
+        )
+        for time in (begin, end)
+    )
+    return first < last * (1.0 - SLACK)
 
 
 def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
@@ -211,12 +229,17 @@ def _judge_way(
                 return
 
 
-def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
+def _judge_along(
+    proof: Proof, order: Order, way: Way, along: list[Span], where: str, fresh: bool = False
+) -> None:
+    """The bounds along a path; a `fresh` one may not begin above them."""
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
     _, v0, a0, _ = along[0].at(0.0)
     slow = _slowing(order, way, v0, a0)
+    if fresh:
+        slow = slow._replace(speed=order.speed, came=0.0, until=0.0, eased=0.0, stretches=())
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)

@@ -117,7 +117,7 @@ class Order(NamedTuple):
     def asks(self) -> tuple[object, ...]:
         """What settings ask of a motion that is under way."""
         if self.path is not None:
-            return self.kind, self.path.entry, self.speed, self.path.most
+            return self.kind, self.path.entry, self.speed, self.path.most, self.path.rests
         return self.kind, self.speed, self.goal, self.rates
 
 
