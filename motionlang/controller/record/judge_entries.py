@@ -143,7 +143,9 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, move: Move, where: str) 
     elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
         proof.breaks(move.line, f"{where}: it is said to be replaced, where it comes to its end")
     if move.ended in ("stop", "cancel", "fault"):
-        if all(word != move.ended for _, word in stops):
+        # A stop may lead through the end of one path into the next.
+        earlier = ordered[:past] if last.path is not None and last.path.rests else stops
+        if all(word != move.ended for _, word in reversed(earlier)):
             proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
     elif not move.ended and move.profile.duration:
         rests = last.kind in RESTING or last.slopes is not None

@@ -103,8 +103,19 @@ def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
                 f"{where}: its curve has {gone:g} at {place:g} of its master, ordered is {wanted:g}",
             )
             return
+    if abs(curve.end - curve.start - values[-1] + values[0]) > size:
+        words = (
+            f"its curve is told to rise by {curve.end - curve.start:g}, ordered is {values[-1] - values[0]:g}"
+        )
+        proof.breaks(order.line, f"{where}: {words}")
     if curve.duration != places[-1]:
         proof.breaks(order.line, f"{where}: its curve is {curve.duration:g} long, ordered is {places[-1]:g}")
+    slopes = [derivatives(curve.pieces[0], 0.0)[1]]
+    slopes.append(derivatives(curve.pieces[-1], curve.knots[-1] - curve.knots[-2])[1])
+    for stated, slope in zip((curve.start_velocity, curve.end_velocity), slopes, strict=True):
+        if abs(stated - slope) * places[-1] > size:
+            words = f"its curve has a slope of {slope:g} at one end, and is run on at {stated:g}"
+            proof.breaks(order.line, f"{where}: {words}")
     for (left, right), (low, high) in zip(pairwise(places), pairwise(values), strict=True):
         if (
             kind == "linear"

@@ -31,8 +31,8 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     line, distance, left = ordered
     if line != move.line:
         proof.breaks(move.line, f"{where}: it is ordered by line {line}")
+    wanted = distance + left
     if not move.ended:
-        wanted = distance + left
         if abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
             proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")
     elif end <= run.until:
@@ -41,5 +41,8 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
             number == move.axis and abs(time - end) <= late
             for number, time in (*orders.offsets, *((move.axis, time) for time in orders.begun[move.axis]))
         )
-        if move.ended not in words and not (move.ended == "retarget" and followed):
+        # A suspension and the end of a cam stop it, too.
+        short = abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted))
+        cut = move.ended == "stop" or (move.ended == "retarget" and followed)
+        if move.ended not in words and not (short and cut):
             proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
