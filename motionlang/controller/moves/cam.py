@@ -291,10 +291,11 @@ def _beginning(along: Profile, least: float) -> float | None:
     """
     if along.extrema()[0] >= -least:
         return None
-    if along.start > 0.0:
+    if along.start > least:
         return along.crossing(0.0)
+    # At the beginning but for rounding: where it goes first counts, as it did at the end of the cycle before.
     if _runs_back(along, 0.0, least) is not None:
-        return 0.0
+        return along.crossing(0.0) if along.start > 0.0 else 0.0
     ahead = along.crossing(least)
     return along.crossing(0.0, ahead) if ahead is not None else None
 
