@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from motionlang.controller.record.spans import derivatives
 
 if TYPE_CHECKING:
-    from motionlang.controller.record.orders import Order
+    from motionlang.controller.record.order import Order
     from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile
     from motionlang.profile.ramps import Piece

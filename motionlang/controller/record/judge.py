@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
-    from motionlang.controller.record.orders import Order, Orders, PathOrder
+    from motionlang.controller.record.order import Order, PathOrder
+    from motionlang.controller.record.orders import Orders
 
 # A part of the largest figure that rounding may be worth.
 SLACK = 1e-6

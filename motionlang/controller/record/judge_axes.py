@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from motionlang.controller.record.flanks import Begin
     from motionlang.controller.record.judge import Proof
     from motionlang.controller.record.judge_slowing import Slowing
-    from motionlang.controller.record.orders import Order
+    from motionlang.controller.record.order import Order
     from motionlang.controller.record.spans import Span
     from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile

@@ -14,7 +14,7 @@ from motionlang.controller.record.judge_paths import judge_tail
 if TYPE_CHECKING:
     from motionlang.controller.move import Move
     from motionlang.controller.record.judge import Proof, Run
-    from motionlang.controller.record.orders import Order
+    from motionlang.controller.record.order import Order
     from motionlang.controller.record.track import WholeTrack
 
 # Paths that may overlap.

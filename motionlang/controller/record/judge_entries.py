@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.move import Move
     from motionlang.controller.record.judge import Proof, Run
-    from motionlang.controller.record.orders import Order
+    from motionlang.controller.record.order import Order
     from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile
 

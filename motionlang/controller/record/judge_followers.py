@@ -13,7 +13,7 @@ from motionlang.controller.record.spans import Span, derivatives
 
 if TYPE_CHECKING:
     from motionlang.controller.record.judge import Proof, Run
-    from motionlang.controller.record.orders import Order, Tie
+    from motionlang.controller.record.order import Order, Tie
     from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile
 

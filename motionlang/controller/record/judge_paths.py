@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.controller.record.due import Law
     from motionlang.controller.record.judge import Proof, Run
     from motionlang.controller.record.judge_slowing import Slowing
-    from motionlang.controller.record.orders import Order, PathOrder
+    from motionlang.controller.record.order import Order, PathOrder
     from motionlang.controller.record.spans import Span
     from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile

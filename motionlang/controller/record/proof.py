@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from motionlang.controller.move import Move
-    from motionlang.controller.record.orders import Order, Orders
+    from motionlang.controller.record.order import Order
+    from motionlang.controller.record.orders import Orders
     from motionlang.controller.record.trace import Samples
     from motionlang.controller.record.track import Recorded, WholeTrack
     from motionlang.profile import Profile, State

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.controller.record.orders import Order
+from motionlang.controller.record.order import Order
 from motionlang.result import Run
 from motionlang.source import Source
 

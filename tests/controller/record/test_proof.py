@@ -8,7 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.controller.axis import Axis
-from motionlang.controller.record.orders import Order
+from motionlang.controller.record.order import Order
 from motionlang.controller.record.proof import prove
 from motionlang.controller.record.trace import Samples
 from motionlang.controller.record.track import Recorded

@@ -15,7 +15,7 @@ from motionlang.controller.record.judge import Proof, position
 from motionlang.controller.record.judge_axes import _judge_knots
 from motionlang.controller.record.judge_followers import FOUR, _judge_table, _moments, _wanted
 from motionlang.controller.record.judge_paths import Way, _along, _counts, _judge_along
-from motionlang.controller.record.orders import Order, PathOrder, Tie
+from motionlang.controller.record.order import Order, PathOrder, Tie
 from motionlang.controller.record.spans import Span, _from
 from motionlang.controller.record.track import WholeTrack
 from motionlang.execution import run
@@ -117,25 +117,31 @@ def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
     assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
 
 
-# Paths of 0.05 counts/s: how one begins, its jerk, how long it lasts, and what is told.
-COMING: dict[str, tuple[float, float, float, float, str]] = {
-    "0.1 counts/s, and 2² / (2 * 10) more until the jerk has eased 2 counts/s²": (0.1, 2.0, -10.0, 0.2, ""),
-    "eased with less jerk": (0.1, 2.0, -8.0, 0.25, "reaches 0.35, above 0.3"),
-    "braking, and then faster than it came": (0.1, -1.0, 10.0, 0.23, "reaches 0.1345, above 0.1"),
-    "from rest, with no speed of its own": (0.0, 2.0, 0.0, 0.05, "reaches 0.1, above 0.05"),
+# Paths of 0.05 counts/s: how one begins, its jerk, how long it lasts, and whether it is refused.
+COMING: dict[str, tuple[float, float, float, float, bool]] = {
+    "0.1 counts/s, and 2² / (2 * 10) more until the jerk has eased 2 counts/s²": (
+        0.1,
+        2.0,
+        -10.0,
+        0.2,
+        False,
+    ),
+    "eased with less jerk": (0.1, 2.0, -8.0, 0.25, True),
+    "braking, and then faster than it came": (0.1, -1.0, 10.0, 0.23, True),
+    "from rest, with no speed of its own": (0.0, 2.0, 0.0, 0.05, True),
 }
 
 
 @pytest.mark.parametrize("name", COMING)
 def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name: str) -> None:
-    speed, rate, jerk, length, told = COMING[name]
+    speed, rate, jerk, length, is_refused = COMING[name]
     path = PathOrder(
         (0,), (1.0,), 0.0, 0, True, (9.0,), (0.0, 0.0), 0.0, (), (0, 1), None, (inf,), (inf,), (inf,), 0.0
     )
     order = Order("path", 1, speed=0.05, rates=(2.0, 2.0), jerks=(10.0, 20.0), path=path)
     proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
     _judge_along(proof, order, Way(path, [0.0]), [span], "here")
-    assert [each.message for each in proof.violations] == [f"here: the path speed {told}"] * bool(told)
+    assert bool(proof.violations) is is_refused
 
 
 def test_a_piece_counted_from_elsewhere_is_the_same_piece() -> None:

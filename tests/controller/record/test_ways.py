@@ -7,7 +7,7 @@ from math import cos, hypot, inf, pi, sin
 import pytest
 
 from motionlang.controller.record.judge_paths import Way
-from motionlang.controller.record.orders import PathOrder
+from motionlang.controller.record.order import PathOrder
 
 FREE = (inf, inf)
 
