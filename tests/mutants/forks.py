@@ -77,7 +77,7 @@ _active = int(os.environ.get(ACTIVE, "-1"))
 _worker, _workers = int(os.environ.get(WORKER, "0")), int(os.environ.get(WORKERS, "1"))
 _path = f"{REACHED}.{_worker}"
 # Before anything woven is imported.
-_recorder = record(_path) if _active < 0 else None
+_recorder = record(_path) if WORKER in os.environ and _active < 0 else None
 if _active >= 0:
     activate(_active)
 
