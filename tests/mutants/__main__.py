@@ -1,8 +1,10 @@
-"""Mutation testing: `python -m tests.mutants [COUNT] [SEED]` draws mutants and reports which the tests kill.
+"""Mutation testing: `python -m tests.mutants [COUNT] [SEED ...]` draws mutants and reports which the tests kill.
 
 Each mutant is one small change of the package: another comparison, sign, constant or operand. All of a draw are woven
 into one copy of the project, of which one at a time is switched on. Coverage is recorded first, so that a mutant meets
 only the tests that reach it (`forks.py`).
+
+Several seeds are several draws of COUNT that share one recording of the coverage; each has its own score.
 
 `--only TEXT` keeps the mutants whose names contain the text; `--tests PATH` uses those tests, to see whether a new one
 kills. `--after LOG` begins with the tests that killed in an earlier run, of which LOG is the output; only what these do
@@ -183,14 +185,19 @@ def table(mutants: list[Mutant], lived: list[Mutant]) -> Iterator[str]:
         yield f"{package:<12} {killed:>3} of {drawn[package]:>3}  {killed / drawn[package]:.0%}"
 
 
-def main(count: int, seed: int, only: list[str], tests: list[str], earlier: str = "", jobs: int = 2) -> int:
-    """Print a line for each mutant and the score; 1 if it is below `BAR`.
+def main(
+    count: int, seeds: list[int], only: list[str], tests: list[str], earlier: str = "", jobs: int = 2
+) -> int:
+    """Print a line for each mutant and the score of each draw; 1 if one is below `BAR`.
 
     `earlier` is the output of an earlier run: the tests that killed in it run first, and only what they do not kill
     meets all tests.
     """
-    mutants = [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
-    known = [each for each in mutants if each.name in EQUIVALENT]
+    draws = {
+        seed: [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
+        for seed in seeds
+    }
+    mutants = list({each.name: each for draw in draws.values() for each in draw}.values())
     mutants = [each for each in mutants if each.name not in EQUIVALENT]
     lived = mutants
     if first := killers(earlier):
@@ -198,17 +205,24 @@ def main(count: int, seed: int, only: list[str], tests: list[str], earlier: str 
         print(f"{len(lived)} of {len(mutants)} survive {len(first)} tests", flush=True)
     if lived:
         lived = living(lived, tests, [], jobs)
-    score = 1.0 - len(lived) / max(len(mutants), 1)
     print(*table(mutants, lived), sep="\n")
-    print(f"{len(mutants)} mutants, seed {seed}, and {len(known)} equivalent: {score:.1%} killed; survivors:")
-    print(*(f"{mutant}\n    {mutant.name}" for mutant in lived), sep="\n", flush=True)
-    return 0 if score >= BAR else 1
+    scores = [print_score(seed, draw, lived) for seed, draw in draws.items()]
+    print("survivors:", *(f"{mutant}\n    {mutant.name}" for mutant in lived), sep="\n", flush=True)
+    return 0 if min(scores) >= BAR else 1
+
+
+def print_score(seed: int, draw: list[Mutant], lived: list[Mutant]) -> float:
+    """Print the share of a draw's distinguishable mutants that the tests kill, and return it."""
+    mutants = [each for each in draw if each.name not in EQUIVALENT]
+    score = 1.0 - len([each for each in mutants if each in lived]) / max(len(mutants), 1)
+    print(f"seed {seed}: {len(mutants)} mutants, {len(draw) - len(mutants)} equivalent, {score:.1%} killed")
+    return score
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
     parser.add_argument("count", type=int, nargs="?", default=80)
-    parser.add_argument("seed", type=int, nargs="?", default=0)
+    parser.add_argument("seed", type=int, nargs="*", default=[0])
     parser.add_argument("--only", metavar="TEXT", action="append", default=[])
     parser.add_argument("--tests", metavar="PATH", action="append", default=[])
     parser.add_argument("--after", metavar="LOG", type=Path)

@@ -134,4 +134,4 @@ def test_the_tests_that_killed_stand_in_the_output_of_a_run() -> None:
 @pytest.mark.long
 def test_the_score_reaches_its_bar() -> None:
     assert BAR == 0.88
-    assert main(80, 0, [], judges()) == 0
+    assert main(80, [0], [], judges()) == 0
