@@ -45,7 +45,14 @@ from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, woven
 from tests.mutants.recorder import ACTIVE
 
 # Tests that cannot judge mutants: they test the tests, the wheel, other interpreters, or run for weeks.
-NO_JUDGES = ("mutants", "test_benchmarks.py", "test_package.py", "test_pypy.py", "test_weeks.py")
+NO_JUDGES = (
+    "mutants",
+    "test_benchmarks.py",
+    "test_package.py",
+    "test_pypy.py",
+    "test_weeks.py",
+    "test_wheel.py",
+)
 # Seconds of real time that a process with one mutant may take.
 MAX_ALONE = 900.0
 # The share of the distinguishable mutants that the tests must kill.
@@ -87,7 +94,8 @@ def copied(folder: Path, mutants: list[Mutant]) -> Path:
 def pytest(tree: Path, tests: list[str], **environment: str) -> subprocess.Popen[bytes]:
     """Start pytest on the copy, with the plugin; its output goes to a log."""
     command = [sys.executable, "-m", "pytest", "-p", "tests.mutants.forks", "-p", "no:cacheprovider"]
-    temporary = tree / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
+    # Beside the copy, as some tests copy the project.
+    temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
     command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
     given = {
         "MOTIONLANG_NO_CACHE": "1",

@@ -37,8 +37,8 @@ CHOSEN = "chosen.json"
 # Environment variables: the number of this worker and of all workers, and the files of a process with one mutant.
 WORKER, WORKERS = "MOTIONLANG_WORKER", "MOTIONLANG_WORKERS"
 ALONE, FAILED = "MOTIONLANG_ALONE", "MOTIONLANG_FAILED"
-# CPU seconds that a test gets in addition to ten times what it took, and bytes for a child.
-EXTRA, MEMORY = 10.0, 6_000_000_000
+# CPU seconds that a test gets in addition to ten times what it took, and bytes for a child and for a file it writes.
+EXTRA, MEMORY, FILE = 10.0, 6_000_000_000, 1_000_000_000
 # Seconds of real time after which a waiting test is given up.
 MAX_WAIT = 180.0
 # CPU seconds of tests after which a mutant counts as a survivor although tests are left.
@@ -166,7 +166,7 @@ class Forks:
             os.waitpid(child, 0)
             return
         failed = set[str]()
-        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+        limit_resources()
         os.environ[SEEN] = os.path.abspath(_path)
         self.failed = failed.add
         found: dict[str, dict[str, Any]] = {}
@@ -191,7 +191,7 @@ class Forks:
             os.close(reading)
             os.environ[ACTIVE] = str(number)
             activate(number)
-            resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+            limit_resources()
             self._run(items, lambda text: os.write(writing, text.encode()[:2000]))
         os.close(writing)
         written = b""
@@ -221,6 +221,12 @@ class Forks:
             signal.setitimer(signal.ITIMER_PROF, EXTRA + 10.0 * self.durations[item.nodeid])
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=None)
         os._exit(LIVED)
+
+
+def limit_resources() -> None:
+    """Limit this process and those it starts: a mutant may allocate or write without end."""
+    resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (FILE, FILE))
 
 
 def claimed(number: int) -> bool:
