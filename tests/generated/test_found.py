@@ -249,3 +249,22 @@ def test_a_position_that_is_written_and_taken_back_leaves_the_log_where_it_was()
     shear = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 40\nFLY(1) = 20 : GO(1)\n"
     result = proved(f"{RATES}{shear}POS(1) = 43\nWAIT = 20\nPOS(1) = 0\nWAIT = 20\n")
     assert places(result, 1) == [0.0]
+
+
+CONTOUR = "MOVEBUFFERSIZE(0, 1) = 9; : CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 180\n"
+
+
+def test_a_path_that_was_planned_ahead_keeps_the_shape_that_it_was_planned_with() -> None:
+    """Two lines of 50 at 20 with 100, as one: 100/20 + 20/100 s, though S-ramps are asked for after 0.5 s."""
+    lines = "VECTORR(0, 1) = 30, 40\nVECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 500\nPROFILEMODE(0) = 1\n"
+    result = proved(f"{RATES}{CONTOUR}{lines}PAUSE IDLE(0)\n")
+    assert places(result, 0, 1) == pytest.approx([60.0, 80.0])
+    assert result.time == pytest.approx(100.0 / 20.0 + 0.2, abs=1e-6)
+
+
+def test_a_deceleration_that_comes_too_late_for_a_path_acts_on_those_ahead_of_it_no_more() -> None:
+    """At 20 and 100 it needs the last 2; with 2.5 left, 50 would need 4: it ends after 52/20 + 20/100 s."""
+    lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nPAUSE POS(0) > 49.5\nDECEL(0) = 50\n"
+    result = proved(f"{RATES}{CONTOUR}{lines}PAUSE IDLE(0)\n")
+    assert places(result, 0) == [52.0]
+    assert result.time == pytest.approx(52.0 / 20.0 + 0.2, abs=1e-6)

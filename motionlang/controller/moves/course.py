@@ -40,7 +40,8 @@ class Course:
     profile up to the end of `here`, which comes at the time `due`.
 
     `starts` is where the course was laid out from, on each axis, and `begins` where it begins: at the end of the course
-    that it is blended with, which may be cut short. `entered` are the paths that it has run along since.
+    that it is blended with, which may be cut short. `entered` are the paths that it has run along since. `planned_at`
+    is when its profile was last planned: settings that do not act at once have no effect on it before the next plan.
     `is_stopping` is set once it shall only come to rest, and `is_over` when it is done, which a course that it is
     blended with may outlast.
     """
@@ -57,6 +58,7 @@ class Course:
         "is_over",
         "is_stopping",
         "part",
+        "planned_at",
         "profile",
         "segment",
         "starts",
@@ -71,7 +73,7 @@ class Course:
         self.profile: Profile = hold(0.0)
         self.part = self.profile
         self.goal: PathMove | None = here
-        self.began = 0.0
+        self.began = self.planned_at = 0.0
         self.is_stopping = self.is_over = False
 
     # ----------------------------------------------------------------------------------------------- reading
@@ -164,8 +166,13 @@ class Course:
 
     # -------------------------------------------------------------------------------------------- being run
 
+    def change(self, profile: Profile, goal: PathMove | None) -> None:
+        """Go by a profile that was planned now."""
+        self.planned_at = self._controller.clock.now
+        self.follow(profile, goal)
+
     def follow(self, profile: Profile, goal: PathMove | None) -> None:
-        """Go by another profile from now on."""
+        """Go by another profile, or the rest of the present one, from now on."""
         self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
         self.part = self.profile
         if self.leads_on:
@@ -245,6 +252,7 @@ class Course:
         planned = self.planned(0.0)
         if planned is not None:
             self.profile, self.goal = planned
+            self.planned_at = self._controller.clock.now
 
     def planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
         """From what the present profile does at `time` to rest at the end of the paths, and the last of them.

@@ -230,7 +230,7 @@ class PathRun:
             return
         controller = self._controller
         for course, profile, goal in plans:
-            course.follow(profile, goal)
+            course.change(profile, goal)
             course.cut_log()
         self._join([course for course, _, _ in plans])
         with controller.together():

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
+    from motionlang.controller.moves.path_run import PathRun
 
 REST = Order("rest", 0)
 # Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.
@@ -67,6 +68,8 @@ class Orders:
         self._nth: dict[PathMove, int] = {}
         # The angle up to which each path may be entered, by the settings when another one was planned into it.
         self._angles: dict[PathMove, float] = {}
+        # What each path, under way or ahead, was last planned by: settings that led to no other plan do not act.
+        self._plans: dict[PathMove, Order] = {}
         # The paths that each axis is the master of, as far as they are under way, and what was last ordered for them.
         self._under_way: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
@@ -125,6 +128,7 @@ class Orders:
             self.stands,
             self._nth,
             self._angles,
+            self._plans,
             self._counts,
             self._entries,
             self._steps,
@@ -158,7 +162,7 @@ class Orders:
         if began != move.start_time:
             entry = self._controller.log.moves.number(move)
             self._entries[move] = move.start_time, entry
-        order = self._planned_by(a, action) or _path(action, move, self._nth[action], entry)
+        order = self._planned_by(a, action) or self._planned(action, move, entry)
         assert order.path is not None
         for each in _paths_ahead(action):
             self._angles.setdefault(each, _angle_through(each))
@@ -194,6 +198,21 @@ class Orders:
             for order in reversed(self.of[a.index])
             if order.path is not None and (order.path.begun, order.path.nth) == key
         )
+
+    def _planned(self, action: PathMove, move: Move, entry: int) -> Order:
+        """The order of the newest path by the settings that it was last planned by, perhaps in another path's plan."""
+        order, run = _path(action, move, self._nth[action], entry), action.run
+        assert order.path is not None
+        planned = self._plans.get(action)
+        if run is None or planned is None or run.present.planned_at == self._controller.clock.now:
+            self._plans[action] = order
+            for each in _paths_ahead(action):
+                self._plans[each] = _path(each, each.moves[0], 0, -1, run)
+            return order
+        assert planned.path is not None
+        path = order.path._replace(most_accel=planned.path.most_accel, most_decel=planned.path.most_decel)
+        order = order._replace(rates=planned.rates, jerks=planned.jerks, path=path)
+        return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def displace(self, action: PathMove) -> None:
         """A path has begun elsewhere, since the one that it is blended with was cut short: its orders go with it."""
@@ -378,7 +397,9 @@ def _jerks(a: Axis) -> tuple[float, float]:
     return (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
 
 
-def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
+def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | None = None) -> Order:
+    """The order of a path by the settings as they are now; one that is still ahead is given the `run` it belongs to."""
+    run = run or action.run
     master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
     shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
     if guide is None:
@@ -387,7 +408,6 @@ def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
         pace = guide.pace()
         shape, k, ramp = pace.shape, 1.0, pace.ramp
         speed, rates, jerks = pace.speed, (pace.accel, pace.decel), ENDLESS
-    run = action.run
     if guide is None and run is not None and run.ended and run.hard:
         rates = rates[0], master.error_decel
     rests = any(each.suspended for each in axes) or (run is not None and run.ended != "")
