@@ -268,3 +268,22 @@ def test_a_deceleration_that_comes_too_late_for_a_path_acts_on_those_ahead_of_it
     result = proved(f"{RATES}{CONTOUR}{lines}PAUSE IDLE(0)\n")
     assert places(result, 0) == [52.0]
     assert result.time == pytest.approx(52.0 / 20.0 + 0.2, abs=1e-6)
+
+
+def test_a_stop_may_be_that_of_the_entry_before_one_that_begins_at_that_moment() -> None:
+    """FOLLOW 0 ends the following at rest, and the move that waited begins at once: 23/20 + 20/100 s."""
+    program = "FOLLOW(1) = 3\nMOVEA(1) = -23\nGO(1)\nFOLLOW(1) = 0\nPAUSE IDLE(1)\n"
+    result = proved(f"{RATES}{program}")
+    assert [each.ended for each in result.controller.log.moves] == ["stop", ""]
+    assert result.time == pytest.approx(23.0 / 20.0 + 0.2, abs=1e-6)
+
+
+def test_a_fault_may_be_that_of_the_entry_after_one_that_ends_at_that_moment() -> None:
+    """The second segment of the shear leads over the limit of 0 when the master is at 3, after 0.2 + 1/20 s."""
+    shear = "MASTERDISTANCE(1) = 3 : FLY(1) = 0\nFLY(1) = 10 : GO(1)\n"
+    drive = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nMOVER(0) = 30 : GO(0)\n"
+    limit = "SOFTLIMITFORWARD(1) = 0 : SOFTLIMITREVERSE(1) = -5\nPAUSE IDLE(0)\nEnd\n"
+    result = proved(f"{RATES}{drive}{shear}{limit}Event ONERROR\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n")
+    _, first, second = result.controller.log.moves
+    assert (first.ended, second.ended) == ("", "fault")
+    assert second.start_time == pytest.approx(0.25, abs=1e-6)

@@ -36,10 +36,12 @@ class Ends:
     """How the entries of one axis end: `going` are those that end after the run, `last` is the one begun last.
 
     `until` is the latest end of all, and `place` the number of the profile of the track that comes behind it. `begun`
-    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time.
+    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time. `said`
+    are the stops, time and word, that an entry says it was ended by; `unsaid` are those at the edge of an entry that
+    says nothing of it, with its line and the message: one of its neighbours has to.
     """
 
-    __slots__ = ("begun", "going", "last", "place", "stood", "until")
+    __slots__ = ("begun", "going", "last", "place", "said", "stood", "unsaid", "until")
 
     def __init__(self, begun: Iterable[float] = ()) -> None:
         self.begun, self.stood = set(begun), set[float]()
@@ -47,6 +49,8 @@ class Ends:
         self.last: Move | None = None
         self.until = 0.0
         self.place = 0
+        self.said: set[tuple[float, str]] = set()
+        self.unsaid: list[tuple[tuple[float, str], int, str]] = []
 
 
 def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> None:
@@ -91,7 +95,7 @@ def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
             proof.breaks(before.line, f"{where}: {words}")
     _judge_gap(proof, run, a, found, start - late)
     if start + profile.duration <= run.until * (1.0 + ROUNDED):
-        _judge_ended(proof, run, a, move, where)
+        _judge_ended(proof, run, a, found, move, where)
 
 
 def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
@@ -125,7 +129,7 @@ def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
         found.place += 1
 
 
-def _judge_ended(proof: Proof, run: Run, a: WholeTrack, move: Move, where: str) -> None:
+def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
     """An entry has ended for the reason that it gives: a stop that was ordered, another one, or its own end."""
     assert move.profile is not None
     orders, start = run.orders, move.start_time
@@ -142,6 +146,7 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, move: Move, where: str) 
         proof.breaks(move.line, f"{where}: it is said to go on as another entry, and has room")
     elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
         proof.breaks(move.line, f"{where}: it is said to be replaced, where it comes to its end")
+    found.said.update(stop for stop in stops if stop[1] == move.ended)
     if move.ended in ("stop", "cancel", "fault"):
         # A stop may lead through the end of one path into the next.
         earlier = ordered[:past] if last.path is not None and last.path.rests else stops
@@ -159,9 +164,11 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, move: Move, where: str) 
                 time < end + (late if last.tie is not None else -late)
                 and _order_before(run, a, time).kind != "stop"
             ):
-                proof.breaks(
-                    move.line, f"{where}: a {word} was ordered at {time:.6f} s, and it says nothing of it"
-                )
+                words = f"{where}: a {word} was ordered at {time:.6f} s, and it says nothing of it"
+                if start + late < time < end - late:
+                    proof.breaks(move.line, words)
+                else:
+                    found.unsaid.append(((time, word), move.line, words))
                 return
 
 
@@ -204,6 +211,9 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
         for time in sorted(found.begun - found.stood):
             line = run.orders.of[number][a.place(time)].line
             proof.breaks(line, f"axis {number} from {time:.6f} s: no entry of the log tells of it")
+        for stop, line, words in found.unsaid:
+            if stop not in found.said:
+                proof.breaks(line, words)
         if found.last is not None and found.last.ended in FOLLOWED:
             where = f"axis {number} from {found.last.start_time:.6f} s"
             proof.breaks(found.last.line, f"{where}: nothing follows what is said to be replaced")
