@@ -110,7 +110,9 @@ def _add_trapezoidal(
 ) -> None:
     """Acceleration up to its peak over ratio T, held, and down again over ratio T (TN1069, Mint's S-ramp)."""
     v_from, duration, ratio, v_to = ramp
-    rise = ratio * duration
+    rise = (
+        min(ratio, 0.5) * duration
+    )  # where the peak is reached just so, rounding may have it later than the middle
     held = duration - 2.0 * rise
     risen, falling, finish = time + rise, time + (duration - rise), time + duration
     if not time < risen <= falling < finish:  # too short for the clock

@@ -287,3 +287,18 @@ def test_a_fault_may_be_that_of_the_entry_after_one_that_ends_at_that_moment() -
     _, first, second = result.controller.log.moves
     assert (first.ended, second.ended) == ("", "fault")
     assert second.start_time == pytest.approx(0.25, abs=1e-6)
+
+
+def test_a_ramp_whose_acceleration_peaks_in_its_middle_begins_without_one() -> None:
+    """SRAMP 100: the acceleration grows for 8/586.683 s to 586.683 and falls as long, so the ramps take 4 of these.
+
+    Rounding had the peak a last digit behind the middle, and a constant acceleration of half of it came instead.
+    """
+    ramps = "SPEED(0) = 8 : ACCEL(0) = 586.683 : DECEL(0) = 586.683 : SRAMP(0) = 100\n"
+    result = proved(f"{ramps}MOVEA(0) = -12 : GO(0)\nPAUSE IDLE(0)\n")
+    flank = 8.0 / 586.683
+    assert result.time == pytest.approx(12.0 / 8.0 + 2.0 * flank, abs=1e-6)
+    move = result.controller.log.moves[0].profile
+    assert move is not None
+    for share in (0.0, 0.25, 0.5, 1.0):
+        assert move.acceleration(share * flank) == pytest.approx(-586.683 * share, abs=1e-6)
