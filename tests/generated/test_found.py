@@ -302,3 +302,17 @@ def test_a_ramp_whose_acceleration_peaks_in_its_middle_begins_without_one() -> N
     assert move is not None
     for share in (0.0, 0.25, 0.5, 1.0):
         assert move.acceleration(share * flank) == pytest.approx(-586.683 * share, abs=1e-6)
+
+
+def test_a_corner_of_a_contour_may_be_taken_while_the_path_before_it_is_blended() -> None:
+    """The first 50 have 5 left after 0.2 + 43/20 s; the 2 and 10 behind them, as one, take 12/20 + 20/100 s.
+
+    The corner comes after 0.2 s, when the first path has 0.15 s to go: the velocities of both add up there.
+    """
+    modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+    paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 2\nVECTORR(0, 1) = 10, 0\nGO(0)\n"
+    later = "BLENDMODE(0) = 0 : CONTOURANGLE(0) = 180 : CONTOURMODE(0) = 1\nPAUSE IDLE(0)\n"
+    result = proved(f"{RATES}{modes}{paths}{later}")
+    assert places(result, 0, 1) == pytest.approx([60.0, 2.0])
+    assert result.time == pytest.approx(2.35 + 0.8, abs=1e-6)
+    assert result.controller.axes[0].velocity(2.56) == pytest.approx(20.0 + 14.0, abs=1e-4)

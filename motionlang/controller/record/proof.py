@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, Proof, Run
+from motionlang.controller.record.judge import ROUNDED, SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile
 from motionlang.controller.record.judge_blends import judge_blend
 from motionlang.controller.record.judge_entries import Ends, judge_ends, take_entry
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from motionlang.controller.move import Move
-    from motionlang.controller.record.order import Order
+    from motionlang.controller.record.order import Order, PathOrder
     from motionlang.controller.record.orders import Orders
     from motionlang.controller.record.trace import Samples
     from motionlang.controller.record.track import Recorded, WholeTrack
@@ -129,7 +129,7 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
         return
     size = SLACK * max(1.0, *order.rates)
     if kinds == ("path", "path") and order.path is not None and order.path.members[0] == a.index:
-        bend = _bend(run, order, time)
+        bend = _bend(order.path, _alone(run, a, i) or _both(run, order, time))
         if bend > size:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
     elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
@@ -151,6 +151,13 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
         return ""
     scales = order.path.scales
     old, new = _both(run, order, a.starts[i])
+    alone = _alone(run, a, i)
+    if alone is not None:
+        k = order.path.members.index(a.index)
+        jump, part = new[k].velocity - old[k].velocity, alone[1][k].velocity - alone[0][k].velocity
+        if abs(jump - part) > SLACK * max(1.0, abs(jump)):
+            return ""  # what is blended with both goes on as it was
+        old, new = alone
     before, after = _speed(scales, old), _speed(scales, new)
     if abs(before - after) > SLACK * max(1.0, before) or not before:
         return ""
@@ -163,12 +170,11 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     return "a kink within CONTOURANGLE" if angle <= order.path.angle_into + 1e-6 else ""
 
 
-def _bend(run: Run, order: Order, time: float) -> float:
-    """By how much the acceleration along a path changes at a moment."""
-    assert order.path is not None
-    scales = order.path.scales
+def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:
+    """By how much the acceleration along a path changes from one state of its axes to the other."""
+    scales = path.scales
     rates = []
-    for states in _both(run, order, time):
+    for states in both:
         speed = _speed(scales, states)
         power = fsum(s.velocity * s.acceleration / k**2 for k, s in zip(scales, states, strict=True))
         if speed < SLACK:
@@ -184,6 +190,22 @@ def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
 def _at_last(profile: Profile, time: float) -> State:
     """Its state at a time that may be rounded to its end, where it has no acceleration any more."""
     return profile.at(min(time, nextafter(profile.duration, 0.0)))
+
+
+def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] | None:
+    """The states at the end of a path and at the beginning of the next, without those of one that is blended with both.
+
+    None where no path goes on into another one, or none is blended with it.
+    """
+    earlier, path = (run.orders.of[a.index][k].path for k in (i - 1, i))
+    if earlier is None or path is None or a.profiles[i - 1].shape != "blend":
+        return None
+    ended = [entry.profile for entry in run.members(earlier) if entry.profile is not None]
+    begun = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    ends = [earlier.begun + each.duration for each in ended]
+    if not ends or abs(max(ends) - path.begun) > ROUNDED * (1.0 + path.begun):
+        return None
+    return [_at_last(each, each.duration) for each in ended], [each.at(0.0) for each in begun]
 
 
 def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
