@@ -316,3 +316,15 @@ def test_a_corner_of_a_contour_may_be_taken_while_the_path_before_it_is_blended(
     assert places(result, 0, 1) == pytest.approx([60.0, 2.0])
     assert result.time == pytest.approx(2.35 + 0.8, abs=1e-6)
     assert result.controller.axes[0].velocity(2.56) == pytest.approx(20.0 + 14.0, abs=1e-4)
+
+
+def test_a_flank_that_leads_to_the_speed_is_followed_by_no_ramp() -> None:
+    """The parabola to 100 at 10 000 takes 20 ms, so 9500 are left after 1 ms; its flank ends at 100 but for rounding.
+
+    A sinusoidal ramp over that rounding had the whole 10 000.
+    """
+    result = proved("1MN,1SV100,1SA10000,1DS5000,1PP\n1VM,1GO,WA0.001,1PS0,1GO,WA1,1TV\n1AB\n", "mcl")
+    assert result.output == ["01 100"]
+    jog = result.controller.axes[1].profiles[-2]
+    assert jog.shape == "jog"
+    assert jog.peak_acceleration == pytest.approx(9500.0, abs=1e-2)

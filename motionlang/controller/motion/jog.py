@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isclose
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move, keeps_rates
@@ -17,6 +19,9 @@ if TYPE_CHECKING:
     from motionlang.profile import Profile
 
     Rates = tuple[float | None, float | None]
+
+# The part of a velocity that rounding may be worth.
+_ROUNDING = 1e-12
 
 
 class Jog(Action):
@@ -52,12 +57,15 @@ class Jog(Action):
         )
         if not keeps_rates(a.move):
             bent = admitted(bent, velocity, accel, decel)
+        wanted = _wanted(a, self.velocity)
+        if eased is not None and isclose(velocity, wanted, rel_tol=_ROUNDING):
+            velocity = wanted  # the flank leads to it, and leaves no ramp
         try:
             made = plan_velocity(
                 a.shape,
                 position,
                 velocity,
-                _wanted(a, self.velocity),
+                wanted,
                 accel,
                 decel,
                 a.ramp,
