@@ -328,3 +328,25 @@ def test_a_flank_that_leads_to_the_speed_is_followed_by_no_ramp() -> None:
     jog = result.controller.axes[1].profiles[-2]
     assert jog.shape == "jog"
     assert jog.peak_acceleration == pytest.approx(9500.0, abs=1e-2)
+
+
+def test_a_slave_that_ramps_to_its_ratio_goes_on_so_at_another_zero() -> None:
+    """It ramps to 60 at 100. At 2, after 0.2 s, it is given the position 3; an ACCEL written just before has no effect.
+
+    One second after FOLLOW it has gone 60²/200 and 60 * 0.4.
+    """
+    tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOWMODE(1) = 1\nJOG(0) = 20\nWAIT = 500\n"
+    shift = "FOLLOW(1) = 3\nWAIT = 200\nACCEL(1) = 50\nPOS(1) = 3\nWAIT = 800\nPRINT POS(1)\nCANCEL(0)\n"
+    assert proved(f"{RATES}{tie}{shift}").output == ["43.0000"]
+
+
+def test_a_jog_may_be_faster_the_other_way_before_its_acceleration_is_taken_back() -> None:
+    """45 ms before its end a stop at a jerk of 1000 has 1.0125 to go and decelerates at 45.
+
+    At a jerk of 100 that is taken back in 0.45 s, and leads to 10.125 less: 9.1125 the other way, for a jog at 1.
+    """
+    stop = "DECELJERK(0) = 1000\nJOG(0) = 20\nWAIT = 600\nJOG(0) = 0\nWAIT = 255\nDECELJERK(0) = 100\nJOG(0) = 1\n"
+    result = proved(f"{RATES}{S_RAMPS}{stop}WAIT = 1900\nPRINT VELDEMAND(0)\nCANCEL(0)\n")
+    jog = next(each for each in result.controller.axes[0].profiles if each.end_velocity == 1.0)
+    assert jog.velocity(0.45) == pytest.approx(-9.1125, abs=1e-4)
+    assert result.output == ["1.0000"]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.controller.record.due import lead
+from motionlang.controller.record.due import lead, ramp
 from motionlang.controller.record.judge import SLACK
 
 if TYPE_CHECKING:
@@ -75,6 +75,10 @@ def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> 
     if by.smooth and a0:
         came += 0.5 * a0 * a0 / by.jerks[0] if a0 > 0.0 else 0.0
         eased = abs(a0) / min(by.jerks) * (1.0 + SLACK) + LATE
+    beyond = 0.5 * a0 * a0 / by.jerks[1] - v0 if by.smooth and a0 < 0.0 else 0.0
+    if beyond > speed:  # it is as fast the other way before its acceleration is taken back
+        until = (abs(a0) / by.jerks[1] + ramp(beyond, speed, by)[0]) * (1.0 + SLACK) + extra + LATE
+        return Slowing(v0, speed, max(came, beyond), until, eased, ())
     if came > speed:
         # A ramp with a shape that leads to rest, where the motion turns round, is later at the speed than one to it.
         to = speed if by.stretch == 1.0 else 0.0

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 REST = Order("rest", 0)
 # Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.
-SHIFTED = frozenset(("move", "jog", "stop"))
+SHIFTED = frozenset(("move", "jog", "stop", "Gear"))
 # Profiles of a run that are kept to be proved; so many that are ordered alike, as in a loop, count as one.
 MOST, MANY_ALIKE = 200_000, 50
 # The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
@@ -90,9 +90,8 @@ class Orders:
             if move is not None and order.kind == "step":
                 order = self._steps.setdefault(move, order)
             elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
-                order = self.of[a.index][
-                    -1
-                ]  # the same motion at a new zero: settings that came since do not act
+                # The same motion at a new zero: settings that came since do not act.
+                order = self.of[a.index][-1]
             self._append(a, order)
             if move is not None and not self.is_full:
                 self.begun[a.index].add(move.start_time)
