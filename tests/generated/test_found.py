@@ -350,3 +350,18 @@ def test_a_jog_may_be_faster_the_other_way_before_its_acceleration_is_taken_back
     jog = next(each for each in result.controller.axes[0].profiles if each.end_velocity == 1.0)
     assert jog.velocity(0.45) == pytest.approx(-9.1125, abs=1e-4)
     assert result.output == ["1.0000"]
+
+
+def test_a_move_goes_on_from_where_an_acceleration_that_is_taken_back_turns_it_round() -> None:
+    """45 ms before its end a stop at a jerk of 1000 has -1.0125 to go; at a jerk of 100 it comes to 9.1125 in 0.45 s.
+
+    The move, at -12 + 45³/6e6 then, goes on from that velocity: it does not stop in between.
+    """
+    there = "MOVER(0) = -50 : GO(0)\nWAIT = 600\nINCA(0) = 30\nWAIT = 255\nDECELJERK(0) = 100\nINCA(0) = 31\n"
+    result = proved(f"{RATES}{S_RAMPS}{there}PAUSE IDLE(0)\n")
+    here = -12.0 + 0.045**3 * 1000.0 / 6.0
+    turned = here - 1.0125 * 0.45 + 0.5 * 45.0 * 0.45**2 - 100.0 * 0.45**3 / 6.0
+    up, down = (20.0 - 9.1125) / 100.0 + 0.1, 2.0 * sqrt(20.0 / 100.0)
+    slew = (31.0 - turned - 0.5 * (9.1125 + 20.0) * up - 0.5 * 20.0 * down) / 20.0
+    assert places(result, 0) == [31.0]
+    assert result.time == pytest.approx(0.855 + 0.45 + up + slew + down, abs=1e-6)

@@ -115,8 +115,14 @@ def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, roun
     """
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
+    if _turns(
+        v0, a0, by
+    ):  # it runs the other way when its acceleration is taken back, towards the target perhaps
+        change = -a0 / by.jerks[1]
+        time, way = _steps(v0, a0, [(-a0, change)])
+        return time + move_time(v0 + 0.5 * a0 * change, 0.0, distance - way, speed, by, rounding)
     time, way = lead(v0, a0, 0.0, by)
-    if way > distance or _turns(v0, a0, by):
+    if way > distance:
         return time + _travel(0.0, 0.0, abs(distance - way), speed, by, rounding)
     return _travel(v0, a0, distance, speed, by, rounding)
 
