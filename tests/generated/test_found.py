@@ -365,3 +365,15 @@ def test_a_move_goes_on_from_where_an_acceleration_that_is_taken_back_turns_it_r
     slew = (31.0 - turned - 0.5 * (9.1125 + 20.0) * up - 0.5 * 20.0 * down) / 20.0
     assert places(result, 0) == [31.0]
     assert result.time == pytest.approx(0.855 + 0.45 + up + slew + down, abs=1e-6)
+
+
+def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> None:
+    """It speeds up for 100 ms, comes to rest as long and 1 in all, and still waits as the run ends."""
+    tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 1\n"
+    result = proved(
+        f"{RATES}{tie}OFFSET(1) = 29 : GO(1)\nWAIT = 100\nSUSPEND(1) = 1\nWAIT = 500\n", until=0.7
+    )
+    offset = next(each for each in result.controller.log.moves if each.overlaid).profile
+    assert offset is not None
+    assert offset.duration > 100.0
+    assert [offset.position(time) for time in (0.1, 0.2, 0.6)] == pytest.approx([0.5, 1.0, 1.0])

@@ -14,7 +14,7 @@ from motionlang.controller.move import Action, Move
 from motionlang.profile import hold, plan, plan_velocity
 from motionlang.profile.chain import Chain
 from motionlang.profile.curve import relabelled
-from motionlang.profile.halted import rest
+from motionlang.profile.halted import halted, rest
 from motionlang.profile.summed import added
 
 TYPE_CHECKING = False
@@ -297,18 +297,15 @@ class Gear(Follow):
         stop = halt.to_rest(self.controller, self.a)
         share = velocity / stop.start_velocity if stop.start_velocity else 0.0
         done = stop.scaled(self.offset.end - left, share)
-        self._log_offset(done)
+        self._log_offset(halted(done, "suspend"))
         self._paused, self.offset = left - done.distance, None
 
     def _log_offset(self, profile: Profile) -> None:
-        """The log entry of the offset goes on with a profile, having stood where that did not follow at once."""
+        """The log entry of the offset goes on with a profile from now on."""
         entry = self.offset_entry
         if entry is None or entry.profile is None:
             return
-        elapsed = self.controller.clock.now - entry.start_time
-        before = entry.profile.cut(elapsed)
-        if elapsed > before.duration:
-            before = before.then(hold(before.end).cut(elapsed - before.duration))
+        before = entry.profile.cut(self.controller.clock.now - entry.start_time)
         entry.profile = before.then(profile.scaled(before.end, 1.0))
 
     def base(self, coming: Profile, position: float) -> Profile:

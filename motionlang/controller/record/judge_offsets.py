@@ -33,7 +33,7 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
         proof.breaks(move.line, f"{where}: it is ordered by line {line}")
     wanted = distance + left
     if not move.ended:
-        if abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
+        if end <= run.until and abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
             proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")
     elif end <= run.until:
         words = {word for time, word in orders.stops[move.axis] if abs(time - end) <= late}
