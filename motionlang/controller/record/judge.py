@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import inf
+from bisect import bisect_left, bisect_right
+from math import fsum, inf, isfinite
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.track import WholeTrack
@@ -87,6 +88,47 @@ class Uses:
             self._proof.breaks(line, f"{where}: the {name} reaches {figure:g}{unit}, above {bound:g}")
 
 
+class Offsets:
+    """The entries of one axis that lie on top of its following, in the order of their beginnings."""
+
+    __slots__ = ("_ends", "_moves", "_starts", "_sums")
+
+    def __init__(self) -> None:
+        self._moves: list[Move] = []
+        self._starts: list[float] = []
+        # Up to each entry, that not included: the latest end, and how far all of them have gone by then.
+        self._ends: list[float] = []
+        self._sums = [0.0]
+
+    def add(self, move: Move) -> None:
+        """Append an entry."""
+        profile = move.profile
+        if profile is None:
+            return
+        end = move.start_time + profile.duration
+        self._moves.append(move)
+        self._starts.append(move.start_time)
+        self._ends.append(max(end, self._ends[-1]) if self._ends else end)
+        self._sums.append(self._sums[-1] + (profile.distance if isfinite(profile.duration) else 0.0))
+
+    def gone(self, time: float) -> float:
+        """How far all of them have gone at a time."""
+        in_force, over = self._in_force(time)
+        return fsum((self._sums[over], *(gone(move, time)[0] for move in in_force)))
+
+    def moves_at(self, time: float) -> bool:
+        """Whether one of them is under way."""
+        return bool(self._in_force(time)[0])
+
+    def _in_force(self, time: float) -> tuple[list[Move], int]:
+        """Those under way at a time, and the number of entries before them."""
+        k, found = bisect_right(self._starts, time), []
+        while k > 0 and self._ends[k - 1] > time:
+            k -= 1
+            found.append(self._moves[k])
+        return found, k
+
+
 class Run:
     """What a run left behind: the tracks of its axes, its log, what was ordered, and when it ended."""
 
@@ -103,7 +145,8 @@ class Run:
         # Of each entry of a path its number in that row; and by axis the latest end of any entry up to each.
         self._numbers: dict[int, int] = {}
         self._ends: dict[int, list[float]] = {}
-        self.offsets: dict[int, list[Move]] = {}
+        self.offsets: dict[int, Offsets] = {}
+        self._begins: dict[int, list[float]] = {}
         self._order_of: dict[int, Order] = {}
         self._tracks: dict[int, WholeTrack] = {}
         ordered = {
@@ -115,7 +158,7 @@ class Run:
         for number, move in enumerate(moves):
             if move.overlaid:
                 self._kept[number] = move
-                self.offsets.setdefault(move.axis, []).append(move)
+                self.offsets.setdefault(move.axis, Offsets()).add(move)
                 continue
             order = ordered.get(number)
             if order is not None and order.path is not None:
@@ -161,6 +204,15 @@ class Run:
                 i -= 1  # a path that begins at the moment at which a move without a distance has ended
             found = records[i]
         return found
+
+    def begins_near(self, axis: int, time: float) -> list[float]:
+        """The times next to one, or at it, at which motion or an offset of an axis has begun."""
+        begins = self._begins.get(axis)
+        if begins is None:
+            offsets = {begun for number, begun in self.orders.offsets if number == axis}
+            begins = self._begins[axis] = sorted(offsets | self.orders.begun[axis])
+        k = bisect_left(begins, time)
+        return begins[max(k - 1, 0) : k + 1]
 
     def members(self, path: PathOrder) -> list[Move]:
         """The entries of a path."""

@@ -5,9 +5,7 @@ Each ends for the reason that it gives, before the run does, and the last one wh
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from math import fsum, isfinite
-from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from motionlang.controller.move import CONTINUED, MOST_PIECES
@@ -113,10 +111,8 @@ def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
     records = run.orders.of[a.index]
     while found.place < len(a.starts) and a.starts[found.place] < until:
         i = found.place
-        begin, end = run.span(a, i)
-        begin, end = max(begin, found.until), min(end, until)
-        if begin >= until:
-            return
+        begin, over = run.span(a, i)
+        begin, end = max(begin, found.until), min(over, until)
         if end - begin > LATE * (1.0 + begin) and records[i].kind != "rest":
             first = a.profiles[i].position(begin - a.starts[i])
             middle, last = (a.profiles[i].position(each - a.starts[i]) for each in (0.5 * (begin + end), end))
@@ -124,7 +120,7 @@ def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
                 where = f"axis {a.index} from {begin:.6f} s"
                 proof.breaks(records[i].line, f"{where}: it moves, and no entry of the log says so")
                 return
-        if run.span(a, i)[1] > until:
+        if over > until:
             return
         found.place += 1
 
@@ -135,9 +131,7 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     orders, start = run.orders, move.start_time
     end = start + move.profile.duration
     late = LATE * (1.0 + end)
-    ordered = orders.stops[a.index]
-    first, past = (bisect_left(ordered, time, key=itemgetter(0)) for time in (start - late, end + late))
-    stops = ordered[first:past]
+    stops = orders.stopped(a.index, start - late, end + late)
     i = _last(a, start, end)
     last, over = orders.of[a.index][i], run.span(a, i)[1]
     if move.profile.duration and last.kind != "path" and abs(over - end) > late:
@@ -149,8 +143,9 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     found.said.update(stop for stop in stops if stop[1] == move.ended)
     if move.ended in ("stop", "cancel", "fault"):
         # A stop may lead through the end of one path into the next.
-        earlier = ordered[:past] if last.path is not None and last.path.rests else stops
-        if all(word != move.ended for _, word in reversed(earlier)):
+        earlier = last.path is not None and last.path.rests
+        ordered = orders.was_stopped(a.index, move.ended, end + late) if earlier else False
+        if not ordered and all(word != move.ended for _, word in stops):
             proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
     elif not move.ended and move.profile.duration:
         rests = last.kind in RESTING or last.slopes is not None

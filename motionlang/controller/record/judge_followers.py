@@ -8,7 +8,7 @@ from math import fsum, isfinite, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.flanks import last_change
-from motionlang.controller.record.judge import SLACK, Uses, gone, position
+from motionlang.controller.record.judge import SLACK, Uses, position
 from motionlang.controller.record.spans import Span, derivatives
 
 if TYPE_CHECKING:
@@ -257,17 +257,10 @@ def _on(curve: Profile, along: float) -> float:
 
 def _offset(run: Run, a: WholeTrack, time: float) -> float:
     """What offsets on top of following have added up to a time."""
-    total = 0.0
-    for move in run.offsets.get(a.index, ()):
-        if move.start_time <= time and move.profile is not None:
-            total += gone(move, time)[0]
-    return total
+    offsets = run.offsets.get(a.index)
+    return 0.0 if offsets is None else offsets.gone(time)
 
 
 def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:
-    return any(
-        move.start_time <= time
-        and move.profile is not None
-        and time < move.start_time + move.profile.duration
-        for move in run.offsets.get(a.index, ())
-    )
+    offsets = run.offsets.get(a.index)
+    return offsets is not None and offsets.moves_at(time)

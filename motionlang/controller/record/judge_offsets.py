@@ -36,11 +36,8 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
         if end <= run.until and abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
             proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")
     elif end <= run.until:
-        words = {word for time, word in orders.stops[move.axis] if abs(time - end) <= late}
-        followed = any(
-            number == move.axis and abs(time - end) <= late
-            for number, time in (*orders.offsets, *((move.axis, time) for time in orders.begun[move.axis]))
-        )
+        words = {word for _, word in orders.stopped(move.axis, end - late, end + late)}
+        followed = any(abs(time - end) <= late for time in run.begins_near(move.axis, end))
         # A suspension and the end of a cam stop it, too.
         short = abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted))
         cut = move.ended == "stop" or (move.ended == "retarget" and followed)

@@ -37,6 +37,7 @@ SHIFTED = frozenset(("move", "jog", "stop", "Gear"))
 MOST, MANY_ALIKE = 200_000, 50
 # The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
 STRAIGHT = 0.1
+_TIME = itemgetter(0)
 
 
 class Orders:
@@ -64,6 +65,8 @@ class Orders:
         self.offsets: dict[tuple[int, float], tuple[int, float, float]] = {}
         self.begun: dict[int, set[float]] = {number: set() for number in axes}
         self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
+        # When each axis was first stopped with each word.
+        self._first_stops: dict[tuple[int, str], float] = {}
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
         # The angle up to which each path may be entered, by the settings when another one was planned into it.
@@ -133,7 +136,14 @@ class Orders:
             self._steps,
         ):
             kept.clear()
-        for more in (self.unheeded, self.offsets, self.begun, self.stops, self._scales):
+        for more in (
+            self.unheeded,
+            self.offsets,
+            self.begun,
+            self.stops,
+            self._first_stops,
+            self._scales,
+        ):
             more.clear()
         self._known.clear()
 
@@ -231,9 +241,18 @@ class Orders:
     def scale(self, axis: int, time: float) -> set[tuple[float, float]]:
         """Counts a unit and the zero of an axis at a time; several if they changed just then."""
         scales = self._scales[axis]
-        last = bisect_right(scales, time, key=itemgetter(0))
-        first = bisect_left(scales, time, key=itemgetter(0))
+        last = bisect_right(scales, time, key=_TIME)
+        first = bisect_left(scales, time, key=_TIME)
         return {(counts, zero) for _, counts, zero in scales[max(0, min(first, last - 1)) : last]}
+
+    def stopped(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:
+        """The stops of an axis from one time to another, with the word for each."""
+        stops = self.stops[axis]
+        return stops[bisect_left(stops, first, key=_TIME) : bisect_right(stops, last, key=_TIME)]
+
+    def was_stopped(self, axis: int, word: str, time: float) -> bool:
+        """Whether an axis was stopped up to a time, with that word."""
+        return self._first_stops.get((axis, word), INFINITY) <= time
 
     def heed(self, a: Axis) -> None:
         """A setting that acts at once was written: note what it asks for if the motion goes on as it was planned."""
@@ -278,13 +297,17 @@ class Orders:
         if a.move is not None:
             action = a.move.action
             for each in (a,) if action is None else action.together_with(a):
-                self.stops[each.index].append((self._controller.clock.now, ended))
+                self._stop(each, ended)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
+        self.stands[a.index, self._controller.clock.now] = ended
+        self._stop(a, ended)
+
+    def _stop(self, a: Axis, ended: str) -> None:
         now = self._controller.clock.now
-        self.stands[a.index, now] = ended
         self.stops[a.index].append((now, ended))
+        self._first_stops.setdefault((a.index, ended), now)
 
 
 def _ahead(action: PathMove) -> tuple[Order, ...]:
