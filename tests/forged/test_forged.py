@@ -34,6 +34,7 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("profile.curve", "Profile._index", "1", "2", "moves.mnt"),
     ("profile.arc", "arc_over", "angle + (0.5 * pi if cosine else 0.0)", "angle", "a contour.mnt"),
     ("profile.arc", "arc_over", "-1.0 if turn % 2 else 1.0", "1.0 if turn % 2 else -1.0", "a contour.mnt"),
+    ("profile.arc", "arc_over", "turn * pi - phase", "turn * pi", "a contour.mnt"),
     ("profile.pieces", "position_in", "(c3 * x + c2) * x", "(c3 * x + c2) / x", "moves.mnt"),
     ("profile.pieces", "velocity_in", "c1 + amplitude * omega * cos(omega * x + phase)", "c1", "a contour.mnt"),
     ("profile.crossing", "_first", "begin + x", "begin - x", "a contour.mnt"),

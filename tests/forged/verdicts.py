@@ -10,6 +10,7 @@ from types import FrameType
 from typing import NamedTuple
 
 from motionlang import run
+from motionlang.controller.moves.path import PathMove
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.forged.programs import PROGRAMS
@@ -22,21 +23,44 @@ RANKS = ("same", "failed", "slower", "passed")
 LONGEST = 5.0
 
 
-class Motion(NamedTuple):
-    """When a run ended, where its axes were and how fast at some moments, and where at the end.
+class Entry(NamedTuple):
+    """An entry of the log: its axis, when it began, how long it took, where it ended, and whether it is of a path."""
 
-    `on_paths` says that some ran along a path; `called` are the functions that the run called.
+    axis: int
+    start: float
+    duration: float
+    end: float
+    on_path: bool
+
+    def is_like(self, other: Entry) -> bool:
+        """Whether both take as long and end in the same place but for rounding."""
+        return self.ends_like(other) and abs(self.duration - other.duration) <= ALIKE * max(
+            1.0, self.duration
+        )
+
+    def ends_like(self, other: Entry) -> bool:
+        """Whether both are of one axis and end in the same place but for rounding."""
+        return self.axis == other.axis and abs(self.end - other.end) <= ALIKE * max(1.0, abs(self.end))
+
+
+class Motion(NamedTuple):
+    """Where the axes of a run were and how fast at some moments, where at the end, and the entries of its log.
+
+    `time` is when the run ended; `called` are the functions that it called.
     """
 
     time: float
     states: tuple[tuple[float, float], ...]
     ends: tuple[float, ...]
-    on_paths: bool
+    entries: tuple[Entry, ...]
     called: frozenset[str] = frozenset()
 
     def is_slower_path(self, other: Motion) -> bool:
-        """Whether this one runs paths to the same end in more time."""
-        return self.on_paths and self.time > other.time and self.ends_like(other)
+        """Whether this one differs in its paths alone: each ends in the same place, and none takes less time."""
+        return len(self.entries) == len(other.entries) and all(
+            a.ends_like(b) and a.duration >= b.duration * (1.0 - ALIKE) if a.on_path else a.is_like(b)
+            for a, b in zip(self.entries, other.entries, strict=True)
+        )
 
     def ends_like(self, other: Motion) -> bool:
         """Whether both end in the same place but for rounding."""
@@ -47,6 +71,10 @@ class Motion(NamedTuple):
     def differs(self, other: Motion) -> bool:
         """Whether another motion is not the same but for rounding; one that only waits longer is the same."""
         if not self.ends_like(other) or len(self.states) != len(other.states):
+            return True
+        if len(self.entries) != len(other.entries):
+            return True
+        if not all(a.is_like(b) for a, b in zip(self.entries, other.entries, strict=True)):
             return True
         sizes = [max(1.0, *(abs(state[which]) for state in self.states)) for which in (0, 1)]
         return any(
@@ -80,9 +108,13 @@ def ran(name: str) -> Run:
 def motion(result: Run, times: list[float]) -> Motion:
     axes = [a for a in result.controller.axes.values() if len(a.profiles) > 1]
     states = tuple((a.at(time).position, a.at(time).velocity) for a in axes for time in times)
-    assert result.orders is not None
-    on_paths = any(order.path is not None for records in result.orders.of.values() for order in records)
-    return Motion(result.time, states, tuple(a.position(result.time) for a in axes), on_paths)
+    entries = []
+    for move in result.controller.log.moves:
+        assert move.profile is not None
+        length = min(move.profile.duration, result.time - move.start_time)
+        end = move.profile.position(length)
+        entries.append(Entry(move.axis, move.start_time, length, end, isinstance(move.action, PathMove)))
+    return Motion(result.time, states, tuple(a.position(result.time) for a in axes), tuple(entries))
 
 
 def honest(names: Iterable[str] = PROGRAMS) -> dict[str, Motion]:

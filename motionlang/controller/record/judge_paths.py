@@ -13,7 +13,7 @@ from motionlang.controller.record.judge_slowing import slowing
 from motionlang.controller.record.spans import combined, rotation, spans
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from motionlang.controller.move import Move
     from motionlang.controller.record.due import Law
@@ -90,6 +90,7 @@ class Way:
         way = copysign(self.turn, self.path.angle)
         low, high = sorted((self.begin + way * first, self.begin + way * last))
         found = [low, high]
+        high = min(high, low + 2.0 * pi)
         for angle in (0.0, summit, -summit):
             k = ceil((low - angle) / (0.5 * pi))
             while angle + k * 0.5 * pi < high and len(found) < 16:
@@ -97,13 +98,21 @@ class Way:
                 k += 1
         return found
 
-    def bends(self) -> list[float]:
-        """The largest acceleration across it that each axis has at a speed of one along it, counts."""
-        plane = self.path.plane if self.unit is None else ()
-        return [
-            self.flat * self.turn * abs(k) if place in plane else 0.0
-            for place, k in enumerate(self.path.scales)
-        ]
+    def turning(self) -> Iterator[tuple[int, float, float]]:
+        """The places of the axes of an arc, the acceleration that each has as it turns at a speed of one along it,
+        counts, and the share of its limits that this and a change of the speed may each take."""
+        if self.unit is not None:
+            return
+        x, y = self.path.plane
+        angles = self._angles(0.0, self.length, 0.0)
+        for place, along, across in ((x, sin, cos), (y, cos, sin)):
+            most, least = (max(abs(each(angle)) for angle in angles) for each in (along, across))
+            if not most or not least:
+                continue
+            summit = atan2(least, most) if place == x else atan2(most, least)
+            met = self._angles(0.0, self.length, summit)
+            share = 1.0 / max(abs(along(a)) / most + abs(across(a)) / least for a in met)
+            yield place, self.flat * self.turn * abs(self.path.scales[place]) * least, share
 
     def at(self, gone: float) -> list[float]:
         """The place, counts, that lies so far along an arc."""
@@ -238,6 +247,10 @@ def _judge_along(
     smooth = order.jerks[0] < inf
     _, v0, a0, _ = along[0].at(0.0)
     slow = _slowing(order, way, v0, a0)
+    speed, rates = order.speed, order.rates
+    if way.unit is None:
+        speed, by = _least(order, way)
+        rates = by.rates
     if fresh:
         slow = slow._replace(speed=order.speed, came=0.0, until=0.0, eased=0.0, stretches=())
     uses = Uses(proof)
@@ -253,16 +266,16 @@ def _judge_along(
         excused = middle < max(slow.until, slow.eased)
         came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
         eased = bent if middle < slow.eased else 0.0
-        fastest, peak = 0.0 if path.rests else order.speed, span.peak(1)
+        fastest, peak = 0.0 if path.rests else speed, span.peak(1)
         if peak > SLACK or not path.rests:  # at rest but for rounding
             uses.look("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
-            rate, speed = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
-            if speed <= SLACK * max(1.0, slow.came):  # at rest but for rounding
+            rate, fast = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
+            if fast <= SLACK * max(1.0, slow.came):  # at rest but for rounding
                 continue
             name = ("path acceleration", "path deceleration")[side]
-            uses.look(name, rate, max(order.rates[side], eased))
+            uses.look(name, rate, max(rates[side], eased))
             if smooth:
                 # Rounding at the end of a ramp says nothing of its side.
                 jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
@@ -273,9 +286,9 @@ def _judge_along(
                 for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
             ]
             for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
-                uses.look(f"speed on paths of axis {number}", speed * slope * k, most)
+                uses.look(f"speed on paths of axis {number}", fast * slope * k, most)
             limits = path.most_decel if side else path.most_accel
-            own = way.rates(first, last, rate, speed)
+            own = way.rates(first, last, rate, fast)
             came_with = way.rates(first, last, max(bent, braking) if side and excused else bent, came)
             for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
                 uses.look(f"rate on paths of axis {number}", figure * k, max(most, other * k))
@@ -304,11 +317,7 @@ def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
         extra = ramp(0.0, max(speed, v0), by)[0]
     if order.path.rests:
         speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
-    slow = slowing(v0, a0, speed, by, extra)
-    # On an arc the least speed bounds the time alone: the limits of its axes say which speed is too high.
-    return (
-        slow if way.unit is not None or order.path.rests else slow._replace(speed=max(slow.came, order.speed))
-    )
+    return slowing(v0, a0, speed, by, extra)
 
 
 def _hardest(path: PathOrder, way: Way) -> float:
@@ -357,23 +366,23 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
 def _least(order: Order, way: Way) -> tuple[float, Law]:
     """The speed and the law that a path may always be run by, whatever its axes are limited to.
 
-    On arcs an axis is counted on for half of its limits, as turning and speeding up share them.
+    On arcs turning and a change of the speed take the same share of the limits of an axis.
     """
     path = order.path
     assert path is not None
     speed, rates = order.speed, list(order.rates)
-    share = 1.0 if way.unit is not None else 0.5
+    shares = [1.0] * len(path.members)
+    for place, figure, share in way.turning():
+        shares[place] = share
+        speed = min(speed, sqrt(share * min(path.most_accel[place], path.most_decel[place]) / figure))
     slopes = way.slopes(0.0, way.length)
-    for slope, k, most, up, down in zip(
-        slopes, path.scales, path.most, path.most_accel, path.most_decel, strict=True
+    for slope, k, share, most, up, down in zip(
+        slopes, path.scales, shares, path.most, path.most_accel, path.most_decel, strict=True
     ):
         steep = slope * abs(k)
         if steep:
             speed = min(speed, most / steep)
             rates = [min(rates[0], share * up / steep), min(rates[1], share * down / steep)]
-    for figure, limit in zip(way.bends(), map(min, path.most_accel, path.most_decel), strict=True):
-        if figure:
-            speed = min(speed, sqrt(share * limit / figure))
     return speed, law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
 
 
