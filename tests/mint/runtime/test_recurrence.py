@@ -9,7 +9,15 @@ from motionlang.result import Run
 from motionlang.source import Source
 from tests.generated.tasks import every_iteration
 
-COUNTED = """\
+SETTER = """\
+Task Other
+  Loop
+    WAIT(100)
+    a = 1
+  End Loop
+End Task
+"""
+COUNTED = f"""\
 Dim a As Integer, n As Integer
 Run Other
 While n < 20
@@ -21,15 +29,9 @@ While n < 20
 End While
 PRINT n, " ", TIME
 End
-Task Other
-  Loop
-    WAIT(100)
-    a = 1
-  End Loop
-End Task
-"""
+{SETTER}"""
 # The reading stands outside the loop that polls.
-TIMED = """\
+TIMED = f"""\
 Dim a As Integer
 Run Other
 Loop
@@ -40,13 +42,7 @@ Loop
 End Loop
 PRINT TIME
 End
-Task Other
-  Loop
-    WAIT(100)
-    a = 1
-  End Loop
-End Task
-"""
+{SETTER}"""
 # `n` is 0 whenever a time slice ends while Late waits; only the sum that is half worked out has counted.
 HALF_WORKED_OUT = """\
 Dim n As Integer, m As Integer, ready As Integer
@@ -123,8 +119,9 @@ End Task
 """
 
 
-def ran(text: str, **how: float) -> Run:
-    return run(Source("a.mnt", text), cache=False, **how)  # type: ignore[arg-type]
+def ran(text: str, until: float | None = None, cost: float = 1e-5) -> Run:
+    machine: dict[str, object] = {"controller.instruction_time": cost}
+    return run(Source("a.mnt", text), machine=machine, cache=False, until=until)
 
 
 def test_a_counter_that_the_polling_loop_does_not_name_counts() -> None:
@@ -152,10 +149,9 @@ def test_what_an_expression_has_worked_out_before_it_waits_is_part_of_the_state(
 @pytest.mark.parametrize("text", [BY_REFERENCE, GIVEN_BACK, COUNTED, TIMED, HALF_WORKED_OUT])
 @pytest.mark.parametrize("cost", [1e-5, 0.7310585e-5, 3e-5])
 def test_it_is_as_every_iteration_has_it(text: str, cost: float) -> None:
-    machine: dict[str, object] = {"controller.instruction_time": cost}
-    skipped = run(Source("a.mnt", text), machine=machine, cache=False, until=3.0)
+    skipped = ran(text, until=3.0, cost=cost)
     with every_iteration():
-        carried_out = run(Source("a.mnt", text), machine=machine, cache=False, until=3.0)
+        carried_out = ran(text, until=3.0, cost=cost)
     assert (skipped.output, skipped.time) == (carried_out.output, carried_out.time)
 
 
