@@ -231,6 +231,16 @@ def test_a_program_is_fitted() -> None:
     ]
 
 
+def test_points_are_exported_with_the_error_of_their_rounding(tmp_path: Path) -> None:
+    """The drive takes whole counts: at the second point 10 for 10.4."""
+    file = tmp_path / "there.csv"
+    file.write_text("position,velocity,time\n0,0,100\n10.4,0,100\n0,0,0\n")
+    answer = pvt("export", str(file))
+    assert answer.out.splitlines()[0] == (
+        "# there.csv: 2 segments, 0.200 s, largest error 0.4 counts at 0.100 s"
+    )
+
+
 def test_the_tolerance_counts() -> None:
     lines = [
         len(pvt("export", str(SCRIPTS / "mccl" / "scurve.mcl"), "--tolerance", t).out.splitlines())

@@ -229,3 +229,14 @@ def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -
     assert "dwell took 0.25" in told
     assert "cycle.mnt:6" in told
     assert "motion took" not in told
+
+
+def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> None:
+    """The columns of figures and subs take 62 characters, and the source of the longest line 24 more."""
+    made = profiled("Sub Stroke()\n  MOVER(0) = 10 : GO(0)\n  PAUSE IDLE(0)\nEnd Sub\nStroke\nEnd\n")
+    wide, narrow = (render_profile(made, width=width) for width in (100, 70))
+    head = "line  sub     seconds"
+    assert head in wide
+    assert head in narrow
+    assert "MOVER(0) = 10 : GO(0)" in wide
+    assert "MOVER(0) = 10 : GO(0)" not in narrow

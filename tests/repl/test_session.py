@@ -39,6 +39,18 @@ def test_pace_is_told_of_the_time_that_is_about_to_be_reached() -> None:
     assert times[-1] == pytest.approx(3.0, abs=1e-3)
 
 
+def test_pace_is_told_of_the_moments_at_which_a_background_task_goes_on() -> None:
+    """The command waits, too, and is interrupted every 0.25 s: no task runs then, and the next to go on is Other."""
+    session = Session(dialect("mint"))
+    session.feed("Task Other\nLoop\n  WAIT(300)\nEnd Loop\nEnd Task")
+    session.feed("Run Other")
+    times: list[float] = []
+    session.pace = times.append
+    session.feed("WAIT(2000)")
+    for moment in (0.3, 0.6, 0.9, 1.2, 1.5, 1.8):
+        assert any(time == pytest.approx(moment, abs=1e-3) for time in times), moment
+
+
 def test_a_command_that_never_ends_is_ended_after_a_shift() -> None:
     session = Session(dialect("mccl"))
     assert "error[limit]" in session.feed("WA1000,RP")

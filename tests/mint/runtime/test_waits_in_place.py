@@ -270,3 +270,11 @@ def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
     assert [round(wait.since, 9) for wait in waits[:3]] == [1e-5, 0.00103, 0.00205]
     assert all(before.until < wait.since for before, wait in pairwise(waits))
     assert waits[0][4:] == waits[-1][4:] == ("time", (), "", ())  # packed or not
+
+
+def test_a_pause_for_a_position_ends_where_it_is_passed_however_late_that_is() -> None:
+    """20 000 s after the beginning 50 at 33 take 50/33 s, and the ramp to 33 as long as half of its 33/1000 s."""
+    text = "SPEED(0) = 50 : ACCEL(0) = 1000\nWAIT = 20000000\nJOG(0) = 33\nPAUSE POS(0) > 50\nSTOP(0)\n"
+    waits = execution.run(Source("late.mnt", text), cache=False).machine.log.waits
+    (began, ended) = next((each.since, each.until) for each in waits if each.cause == "condition")
+    assert ended - began == pytest.approx(50 / 33 + 0.033 / 2, abs=2e-5)
