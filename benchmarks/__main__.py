@@ -60,11 +60,11 @@ BARS: dict[str, Bar] = {
     "compile_everything": _most(3.8),
     "compile_over_cached_load": _least(80.0),
     # A process against an empty Python.
-    "start_cached": _most(2.0),
-    "start_first_sight": _most(3.5),
+    "start_cached": _most(3.0),
+    "start_first_sight": _most(5.5),
     "start_table": _most(5.5),
     "start_first_sight_table": _most(7.0),
-    "start_hello": _most(2.0),
+    "start_hello": _most(2.5),
     # Machine time against CPU time.
     "shift_speed": _least(250_000.0),
     "shift_core_speed": _least(500_000.0),

@@ -4,10 +4,10 @@ Until `main` listens to signals, Ctrl-C ends the process without a word, as it e
 report, and Python would show a traceback through its imports. After `main` it is so again.
 """
 
-import _signal  # type: ignore[import-not-found]  # signal itself imports enum
+import signal
 
-if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
-    _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import os
 import sys
@@ -15,19 +15,12 @@ import sys
 # numpy's matrices are small here, and its other threads would only wait for them, which takes a core.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from motionlang.bytecode import install
-
 
 def main() -> int:
     """Run one command and leave; the exit status where somebody waits for the end of the process."""
-    finder = install()
     from motionlang.cli import main as command
 
     status = command()
-    if finder is not None and finder.lacks:
-        from motionlang.bytecode_writing import keep
-
-        keep(finder)
     _leave(status)
     return status
 

@@ -6,7 +6,7 @@ import gc
 import os
 import sys
 
-from motionlang import user_cache
+from motionlang import cache as compile_cache
 from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
@@ -19,7 +19,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from motionlang.lang.cache import Entry
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
@@ -191,20 +190,24 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     return found
 
 
-def _entry(source: Source, language: Dialect, settings: dict[str, object]) -> Entry | None:
+def _entry(source: Source, language: Dialect, settings: dict[str, object]) -> compile_cache.Entry | None:
     """The place of a compiled program in the cache; None where none is kept."""
-    if not language.cached or not user_cache.wanted():
+    if not language.cached or not compile_cache.wanted():
         return None
     package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
     if not package:
         return None
-    from motionlang.lang.cache import program_entry
-
-    return program_entry(package, language.name, repr(sorted(settings.items())), source.name, source.text)
+    return compile_cache.program_entry(
+        package, language.name, repr(sorted(settings.items())), source.name, source.text
+    )
 
 
 def _compile(
-    source: Source, language: Dialect, settings: dict[str, object], result: Run, entry: Entry | None
+    source: Source,
+    language: Dialect,
+    settings: dict[str, object],
+    result: Run,
+    entry: compile_cache.Entry | None,
 ) -> Program | None:
     """The compiled program, from the cache where that has it."""
     payload = entry.get() if entry is not None else None
@@ -235,7 +238,7 @@ def _compile(
     return compiled
 
 
-def _keep(compiled: Program, entry: Entry | None) -> None:
+def _keep(compiled: Program, entry: compile_cache.Entry | None) -> None:
     """Put a program into the cache; again when more of it has been compiled."""
     payload = compiled.payload() if entry is not None else None
     if entry is not None and payload is not None:

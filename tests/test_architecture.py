@@ -39,13 +39,7 @@ LEVELS: dict[str, int] = {
     "lang": 4,
     "controller": 3,
     "profile": 2,
-    "bytecode_writing": 4,
-    "bytecode_compiling": 0,
-    "bytecode": 3,
-    "kept_file_writing": 3,
-    "kept_file": 2,
-    "user_cache_writing": 2,
-    "user_cache": 1,
+    "cache": 1,
     "files": 0,
     "cores": 1,
     "workers": 1,
@@ -69,7 +63,6 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "statement_time",
             "lint",
             "nesting",
-            "cache",
             "run_errors",
             "dialect",
             "typography",
@@ -375,6 +368,18 @@ def test_heavy_libraries_stay_at_home(path: Path) -> None:
     for module in imports(path):
         homes = HOMES.get(module.split(".")[0])
         assert homes is None or relative.startswith(homes), f"{relative} imports {module}"
+
+
+def test_no_private_module_of_python_is_imported() -> None:
+    """`_thread` is documented; `__future__` is public, and `_typeshed` is for types alone."""
+    allowed = {"_thread", "_typeshed"}
+    private = {
+        f"{path.relative_to(PACKAGE).as_posix()}: {name}"
+        for path in FILES
+        for name in imports(path)
+        if name.startswith("_") and not name.startswith("__") and name not in allowed
+    }
+    assert private == set()
 
 
 @cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import user_cache
+from motionlang import cache
 from tests.cli.programs import LONGEST
 from tests.installed import PROJECT, Install, closure, first_uses, needed
 
@@ -65,10 +65,10 @@ def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> 
     for name in ("MOTIONLANG_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(os.path, "expanduser", lambda path: path)
-    assert user_cache.folder() is None
+    assert cache.folder() is None
     monkeypatch.setenv("XDG_CACHE_HOME", "/var/caches")
     monkeypatch.setattr("sys.platform", "linux")
-    assert user_cache.folder() == os.path.join("/var/caches", "motionlang")
+    assert cache.folder() == os.path.join("/var/caches", "motionlang")
 
 
 # ------------------------------------------------------------------------------------------- streams and locale

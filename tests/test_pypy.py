@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import user_cache
+from motionlang import cache
+from motionlang.cache import program_entry
 from motionlang.cli import main
 from motionlang.execution import run
-from motionlang.lang.cache import program_entry
 from motionlang.report import text
 from motionlang.source import Source
 
@@ -66,7 +66,7 @@ def test_the_cache_of_one_python_is_not_that_of_another(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
-    monkeypatch.delenv(user_cache.OFF, raising=False)
+    monkeypatch.delenv(cache.OFF, raising=False)
     program_entry(str(ROOT / "motionlang" / "mint"), "program").put(b"code")
     monkeypatch.setattr(
         sys, "version", f"{sys.version.partition(' ')[0]} (0000) [PyPy 7.3.19 with GCC 10.2.1]"

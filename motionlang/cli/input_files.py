@@ -45,7 +45,7 @@ def _settings(source: Source, cached: bool) -> dict[str, object]:
 
     The library that reads such a file takes as long to import as an empty Python to start.
     """
-    from motionlang.lang.cache import machine_entry
+    from motionlang.cache import machine_entry
 
     entry = machine_entry(source.text) if cached else None
     kept = entry.get() if entry is not None else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import _signal  # type: ignore[import-not-found]  # signal itself imports enum
+import signal
 import sys
 from time import monotonic
 
@@ -39,11 +39,11 @@ class Signals:
     def __enter__(self) -> Self:
         self._asked = self._pending = self._lost = self._held = 0
         for name in NAMES:
-            number = getattr(_signal, name, None)  # Windows knows no SIGHUP
-            if number is None or _signal.getsignal(number) in (_signal.SIG_IGN, None):
+            number = getattr(signal, name, None)  # Windows knows no SIGHUP
+            if number is None or signal.getsignal(number) in (signal.SIG_IGN, None):
                 continue
             try:
-                self._before[number] = _signal.signal(number, self._end)
+                self._before[number] = signal.signal(number, self._end)
             except ValueError:  # only a main thread hears of signals
                 return self
         self._hook, sys.unraisablehook = sys.unraisablehook, self._unraisable
@@ -53,14 +53,14 @@ class Signals:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         while self._before:
-            _signal.signal(*self._before.popitem())
+            signal.signal(*self._before.popitem())
         if self._hook is not None:
             sys.unraisablehook, self._hook = self._hook, None
 
     @property
     def status(self) -> int:
         """The exit status after the signal that was heeded last; of Ctrl-C where somebody else's handler heard it."""
-        return 128 + (self._asked or _signal.SIGINT)
+        return 128 + (self._asked or signal.SIGINT)
 
     @property
     def held(self) -> Held:
@@ -89,14 +89,12 @@ class Signals:
 
     def _unraisable(self, lost: Any) -> None:
         """Python drops what is raised where nothing can be, as in a callback of its imports: the signal comes again."""
-        if not isinstance(lost.exc_value, KeyboardInterrupt | Terminated) or not hasattr(
-            _signal, "setitimer"
-        ):
+        if not isinstance(lost.exc_value, KeyboardInterrupt | Terminated) or not hasattr(signal, "setitimer"):
             self._hook(lost)
             return
         self._lost, self._asked = self._asked, 0
-        _signal.signal(_signal.SIGALRM, self._come_again)
-        _signal.setitimer(_signal.ITIMER_REAL, AGAIN)
+        signal.signal(signal.SIGALRM, self._come_again)
+        signal.setitimer(signal.ITIMER_REAL, AGAIN)
 
     def _come_again(self, number: int, frame: FrameType | None) -> None:
         self._end(self._lost, frame)
@@ -122,12 +120,12 @@ class Held:
 
 def status_of(error: BaseException) -> int:
     """The exit status of a command that a signal ended: 128 and its number, as shells have it."""
-    return 128 + (error.number if isinstance(error, Terminated) else _signal.SIGINT)
+    return 128 + (error.number if isinstance(error, Terminated) else signal.SIGINT)
 
 
 def error_of(number: int) -> BaseException:
     """What a signal raises."""
-    return KeyboardInterrupt() if number == _signal.SIGINT else Terminated(number)
+    return KeyboardInterrupt() if number == signal.SIGINT else Terminated(number)
 
 
 SIGNALS = Signals()

@@ -10,7 +10,7 @@ of the axis is such a look, and finds them as if there were no other kind.
 
 from __future__ import annotations
 
-from _bisect import bisect_right
+from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.plain_moves import NO_PLAN, entry_of, move_of, written

@@ -6,10 +6,7 @@ jumps to the next event. Both end in `advance`, so an event always runs at its o
 
 from __future__ import annotations
 
-try:  # what heapq adds to it is not needed, and every run would wait for it
-    from _heapq import heappop, heappush
-except ImportError:
-    from heapq import heappop, heappush
+from heapq import heappop, heappush
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -6,14 +6,11 @@ for what is read, it is told of each reading, with what says when that passes th
 
 from __future__ import annotations
 
+from operator import attrgetter
+
 from motionlang.controller.axis import LIVE
 from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.scale import POWERS
-
-try:  # what operator and functools add to these is not needed, and every run would wait for it
-    from _operator import attrgetter
-except ImportError:
-    from operator import attrgetter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

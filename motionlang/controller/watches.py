@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from _bisect import bisect_left, insort_right
+from bisect import bisect_left, insort_right
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -5,12 +5,9 @@ Both go on only as long as nothing else happens; whatever else there is they lea
 
 from __future__ import annotations
 
-from motionlang.lang.task import ROUNDING
+from operator import attrgetter
 
-try:  # what operator adds to it is not needed, and every run would wait for it
-    from _operator import attrgetter
-except ImportError:
-    from operator import attrgetter
+from motionlang.lang.task import ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

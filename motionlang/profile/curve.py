@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from _bisect import bisect_right
+from bisect import bisect_right
 from math import copysign, inf, sin
 
 from motionlang.profile import crossing as _crossing

@@ -7,7 +7,7 @@ import stat
 
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 
-from motionlang.user_cache import own_folder
+from motionlang.cache import own_folder
 
 # Names another file; empty: nothing is kept.
 VARIABLE = "MOTIONLANG_HISTORY"

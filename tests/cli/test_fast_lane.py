@@ -72,7 +72,7 @@ CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egA
     ("name", "text", "options", "needed"),
     [
         ("hello.mnt", "PRINT 1\n", ("--report", "none"), []),
-        ("hello.mcl", "1MN,1TP\n", ("--report", "none"), ["enum", "re"]),
+        ("hello.mcl", "1MN,1TP\n", ("--report", "none"), ["re"]),
         ("hello.mnt", "MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n", ("--profile",), []),
         ("wired.mnt", "PAUSE INX(5)\nPRINT POS(0)\n", ("--report", "none"), []),
         ("caught.mnt", CAUGHT, ("--report", "none"), []),
@@ -93,7 +93,7 @@ def test_a_plain_run_imports_nothing_slow(
         )
     script = (
         "import sys; from motionlang.cli import main; code = main(sys.argv[1:]); "
-        "slow = {'argparse', 'json', 'numpy', 'lark', 'rich', 'dataclasses', 're', 'typing', 'enum', 'pathlib', "
+        "slow = {'argparse', 'json', 'numpy', 'lark', 'rich', 'dataclasses', 're', 'typing', 'pathlib', "
         "'motionlang.mint.syntax.parser', 'tomllib', 'motionlang.lang.machine.file'}; "
         "print(code, sorted(slow & set(sys.modules)))"
     )

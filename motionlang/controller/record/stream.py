@@ -5,7 +5,7 @@ A packed part is one `marshal` of plain tuples. It is read back whole when somet
 
 from __future__ import annotations
 
-from _bisect import bisect_right
+from bisect import bisect_right
 from itertools import chain
 from marshal import dumps, loads
 

@@ -75,10 +75,10 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], piece: str) -> st
     terminals = {str(each.name): each.pattern.to_regexp() for each in lark.terminals}
     parts = [
         *_heading(name),
-        "from motionlang.lang.parsing.parser import Automaton",
-        "from motionlang.lang.parsing.patterns import compiled\n",
-        f"PIECE = compiled({cut!r})\n",
-        f"{rule.upper()} = compiled({flat.pattern!r})\n",
+        "import re\n",
+        "from motionlang.lang.parsing.parser import Automaton\n",
+        f"PIECE = re.compile({cut!r}, re.ASCII)\n",
+        f"{rule.upper()} = re.compile({flat.pattern!r}, re.ASCII)\n",
         f"TERMINALS = {_wrapped(terminals)}\n",
         "RULES = (\n" + "".join(f"    {each},\n" for each in states.rules.rows) + ")\n",
         "ROWS = (\n" + "".join(f"    {each!r},\n" for each in states.rows) + ")\n",

@@ -14,12 +14,10 @@ still decides everything: which states there are, what they shift and what they 
 from __future__ import annotations
 
 import gc
-
-from motionlang.lang.parsing.patterns import compiled
+import re
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    import re
     from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
@@ -165,7 +163,7 @@ class Kinds(dict[str, str]):
 
     def __init__(self, literals: dict[str, str], classes: dict[str, str]) -> None:
         self._literals = literals
-        self._classes = [(name, compiled(pattern)) for name, pattern in classes.items()]
+        self._classes = [(name, re.compile(pattern, re.ASCII)) for name, pattern in classes.items()]
         self.limit = 50_000
 
     def __missing__(self, text: str) -> str:
@@ -233,10 +231,10 @@ class Tables(Automaton):
         """What cuts up a text."""
         if self.continues(text):
             if self._continued is None:
-                self._continued = compiled(self.continued)
+                self._continued = re.compile(self.continued, re.ASCII)
             return self._continued
         if self._token is None:
-            self._token = compiled(self.token)
+            self._token = re.compile(self.token, re.ASCII)
         return self._token
 
     def end(self, text: str) -> str:

@@ -4,12 +4,13 @@
 # mypy: ignore-errors
 # fmt: off
 
+import re
+
 from motionlang.lang.parsing.parser import Automaton
-from motionlang.lang.parsing.patterns import compiled
 
-PIECE = compiled('(?:;[^\n]*+|(?<![^\n])[ \t]*+#[^\n]*+|[, \t])*+(?:((?:[^, \\t\\n;"]++|"[^"\\n]*+(?:"|$))++)|$)')
+PIECE = re.compile('(?:;[^\n]*+|(?<![^\n])[ \t]*+#[^\n]*+|[, \t])*+(?:((?:[^, \\t\\n;"]++|"[^"\\n]*+(?:"|$))++)|$)', re.ASCII)
 
-COMMAND = compiled('((?:[0-9]++(?=[A-Za-z])[A-Za-z][A-Za-z]|[A-Za-z][A-Za-z]))(?:(?:([+-]?[0-9]{1,18}+(?=[, \t\n;]|$))|([+-]?(?:[0-9]++(?:\\.[0-9]*+)?|\\.[0-9]++)(?:[eE][+-]?[0-9]++)?(?=[, \t\n;]|$))|(@[0-9]{1,9}+(?=[, \t\n;]|$))|("[^"\n]*+"(?=[, \t\n;]|$))))?')
+COMMAND = re.compile('((?:[0-9]++(?=[A-Za-z])[A-Za-z][A-Za-z]|[A-Za-z][A-Za-z]))(?:(?:([+-]?[0-9]{1,18}+(?=[, \t\n;]|$))|([+-]?(?:[0-9]++(?:\\.[0-9]*+)?|\\.[0-9]++)(?:[eE][+-]?[0-9]++)?(?=[, \t\n;]|$))|(@[0-9]{1,9}+(?=[, \t\n;]|$))|("[^"\n]*+"(?=[, \t\n;]|$))))?', re.ASCII)
 
 TERMINALS = {
     'AXIS': '[0-9]++(?=[A-Za-z])',

@@ -9,11 +9,7 @@ arrays, by-reference) counts as unknown.
 from __future__ import annotations
 
 from itertools import compress
-
-try:  # what Python's own module adds to it is not needed, and every program that is new would wait for it
-    from _operator import is_not
-except ImportError:
-    from operator import is_not
+from operator import is_not
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.intervals import Range

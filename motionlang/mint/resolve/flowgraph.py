@@ -8,10 +8,7 @@ numbers can be, what an axis does or where labels lead, is worked out on this on
 
 from __future__ import annotations
 
-try:  # what heapq adds to it is not needed, and every program that is new would wait for it
-    from _heapq import heappop, heappush
-except ImportError:
-    from heapq import heappop, heappush
+from heapq import heappop, heappush
 
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.syntax import nodes

@@ -13,16 +13,13 @@ makers. A value that is written lies in the range of its row: that is looked at 
 
 from __future__ import annotations
 
+from functools import partial
+
 from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Refusal
 from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords.operations_index import VERBS
 from motionlang.mint.runtime.changes import repeatable
-
-try:  # what functools adds to it is not needed, and every run would wait for it
-    from _functools import partial  # type: ignore[import-not-found]
-except ImportError:
-    from functools import partial
 
 # A function with its first arguments given, for makers elsewhere, too.
 with_first: Callable[..., Operation] = partial

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
 from motionlang.lang.parsing.parser import BAD, Stuck, TooDeep
-from motionlang.lang.parsing.patterns import compiled
 from motionlang.lang.parsing.places import Places
 from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, Misuse
 from motionlang.mint.syntax.tables import TABLES
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 # What the kinds of token are to a reader; a kind that is not here is a control word or an operator.
 _CLASSES = {"NAME": "word", "DOTTED": "word", "NUMBER": "number", "STRING": "string", "CHARACTER": "string"}
 _SEPARATORS = {"COLON", "COMMA", "SEMICOLON", "LPAR", "RPAR", "LSQB", "RSQB"}
-_COMMENT = compiled(r"'[^\n]*|[Rr][Ee][Mm][^\n]*|:")
+_COMMENT = re.compile(r"'[^\n]*|[Rr][Ee][Mm][^\n]*|:")
 
 
 def parse(source: Source) -> Module:

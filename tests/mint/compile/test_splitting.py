@@ -13,8 +13,8 @@ from types import CodeType
 import pytest
 
 from motionlang import run
+from motionlang.cache import CHECKSUM
 from motionlang.errors import ProgramError
-from motionlang.lang.cache import DIGEST
 from motionlang.lang.machine.file import read_machine
 from motionlang.mint import DIALECT
 from motionlang.mint.compile import assembly, loops, splitting
@@ -105,7 +105,7 @@ def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: py
     text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
     first = run(Source("long.mnt", text))
     (entry,) = tmp_path.iterdir()
-    _, _, payload = loads(entry.read_bytes()[DIGEST:])
+    _, _, payload = loads(entry.read_bytes()[CHECKSUM:])
     kept = load(payload)
     assert 1 < kept.size < len(kept.code.units)
     assert run(Source("long.mnt", text)).report == first.report

@@ -12,9 +12,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from motionlang import execution, user_cache, user_cache_writing
-from motionlang.lang import cache
-from motionlang.lang.cache import Entry, machine_entry, program_entry
+from motionlang import cache, execution
+from motionlang.cache import Entry, machine_entry, program_entry
 from motionlang.source import Source
 
 PACKAGE = Path(execution.__file__).parent
@@ -25,7 +24,7 @@ HELLO = Source("hello.mnt", 'PRINT "hello"\n')
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     place = tmp_path / "cache"
     monkeypatch.setenv("MOTIONLANG_CACHE", str(place))
-    monkeypatch.delenv(user_cache.OFF, raising=False)
+    monkeypatch.delenv(cache.OFF, raising=False)
     return place
 
 
@@ -98,13 +97,13 @@ def test_a_folder_that_cannot_be_made_is_no_error(tmp_path: Path, monkeypatch: p
 
 
 def test_the_environment_turns_it_off(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(user_cache.OFF, "1")
+    monkeypatch.setenv(cache.OFF, "1")
     entry().put(b"program")
     assert not folder.exists()
 
 
 def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(user_cache_writing, "ENTRIES", 4)
+    monkeypatch.setattr(cache, "ENTRIES", 4)
     for k in range(5):
         entry(str(k)).put(b"program")
     assert len(list(folder.iterdir())) == 2
@@ -113,7 +112,7 @@ def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
 COMPILES = """
 import sys
 from pathlib import Path
-from motionlang.lang.cache import program_entry
+from motionlang.cache import program_entry
 from motionlang.mint import DIALECT
 from motionlang.source import Source
 for path in sorted(Path(sys.argv[1]).rglob('*.mnt')):
@@ -152,18 +151,15 @@ def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, fol
         "lang/parsing/parser.py",
         "errors.py",
     } <= modules
-    _, compiler, _ = loads(the_file(folder).read_bytes()[cache.DIGEST :])
+    _, compiler, _ = loads(the_file(folder).read_bytes()[cache.CHECKSUM :])
     beside = {Path(place).relative_to(root).as_posix() for place, _ in compiler}
     # What __init__.py of the package says of versions is not compiled in, what keeps files keeps any, and how families
     # of the controller are brought in is no matter of what a program means.
     assert modules - beside == {
         "__init__.py",
-        "bytecode.py",
+        "cache.py",
         "controller/__init__.py",
         "files.py",
-        "kept_file.py",
-        "user_cache.py",
-        "user_cache_writing.py",
     }
 
 
@@ -189,7 +185,7 @@ def test_what_compiles_more_of_a_program_later_stands_beside_it_too(
     later = entry()
     assert later.get() == b"program"
     later.put(b"more of it")
-    _, compiler, payload = loads(the_file(folder).read_bytes()[cache.DIGEST :])
+    _, compiler, payload = loads(the_file(folder).read_bytes()[cache.CHECKSUM :])
     assert ({first, second} <= dict(compiler).keys(), payload) == (True, b"more of it")
 
 
@@ -199,10 +195,10 @@ def test_what_was_kept_by_a_compiler_that_has_changed_meanwhile_gets_no_more_par
     entry().put(b"program")
     later = entry()
     assert later.get() == b"program"
-    as_it_was = user_cache.state
-    monkeypatch.setattr(user_cache, "state", lambda place: (0, 0, 0))
+    as_it_was = cache.state
+    monkeypatch.setattr(cache, "state", lambda place: (0, 0, 0))
     later.put(b"more of it")
-    monkeypatch.setattr(user_cache, "state", as_it_was)
+    monkeypatch.setattr(cache, "state", as_it_was)
     assert entry().get() == b"program"
 
 
@@ -277,10 +273,10 @@ def test_what_is_not_kept_is_not_looked_for(folder: Path, monkeypatch: pytest.Mo
     monkeypatch.setattr(Entry, "get", look)
     execution.run(Source("hello.mcl", "0"))
     execution.run(HELLO, cache=False)
-    monkeypatch.setenv(user_cache.OFF, "1")
+    monkeypatch.setenv(cache.OFF, "1")
     execution.run(HELLO)
     assert looked == []
-    monkeypatch.delenv(user_cache.OFF)
+    monkeypatch.delenv(cache.OFF)
     execution.run(HELLO)
     assert len(looked) == 1
 

@@ -1,0 +1,217 @@
+"""The compile cache: compiled programs and parsed machine files, cached between runs in the user's cache folder.
+
+An entry is one file, named after what it was made of: of a program its text, dialect, settings and the version of
+Python. It holds all of that, and the state of every file of the package that was loaded to make it. `get` ignores an
+entry that belongs to something else or to changed files, a damaged entry, and an entry that another user may write. No
+trouble with the cache is ever an error of a command. `files.replacing` writes an entry whole or not at all, and once
+there are more than `ENTRIES` the older half is removed.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from marshal import dumps, loads
+from zlib import crc32
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    # Size, time of the text and time of the last change of a file.
+    State = tuple[int, int, int]
+
+OFF = "MOTIONLANG_NO_CACHE"
+# How many files the folder may hold.
+ENTRIES = 512
+# What compiling takes besides a language's own package; a test holds it to what a compilation imports.
+SHARED = ("lang" + os.sep, "errors.py", "source.py", os.path.join("controller", "faults.py"))
+# What of that package no compilation takes: the operations of keywords, what looks programs over, what rows rest on.
+RUN, ASIDE = "_operations.py", ("lint", "evidence")
+# Bytes of the checksum at the beginning of an entry.
+CHECKSUM = 4
+
+
+class Entry:
+    """The cached result of compiling some inputs with some files of the package."""
+
+    __slots__ = ("_makers", "_name", "_states", "_whose")
+
+    def __init__(self, kind: str, makers: tuple[str, ...], *parts: str) -> None:
+        """`makers` are folders, which end with a separator, and files: those that are loaded count."""
+        self._makers = makers
+        self._whose = (sys.version, *makers, *parts)
+        text = "\0".join(self._whose).encode("utf-8", "surrogatepass")
+        # Two inputs of one name take the file in turns: `get` compares the whole of what it belongs to.
+        self._name = f"{kind}-{crc32(text):08x}-{len(text):x}"
+        # The files that made what is cached already.
+        self._states: dict[str, State] = {}
+
+    def get(self) -> bytes | None:
+        """What was put; None if there is nothing that the files of the package would still make."""
+        data = _read(self._name)
+        if data is None or checksum(data[CHECKSUM:]) != data[:CHECKSUM]:
+            return None
+        whose, states, payload = loads(data[CHECKSUM:])
+        if whose != self._whose or not _unchanged(states):
+            return None
+        self._states = dict(states)
+        found: bytes = payload
+        return found
+
+    def put(self, payload: bytes) -> None:
+        """Cache what has just been made, or more of what was cached.
+
+        Nothing is cached if the package has no files to compare, as in a zip archive.
+        """
+        try:
+            loaded = _loaded(self._makers)
+        except OSError:
+            return
+        states = {**self._states, **loaded}
+        if any(states[path] != state for path, state in self._states.items()):
+            return  # what was cached is of other files than what has been added
+        self._states = states
+        data = dumps((self._whose, [*states.items()], payload))
+        _write(self._name, checksum(data) + data)
+
+
+def program_entry(package: str, *parts: str) -> Entry:
+    """The entry of a program, compiled by the language whose folder is `package`."""
+    root = os.path.dirname(package) + os.sep
+    return Entry("program", (package + os.sep, *(root + name for name in SHARED)), *parts)
+
+
+def machine_entry(text: str) -> Entry:
+    """The entry of the settings of a machine file, which any loaded file may have checked."""
+    return Entry("machine", (os.path.dirname(__file__) + os.sep,), text)
+
+
+def wanted() -> bool:
+    """Whether the environment leaves the cache on."""
+    return not os.environ.get(OFF)
+
+
+def folder() -> str | None:
+    """The user's cache folder for motionlang; `MOTIONLANG_CACHE` names another one. None without a home."""
+    return os.environ.get("MOTIONLANG_CACHE") or own_folder("Caches", "XDG_CACHE_HOME", ".cache")
+
+
+def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str | None:
+    """The user's folder for motionlang of one kind: in ~/Library, in the folder that `variable` names, or in the home.
+
+    None where that would be relative to the working folder: a user without an entry in the password file and without
+    HOME, as in a container, has no home, and a relative `variable` is ignored, as the XDG specification demands.
+    """
+    home = os.path.expanduser("~")
+    if sys.platform == "win32":
+        root = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
+    elif sys.platform == "darwin":
+        root = os.path.join(home, "Library", on_a_mac)
+    else:
+        root = os.environ.get(variable, "")
+        if not os.path.isabs(root):
+            root = os.path.join(home, elsewhere)
+    return os.path.join(root, "motionlang") if os.path.isabs(root) else None
+
+
+def state(path: str) -> State | None:
+    """What tells a file from an edited one; None if there is no file.
+
+    Nobody can set the time of the last change: an installer may give all files the same time, of all versions.
+    """
+    try:
+        status = os.stat(path)
+    except OSError:
+        return None
+    return status.st_size, status.st_mtime_ns, status.st_ctime_ns
+
+
+def checksum(data: bytes) -> bytes:
+    """The checksum of an entry, which finds damage."""
+    return crc32(data).to_bytes(CHECKSUM, "little")
+
+
+def _unchanged(states: list[tuple[str, State]]) -> bool:
+    stat = os.stat  # not `state`: a start compares a hundred files
+    try:
+        for path, (size, text, change) in states:
+            status = stat(path)
+            if status.st_ctime_ns != change or status.st_mtime_ns != text or status.st_size != size:
+                return False
+    except OSError:
+        return False
+    return True
+
+
+def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
+    """The files of the package that made something, and their state; OSError if one is missing."""
+    paths = [
+        path
+        for module in [*sys.modules.values()]
+        if (path := getattr(module, "__file__", None)) is not None and path.startswith(makers)
+        if not path.endswith(RUN) and not any(f"{os.sep}{name}{os.sep}" in path for name in ASIDE)
+    ]
+    for parent, _, files in os.walk(makers[0], onerror=_raise):
+        if os.path.basename(parent) not in ASIDE:
+            paths += [os.path.join(parent, name) for name in files if name.endswith(".txt")]
+    found = {}
+    for path in paths:
+        now = state(path)
+        if now is None:
+            raise FileNotFoundError(path)
+        found[path] = now
+    return found
+
+
+def _raise(error: OSError) -> None:
+    raise error
+
+
+def _read(name: str) -> bytes | None:
+    """The content of a file of the cache; None if there is none that can be trusted."""
+    place = folder() if wanted() else None
+    if place is None:
+        return None
+    try:
+        if not _is_private(os.stat(place)):
+            return None
+        with open(os.path.join(place, name), "rb") as file:
+            return file.read() if _is_private(os.fstat(file.fileno())) else None
+    except OSError:
+        return None
+
+
+def _write(name: str, data: bytes) -> None:
+    """Write a file of the cache; the oldest ones make room."""
+    place = folder() if wanted() else None
+    if place is None:
+        return
+    from motionlang.files import replacing
+
+    try:
+        os.makedirs(place, 0o700, exist_ok=True)
+        if not _is_private(os.stat(place)) or not os.access(place, os.W_OK):
+            return
+        with replacing(os.path.join(place, name), private=True) as file:
+            file.write(data)
+        _remove_oldest(place)
+    except OSError:
+        pass
+
+
+def _remove_oldest(place: str) -> None:
+    files = [file for file in os.scandir(place) if file.is_file()]
+    if len(files) <= ENTRIES:
+        return
+    files.sort(key=lambda file: file.stat().st_mtime)
+    for file in files[: len(files) - ENTRIES // 2]:
+        try:
+            os.remove(file.path)
+        except OSError:
+            pass  # another process has removed it
+
+
+def _is_private(status: os.stat_result) -> bool:
+    """Whether a file or folder is this user's own and closed to writers; Windows folders are per user already."""
+    if not hasattr(os, "getuid"):
+        return True
+    return status.st_uid == os.getuid() and not status.st_mode & 0o022
