@@ -92,7 +92,7 @@ BARS: dict[str, Bar] = {
     "watches_thousand": _most(3.0),
     "quantised-real-time": _least(80.0),
     "both-real-time": _least(80.0),
-    "simulate-real-time": _least(1_600.0),
+    "simulate-real-time": _least(500.0),
     "quantised-in-a-run": _least(80.0),
     "linear-in-a-run": _least(200.0),
     "suggestion": _most(20.0),

@@ -172,8 +172,6 @@ class Ahead(Servo):
                 patience = min(2 * patience, _MOST_PATIENCE)
 
     def _stretched(self, points: Floats, part: int, count: int) -> tuple[Stretch, State]:
-        if self._in_charge.is_linear and self.plant.is_linear:
-            return super()._stretched(points, part, count)
         return run_steps(self._in_charge, self.plant, self._columns, points, part, count, self._state)
 
     def _tell(self, seen: Array) -> None:

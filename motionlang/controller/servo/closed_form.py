@@ -92,7 +92,7 @@ class ClosedForm:
         """The first samples, one by one."""
         made = discretise(plant, loop.period)
         columns = ["position", "velocity", "output", "current", "integral", *["twist"] * made.load_encoder]
-        probe = Probe(loop, plant, tuple(columns), True, self._kept, len(made.names) + len(MEMORY))
+        probe = Probe(loop, plant, tuple(columns))
         nz, width = len(self._kept), self._width
         state, rows, states = np.eye(nz, width), [], []
         for k in range(2 * unit):  # what those two points are off by is over then

@@ -20,23 +20,16 @@ if TYPE_CHECKING:
 
 def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
     """One step without limits, and the columns at its beginning, over (state, demand, feed-forward, 1)."""
-    names = discretise(plant, loop.period).names
-    return Probe(loop, plant, columns, True, kept_places(loop, names), len(names) + len(MEMORY)).sampled
+    return Probe(loop, plant, columns).sampled
 
 
 class Probe:
     """One step as a matrix over (state, demand, feed-forward, 1), found by trying unit values on the step itself."""
 
-    def __init__(
-        self,
-        loop: Loop,
-        plant: Motor | Drive,
-        columns: tuple[str, ...],
-        integrating: bool,
-        kept: list[int],
-        size: int,
-    ) -> None:
-        run = stepper(loop, plant, columns, integrating, limited=False)
+    def __init__(self, loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> None:
+        run = stepper(loop, plant, columns, limited=False)
+        names = discretise(plant, loop.period).names
+        kept, size = kept_places(loop, names), len(names) + len(MEMORY)
         wait = size - len(MEMORY) + MEMORY.index("derivative_wait")
 
         def tried(values: Array, held: bool) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""A stretch of servo samples, from trajectory points to columns: by blocks where that is quicker, else by steps."""
+"""A stretch of servo samples, from trajectory points to columns, step by step."""
 
 from __future__ import annotations
 
@@ -20,18 +20,15 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Floats = Sequence[float] | Array
 
-LONG = 1000
-"""Samples from which NumPy pays."""
 MARKED = 64
 """Plain steps from one state that is kept to the next, where any are."""
-# Samples that are stepped in one go: as lists they are four times as large as in an array.
+# Samples that are stepped at once: as lists they are four times as large as in an array.
 _CHUNK = 1 << 13
 # Modes in which the demand does not decide whether the integral acts.
 _STEADFAST = frozenset(("always", "never"))
 _STILL = 1e-9
 _ROUNDING = 1e-15
 _TOTAL = MEMORY.index("total") - len(MEMORY)
-_WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
 
 
 class Stretch:
@@ -58,10 +55,13 @@ class Stretch:
         """The demanded positions of the first `count` samples, interpolated."""
         import numpy as np
 
-        from motionlang.controller.servo.lifted import interpolated
-
-        every = interpolated(np.asarray(self.points, dtype=np.float64), self.ratio)
-        return every[self.part : self.part + count]
+        points = np.asarray(self.points, dtype=np.float64)
+        if self.ratio == 1:
+            return points[self.part : self.part + count]
+        every = np.multiply.outer(np.diff(points), np.arange(self.ratio) / self.ratio)
+        every += points[:-1, None]
+        flat: Array = every.reshape(-1)
+        return flat[self.part : self.part + count]
 
     def mark_before(self, sample: int) -> tuple[int, State, list[float]] | None:
         """The last mark before a sample: its own number, the state, and the points around it; None where none is."""
@@ -91,9 +91,20 @@ def run_stretch(
 
     `points` are the trajectory points: the one before the first cycle, its beginning, and the end of every cycle.
     """
-    if count < LONG:
+    if count <= _CHUNK:
         return run_steps(loop, plant, columns, points, part, count, state)
-    return _run_long(loop, plant, columns, points, part, count, state)
+    import numpy as np
+
+    at = np.asarray(points, dtype=np.float64)
+    out = np.empty((len(columns), count))
+    for begin in range(0, count, _CHUNK):
+        end = min(begin + _CHUNK, count)
+        cycle, inside = divmod(part + begin, loop.ratio)
+        last = -(-(part + end) // loop.ratio)
+        chunk, state = run_steps(loop, plant, columns, at[cycle : last + 2], inside, end - begin, state)
+        for row, values in zip(out, chunk.columns, strict=True):
+            put(values, row[begin:end])
+    return Stretch(at[1:], part, loop.ratio, list(out)), state
 
 
 def run_steps(
@@ -105,7 +116,7 @@ def run_steps(
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
-    """The same by plain steps however many they are: a sample is the same to the last bit whatever is asked for."""
+    """Like `run_stretch`, in lists and with marks."""
     samples = slice(part, part + count)
     if isinstance(points, list):
         demand, feed = _given(loop, points, samples)
@@ -148,89 +159,6 @@ def _given_at_once(loop: Loop, points: Array, samples: slice) -> tuple[list[floa
     demand = np.multiply.outer(moved[1:] / ratio, np.arange(ratio))
     demand += points[1:-1, None]
     return demand.reshape(-1)[samples].tolist(), np.repeat(feed, ratio)[samples].tolist()
-
-
-def _run_long(
-    loop: Loop,
-    plant: Motor | Drive,
-    columns: tuple[str, ...],
-    points: Floats,
-    part: int,
-    count: int,
-    state: State,
-) -> tuple[Stretch, State]:
-    import numpy as np
-
-    at = np.asarray(points, dtype=np.float64)
-    run = _LongRun(loop, plant, columns, at[1:], _feeds(loop, np.diff(at)), part, count)
-    if not loop.has_integral:
-        return run.made, run.span(0, count, True, state)
-    for begin, end, integrating, clears in _spans(loop, _acting(loop, at), part, count):
-        state = run.span(begin, end, integrating, _cleared(state) if clears else state)
-    return run.made, state
-
-
-class _LongRun:
-    """The arrays of one long stretch while it is being filled, span by span."""
-
-    def __init__(
-        self,
-        loop: Loop,
-        plant: Motor | Drive,
-        columns: tuple[str, ...],
-        points: Array,
-        feed: Array,
-        part: int,
-        count: int,
-    ) -> None:
-        import numpy as np
-
-        self.loop, self.plant, self.columns = loop, plant, columns
-        self.points, self.feed, self.part = points, feed, part
-        # One block: the allocator keeps it, where it would give pages of several back and fetch them anew.
-        self.out = list(np.empty((len(columns), count)))
-        self.made = Stretch(points, part, loop.ratio, self.out)
-
-    def span(self, begin: int, end: int, integrating: bool, state: State) -> State:
-        """Samples `begin` to `end`, all with the integral acting or all without."""
-        from motionlang.controller.servo.lifted import WORTHWHILE, lift
-
-        blocks = lift(self.loop, self.plant, self.columns, integrating)
-        if blocks is None:
-            return self._steps(begin, end, integrating, state)
-        ratio = self.loop.ratio
-        while begin < end and ((self.part + begin) % ratio or state[_WAIT]):
-            state = self._steps(begin, begin + 1, integrating, state)
-            begin += 1
-        count = (end - begin) // blocks.steps
-        if count >= WORTHWHILE:
-            first, past = (self.part + begin) // ratio, begin + count * blocks.steps
-            last = first + count * blocks.cycles
-            out = [column[begin:past] for column in self.out]
-            state = blocks.run(self.points[first : last + 1], self.feed[first:last], state, out)
-            begin = past
-        return self._steps(begin, end, integrating, state)
-
-    def _steps(self, begin: int, end: int, integrating: bool, state: State) -> State:
-        import numpy as np
-
-        from motionlang.controller.servo.lifted import interpolated
-
-        if begin == end:
-            return state
-        ratio, part = self.loop.ratio, self.part
-        step = stepper(self.loop, self.plant, self.columns, integrating)
-        for done in range(begin, end, _CHUNK):
-            until = min(done + _CHUNK, end)
-            first, past = (part + done) // ratio, -(-(part + until) // ratio)
-            inside = slice(part + done - first * ratio, part + until - first * ratio)
-            demand = interpolated(self.points[first : past + 1], ratio)[inside].tolist()
-            steady = np.repeat(self.feed[first:past], ratio)[inside].tolist()
-            made = empty_columns(self.columns)
-            state = step(demand, steady, state, made)
-            for column, values in zip(self.out, made, strict=True):
-                put(values, column[done:until])
-        return state
 
 
 # ------------------------------------------------------------------------------------- what the demand decides
