@@ -1,37 +1,41 @@
-"""What every generated program must satisfy, whatever it does."""
+"""What every generated program must satisfy, whatever it does.
+
+Each program is run once and checked by what holds of any run. Then it is run another way that must not change
+anything, or only to an earlier time; which one goes by the seed, as each costs another run.
+"""
 
 from __future__ import annotations
 
 import json
-from math import isfinite, isnan
+from collections.abc import Iterator
 
 from motionlang import run
-from motionlang.controller.move import Move
-from motionlang.controller.record.track import WholeTrack
 from motionlang.errors import ProgramError
+from motionlang.report import text as report_of
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.fuzz.guard import bounded
+from tests.generated.draw import Draw
+from tests.generated.invariants import (
+    entries_end,
+    in_order,
+    keeps_to_the_schema,
+    phases_add_up,
+    proved,
+    table_agrees,
+)
 from tests.generated.motion import UNTIL, Generated
+from tests.generated.prefix import differences
 
 # Seconds of the processor that one program may take.
 LONGEST = 10.0
-# Seconds by which the time of an end may be rounded, and parts of a position.
-ROUNDED, SLACK = 1e-9, 1e-6
 
 
 def findings(program: Generated) -> list[str]:
     """What is wrong with the runs of a program; empty if nothing is."""
     try:
         with bounded(LONGEST):
-            first = _run(program)
-            found = _proved(first) + _agreeing(first)
-            report = _bytes(first)
-            if "NaN" in report or "Infinity" in report:
-                found.append("report: a figure is not a number")
-            if report != _bytes(_run(program)):
-                found.append("again: a second run has another report")
-            return found
+            return list(_findings(program))
     except ProgramError as error:
         return [f"grammar: {each.line}: {each.message}" for each in error.diagnostics]
     except Exception as error:
@@ -42,46 +46,60 @@ def findings(program: Generated) -> list[str]:
         return [f"crash: {type(error).__name__}: {str(error)[:200]} at {where}"]
 
 
-def _run(program: Generated) -> Run:
+def _findings(program: Generated) -> Iterator[str]:
+    first = _run(program)
+    text = _report(first)
+    report = json.loads(text)
+    yield from proved(first)
+    yield from entries_end(first)
+    yield from in_order(first)
+    yield from phases_add_up(report)
+    if "NaN" in text or "Infinity" in text:
+        yield "report: a figure is not a number"
+    if program.seed % 4 == 0:
+        yield from keeps_to_the_schema(report)
+    if program.seed % 4 == 1:
+        yield from table_agrees(first, report)
+    yield from _OTHER_WAYS[program.seed % len(_OTHER_WAYS)](program, first, text)
+
+
+def _run(program: Generated, until: float = UNTIL, **how: object) -> Run:
     source = Source(program.name, program.text)
-    return run(source, machine=program.machine, until=UNTIL, cache=False, prove=True)
+    return run(source, machine=program.machine, until=until, cache=False, prove=until == UNTIL, **how)  # type: ignore[arg-type]
 
 
-def _bytes(result: Run) -> str:
-    return json.dumps([result.report, result.output], default=str)
+def _report(result: Run) -> str:
+    return report_of(result, whole=False)
 
 
-def _proved(result: Run) -> list[str]:
-    return [f"proof: {each.line}: {each.message}" for each in result.proof().violations]
+def _again(program: Generated, first: Run, report: str) -> Iterator[str]:
+    """Nothing of an earlier run is left."""
+    if report != _report(_run(program)):
+        yield "again: a second run has another report"
 
 
-def _agreeing(result: Run) -> list[str]:
-    """Entries that are over ended within the run, and the last one of an axis where the axis is."""
-    assert result.orders is not None
-    found, axes, data = [], result.controller.axes, result.orders.data
-    last: dict[int, Move] = {}
-    for move in result.controller.log.moves:
-        profile, axis = move.profile, axes[move.axis]
-        if profile is None:
-            continue
-        where = f"axis {move.axis} from {move.start_time:.6f} s, line {move.line}"
-        if isnan(profile.start) or isnan(profile.end) or isnan(profile.duration):
-            found.append(f"log: {where}: a figure is not a number")
-        end = move.start_time + profile.duration
-        late = end > result.time + ROUNDED * (1.0 + result.time)
-        under_way = any(move is each for each in axis.entries)  # several while paths are blended
-        if late and isfinite(end) and not under_way and (move.ended or result.status == "ended"):
-            found.append(f"log: {where}: it ends at {end:.6f} s, the run at {result.time:.6f} s")
-        if not move.overlaid and not move.offset:
-            last[move.axis] = move
-    for number, move in last.items():
-        axis, profile, track = axes[number], move.profile, WholeTrack(axes[number])
-        assert profile is not None
-        end = move.start_time + profile.duration
-        if end > result.time or axis.move is not None or any(time > end for time in track.starts):
-            continue
-        shift = data[number][-1] - data[number][track.place(move.start_time)]
-        here = axis.position(result.time)
-        if abs(here - profile.end - shift) > SLACK * max(1.0, abs(here)):
-            found.append(f"log: axis {number} is at {here:g}, its last entry ends at {profile.end:g}")
-    return found
+def _cached(program: Generated, first: Run, report: str) -> Iterator[str]:
+    """A program that comes from the cache, with all that the first run has compiled of it."""
+    compiled = first.program
+    payload = compiled.payload() if compiled is not None else None
+    if payload is None:
+        yield from _again(program, first, report)  # of this language no compiled programs are kept
+    elif report != _report(_run(program, compiled=first.dialect.load(payload))):
+        yield "cached: a run from the cache has another report"
+
+
+def _cut(program: Generated, first: Run, report: str) -> Iterator[str]:
+    """Runs to an earlier time: to any, or into the middle of a move; every eighth time to several."""
+    draw = Draw(program.seed)
+    moves = [move for move in first.controller.log.moves if move.profile is not None]
+    for _ in range(3 if program.seed % 16 == 1 else 1):
+        time = draw.uniform(0.0, first.time)
+        if moves and draw.chance(0.5):
+            move = draw.choice(moves)
+            assert move.profile is not None
+            time = min(move.start_time + draw.random() * min(move.profile.duration, 1.0), first.time)
+        yield from differences(first, _run(program, time), time)
+
+
+# A run without the fast paths joins these, with its switch.
+_OTHER_WAYS = (_again, _cut, _cached, _cut)

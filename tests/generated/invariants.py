@@ -1,0 +1,152 @@
+"""What holds of every run, whatever its program does: each check returns sentences about what does not."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+from itertools import pairwise
+from math import fsum, isfinite, isnan
+from pathlib import Path
+from typing import Any
+
+import jsonschema  # type: ignore[import-untyped]
+
+from motionlang.controller.move import Move
+from motionlang.controller.record.track import WholeTrack
+from motionlang.result import Run
+from motionlang.views.table import render
+
+SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+# Seconds by which the time of an end may be rounded, and parts of a position.
+ROUNDED, SLACK = 1e-9, 1e-6
+# More characters than any table is wide, so that no column is dropped.
+WIDE = 1000
+# Cells of a row are two blanks apart or more.
+_GAP = re.compile(" {2,}")
+_FIGURES = ("start_time", "duration", "start", "end", "distance", "peak_speed")
+
+
+def proved(result: Run) -> Iterator[str]:
+    """The motion is within what the program ordered."""
+    for each in result.proof().violations:
+        yield f"proof: {each.line}: {each.message}"
+
+
+def in_order(result: Run) -> Iterator[str]:
+    """Time never decreases, and nothing is later than the end of the run."""
+    log = result.controller.log
+    streams: dict[str, Iterable[float]] = {
+        "events": (each.time for each in log.events),
+        "prints": (each.time for each in log.prints),
+        "moves": (each.start_time for each in log.moves),
+        "waits": (each.until for each in log.waits),
+        "loops": (each.until for each in log.loops),
+        "turns": (each.time for each in log.turns),
+        "outputs": (each.time for each in log.outputs),
+        "inputs": (each.time for each in log.inputs),
+        "analogue outputs": (each.time for each in log.analogue_outputs),
+    }
+    for number, axis in result.controller.axes.items():
+        streams[f"the track of axis {number}"] = WholeTrack(axis).starts
+    for name, stream in streams.items():
+        times = [*stream, result.time]
+        before, after = next((two for two in pairwise(times) if not two[0] <= two[1]), (0.0, 0.0))
+        if before != after:
+            yield f"order: {name}: {before!r} s comes before {after!r} s"
+    for each in (*log.waits, *log.loops):
+        if each.since > each.until:
+            yield f"order: {each} ends before it begins"
+
+
+def entries_end(result: Run) -> Iterator[str]:
+    """Entries that are over ended within the run, and the last one of an axis where the axis is."""
+    assert result.orders is not None
+    axes, data = result.controller.axes, result.orders.data
+    last: dict[int, Move] = {}
+    for move in result.controller.log.moves:
+        profile, axis = move.profile, axes[move.axis]
+        if profile is None:
+            continue
+        where = f"axis {move.axis} from {move.start_time:.6f} s, line {move.line}"
+        if isnan(profile.start) or isnan(profile.end) or isnan(profile.duration):
+            yield f"log: {where}: a figure is not a number"
+        end = move.start_time + profile.duration
+        late = end > result.time + ROUNDED * (1.0 + result.time)
+        under_way = any(move is each for each in axis.entries)  # several while paths are blended
+        if late and isfinite(end) and not under_way and (move.ended or result.status == "ended"):
+            yield f"log: {where}: it ends at {end:.6f} s, the run at {result.time:.6f} s"
+        if not move.overlaid and not move.offset:
+            last[move.axis] = move
+    for number, move in last.items():
+        axis, profile, track = axes[number], move.profile, WholeTrack(axes[number])
+        assert profile is not None
+        end = move.start_time + profile.duration
+        if end > result.time or axis.move is not None or any(time > end for time in track.starts):
+            continue
+        shift = data[number][-1] - data[number][track.place(move.start_time)]
+        here = axis.position(result.time)
+        if abs(here - profile.end - shift) > SLACK * max(1.0, abs(here)):
+            yield f"log: axis {number} is at {here:g}, its last entry ends at {profile.end:g}"
+
+
+def phases_add_up(report: dict[str, Any]) -> Iterator[str]:
+    """The phases of a move take its whole duration and go its whole distance."""
+    for move in report["moves"]:
+        for name in ("duration", "distance"):
+            figures = [phase[name] for phase in move["phases"]]
+            if not figures or None in figures or move[name] is None:
+                continue
+            size = max(map(abs, (*figures, move[name], *(move[each] or 0.0 for each in ("start", "end")))))
+            if abs(fsum(figures) - move[name]) > SLACK * max(size, 1e-3):
+                yield f"phases: line {move['line']}: {name} {move[name]!r}, its phases {fsum(figures)!r}"
+
+
+def keeps_to_the_schema(report: dict[str, Any]) -> Iterator[str]:
+    """The report is as `docs/report.schema.json` says."""
+    for error in jsonschema.Draft202012Validator(SCHEMA).iter_errors(report):
+        yield f"schema: {error.json_path}: {error.message[:100]}"
+
+
+def table_agrees(result: Run, report: dict[str, Any]) -> Iterator[str]:
+    """The table that is printed has the moves, events and axes of the report, each figure to its last digit."""
+    blocks = render(result, width=WIDE, everything=True).rstrip().split("\n\n")
+    moves = [row for row in _rows(blocks, "axis  command") if "├" not in row and "└" not in row]
+    rows: dict[str, list[tuple[list[str], list[object]]]] = {"moves": [], "events": [], "axes": []}
+    columns = ("axis", "command", "line", "profile", *_FIGURES)
+    for text, move in zip(moves, report["moves"], strict=False):
+        rows["moves"].append((_GAP.split(text.strip()), [move[name] for name in columns]))
+    events = _rows(blocks, "events")
+    for text, event in zip(events, report["events"], strict=False):
+        rows["events"].append((_GAP.split(text.strip()), [event["time"], event["kind"]]))
+    axes = _rows(blocks, "axis  position")
+    for text, axis in zip(axes, report["axes"], strict=False):
+        rows["axes"].append((_GAP.split(text.strip()), [axis[n] for n in ("axis", "position")]))
+    for name, shown in (("moves", moves), ("events", events), ("axes", axes)):
+        if len(shown) != len(report[name]):
+            yield f"table: {len(shown)} of {len(report[name])} {name}"
+        for cells, values in rows[name]:
+            for cell, value in zip(cells, values, strict=False):
+                if not _is_shown(cell, value):
+                    yield f"table: {name}: {cell} for {value!r} in {cells}"
+
+
+def _rows(blocks: list[str], head: str) -> list[str]:
+    """The lines below the rule of the table whose head begins so."""
+    block = next((each for each in blocks if re.sub(" {2,}", "  ", each).lstrip().startswith(head)), "")
+    lines = block.split("\n")
+    rule = next((k for k, line in enumerate(lines) if line.startswith("─")), len(lines))
+    return lines[rule + 1 :]
+
+
+def _is_shown(cell: str, value: object) -> bool:
+    if isinstance(value, str):
+        return cell == value
+    if value is None:
+        return not any(digit in cell for digit in "0123456789")
+    assert isinstance(value, int | float)
+    shown = Decimal(cell)
+    exponent = shown.as_tuple().exponent
+    assert isinstance(exponent, int)
+    return abs(float(shown) - value) <= 0.5000001 * 10.0**exponent + 1e-12 * abs(value)

@@ -1,0 +1,66 @@
+"""A run to a time is the beginning of a run to a later one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from motionlang.controller.record.track import WholeTrack
+from motionlang.result import Run
+
+# Seconds before the end of the shorter run within which what happens may belong to its last moment.
+LAST = 1e-6
+# Statements that are carried out once the end has come: those that touch only variables do not look at the clock.
+STATEMENTS = 4
+# Moments up to the end of the shorter run at which positions are compared.
+LOOKS = 8
+
+
+def differences(whole: Run, part: Run, until: float) -> Iterator[str]:
+    """What a run to `until` does otherwise than the whole one."""
+    end = max(until - LAST, 0.0)
+    if whole.time > until and not until <= part.time <= until + STATEMENTS * part.machine.instruction_time:
+        yield f"prefix: to {until!r} s: it ends at {part.time!r} s"
+    for name, known, found in (
+        ("events", list(_events(whole, end)), list(_events(part, end))),
+        ("prints", list(_prints(whole, end)), list(_prints(part, end))),
+        ("waits", list(_waits(whole, end)), list(_waits(part, end))),
+        ("moves", list(_moves(whole, end)), list(_moves(part, end))),
+    ):
+        first = next((k for k, (a, b) in enumerate(zip(known, found, strict=False)) if a != b), None)
+        if first is not None or len(known) != len(found):
+            told = (known[first], found[first]) if first is not None else (len(known), len(found))
+            yield f"prefix: to {until!r} s: {name}: {told[0]} without, {told[1]} with an end"
+    for number, axis in whole.controller.axes.items():
+        tracks = WholeTrack(axis), WholeTrack(part.controller.axes[number])
+        for k in range(LOOKS):
+            time = end * k / (LOOKS - 1)
+            here, there = (_position(track, time) for track in tracks)
+            if here != there:
+                yield f"prefix: to {until!r} s: axis {number} is at {here!r} and {there!r} at {time!r} s"
+                break
+
+
+def _position(track: WholeTrack, time: float) -> float:
+    place = track.place(time)
+    return track.profiles[place].position(time - track.starts[place])
+
+
+def _events(result: Run, end: float) -> Iterator[object]:
+    return (each for each in result.controller.log.events if each.time < end)
+
+
+def _prints(result: Run, end: float) -> Iterator[object]:
+    return (each for each in result.controller.log.prints if each.time < end)
+
+
+def _waits(result: Run, end: float) -> Iterator[object]:
+    return (each for each in result.controller.log.waits if each.until < end)
+
+
+def _moves(result: Run, end: float) -> Iterator[object]:
+    """The entries as they began, to a millionth of a count: a path that goes on writes its own anew."""
+    for move in result.controller.log.moves:
+        if move.start_time < end:
+            assert move.profile is not None
+            begin = round(move.profile.start, 6)
+            yield (move.axis, move.command, move.line, move.start_time, begin, move.scale)
