@@ -377,3 +377,12 @@ def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> Non
     assert offset is not None
     assert offset.duration > 100.0
     assert [offset.position(time) for time in (0.1, 0.2, 0.6)] == pytest.approx([0.5, 1.0, 1.0])
+
+
+def test_a_path_that_a_stop_comes_too_late_for_ends_as_it_was_planned() -> None:
+    """51 at 20 with 100; with 2.5 left a stop at 50 would need 4, and at S-ramps with a jerk of 1000 it needs 3."""
+    lines = "VECTORR(0, 1) = 51, 0\nGO(0)\nPAUSE POS(0) > 48.5\n"
+    for late in ("DECEL(0) = 50", "PROFILEMODE(0) = 1 : DECELJERK(0) = 1000"):
+        result = proved(f"{RATES}{lines}{late}\nSTOP(0)\nPAUSE IDLE(0)\n")
+        assert places(result, 0) == [51.0]
+        assert result.time == pytest.approx(51.0 / 20.0 + 0.2, abs=1e-6)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.record.due import law, lead
 from motionlang.controller.record.judge import SLACK
-from motionlang.controller.record.judge_paths import judge_tail
+from motionlang.controller.record.judge_paths import Way, _along, _gentlest, _least, judge_tail
 
 if TYPE_CHECKING:
     from motionlang.controller.record.judge import Proof, Run
@@ -37,6 +37,9 @@ def _judge_setting(
     if order.path is not None and wanted.path is not None:
         if order.path.rests or order.path.entry != wanted.path.entry:
             return
+        other = (order.shape, order.rates, order.jerks) != (wanted.shape, wanted.rates, wanted.jerks)
+        if wanted.path.rests and other and not _stops_within(run, wanted, time):
+            return  # by the settings of now it would stop behind its end, where it comes to rest as planned
         # Only what is lower: a path may keep its speed where it could not stop at its end otherwise.
         most = tuple(map(min, order.path.most, wanted.path.most))
         lower = order._replace(
@@ -65,3 +68,23 @@ def _judge_setting(
             proof.breaks(
                 order.line, f"{where}: {words}, ordered are {wanted.rates[0]:g} and {wanted.rates[1]:g}"
             )
+
+
+def _stops_within(run: Run, wanted: Order, time: float) -> bool:
+    """Whether a path could stop before its end, or the end of those that it goes on into, by an order given then."""
+    path = wanted.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    way, gone = Way(path, [profile.start for profile in profiles]), time - path.begun
+    along = _along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
+    if not along:
+        return True
+    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    left, before = last[0] - first[0], way
+    for each in path.ahead:
+        assert each.path is not None
+        before = Way(each.path, before.ends)
+        left += before.length
+    by = _least(wanted, way)[1]
+    by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))
+    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] < left
