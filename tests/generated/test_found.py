@@ -386,3 +386,14 @@ def test_a_path_that_a_stop_comes_too_late_for_ends_as_it_was_planned() -> None:
         result = proved(f"{RATES}{lines}{late}\nSTOP(0)\nPAUSE IDLE(0)\n")
         assert places(result, 0) == [51.0]
         assert result.time == pytest.approx(51.0 / 20.0 + 0.2, abs=1e-6)
+
+
+def test_a_hard_stop_of_a_path_keeps_the_limits_of_its_axes_unless_it_is_a_fault() -> None:
+    """From 20 at a MAXDECEL of 200 for 4/5 of the path it takes 20/250 s; a fault stops at ERRORDECEL in 20²/2000."""
+    path = "ERRORDECEL(0) = 1000 : MAXDECEL(1) = 200 : STOPMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\n"
+    stopped = proved(f"{RATES}{path}WAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n")
+    assert stopped.time == pytest.approx(1.0 + 20.0 / 250.0, abs=1e-6)
+    limit = "SOFTLIMITMODE(1) = 3 : SOFTLIMITREVERSE(1) = -9 : SOFTLIMITFORWARD(1) = 16\n"
+    ended = "PAUSE IDLE(0)\nEnd\nEvent ONERROR\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n"
+    at_fault = proved(f"{RATES}{limit}{path}{ended}")
+    assert places(at_fault, 0, 1) == pytest.approx([0.6 * 20.2, 0.8 * 20.2])

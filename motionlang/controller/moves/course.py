@@ -301,9 +301,9 @@ class Course:
             goal = action
         return stretches, goal
 
-    def stopped(self, decel: float | None) -> Profile | None:
-        """To rest as soon as it can, at `decel` or as hard as the paths allow; None where its plan does not change."""
-        profile = self.braking(self.elapsed, decel)
+    def stopped(self, decel: float | None, beyond: bool = False) -> Profile | None:
+        """To rest as soon as it can, by `braking`; None where its plan does not change."""
+        profile = self.braking(self.elapsed, decel, beyond)
         if profile is None and self.profile.duration == INFINITY:
             # What was to stand at the end until it is resumed ends there.
             rest = self.profile.after(self.elapsed)
@@ -315,12 +315,14 @@ class Course:
         profile = self.braking(time)
         return None if profile is None else halted(profile, "suspend")
 
-    def braking(self, time: float, decel: float | None = None, first: int = 0) -> Profile | None:
-        """To rest from what the present profile does at `time`, at `decel` or as hard as the paths it takes allow.
+    def braking(
+        self, time: float, decel: float | None = None, beyond: bool = False, first: int = 0
+    ) -> Profile | None:
+        """To rest from what the present profile does at `time`, at `decel` or that of the paths it takes.
 
-        The profile is on path number `first` then. A stop that would come into a path ahead faster than that allows
-        begins there, since the present plan brakes harder before it. None where the paths end before, which the course
-        brakes for by itself.
+        The limits of the axes hold for both, unless it goes `beyond` them, as in a fault. The profile is on path number
+        `first` then. A stop that would come into a path ahead faster than that allows begins there, since the present
+        plan brakes harder before it. None where the paths end before, which the course brakes for by itself.
         """
         if self.profile.velocity(time) <= 0.0:
             return hold(self.profile.position(time)).cut(0.0)
@@ -328,8 +330,9 @@ class Course:
         room, most = total(segment.length for _, segment in paths[:first]), INFINITY
         for k, (action, segment) in enumerate(paths[first:], first):
             pace = action.pace(self._controller, segment)
-            place, room, most = room, room + segment.length, min(most, pace.decel)
-            rates = decel or most, pace.ramp, pace.accel_jerk, pace.decel_jerk
+            limit = pace.decel if decel is None else INFINITY if beyond else action.max_decel(segment)
+            place, room, most = room, room + segment.length, min(most, limit)
+            rates = min(decel or most, most), pace.ramp, pace.accel_jerk, pace.decel_jerk
             try:
                 stop = stop_under_way(self.profile, time, pace.shape, *rates)
             except ValueError as problem:
@@ -337,7 +340,7 @@ class Course:
             if k > first and _speed_at(stop, place) > pace.speed * (1.0 + SLACK):
                 due = self.profile.crossing(place, time)
                 if due is not None and _speed_at(stop, place) > self.profile.velocity(due) * (1.0 + SLACK):
-                    later = self.braking(due, decel, k)
+                    later = self.braking(due, decel, beyond, k)
                     return None if later is None else self.profile.cut(due).after(time).then(later)
             if stop.extrema()[1] <= room:
                 return stop

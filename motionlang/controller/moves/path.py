@@ -5,6 +5,7 @@ The first axis of a path is its master: its speed and rates are those of the pat
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
@@ -86,12 +87,7 @@ class PathMove(Action):
         accel, decel = controller.rates(master, speed)
         if move.rates is not None:
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
-        most = limits(
-            segment,
-            [a.max_speed for a in self.axes],
-            [a.max_accel for a in self.axes],
-            [a.max_decel for a in self.axes],
-        )
+        most = self._limits(segment)
         factor = master.override if move.overridden else 1.0
         return Pace(
             master.shape,
@@ -102,6 +98,15 @@ class PathMove(Action):
             master.accel_jerk / k,
             master.decel_jerk / k,
         )
+
+    def max_decel(self, segment: Segment) -> float:
+        """The deceleration along the path up to which its axes keep their limits."""
+        return INFINITY if self.guide is not None else self._limits(segment)[2]
+
+    def _limits(self, segment: Segment) -> tuple[float, float, float]:
+        axes = self.axes
+        speeds, accels = [a.max_speed for a in axes], [a.max_accel for a in axes]
+        return limits(segment, speeds, accels, [a.max_decel for a in axes])
 
     # -- as an entry of the buffer
 

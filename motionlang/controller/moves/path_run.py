@@ -118,7 +118,7 @@ class PathRun:
         self._cancel_blend()
         plans: list[Plan] = []
         for course in self._live:
-            profile = course.stopped(decel)
+            profile = course.stopped(decel, beyond=ended == "fault")
             if profile is not None:
                 plans.append((course, profile, None))
             else:

@@ -430,8 +430,10 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         pace = guide.pace()
         shape, k, ramp = pace.shape, 1.0, pace.ramp
         speed, rates, jerks = pace.speed, (pace.accel, pace.decel), ENDLESS
+    most_decel = tuple(each.max_decel for each in axes)
     if guide is None and run is not None and run.ended and run.hard:
         rates = rates[0], master.error_decel
+        most_decel = (INFINITY,) * len(axes) if run.ended == "fault" else most_decel
     rests = any(each.suspended for each in axes) or (run is not None and run.ended != "")
     geometry = action.geometry
     straight = isinstance(geometry, Line)
@@ -447,7 +449,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         length=geometry.length,
         most=tuple(each.max_speed for each in axes),
         most_accel=tuple(each.max_accel for each in axes),
-        most_decel=tuple(each.max_decel for each in axes),
+        most_decel=most_decel,
         angle_into=0.0,
         rests=rests,
         ahead=_ahead(action) if rests else (),
