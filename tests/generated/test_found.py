@@ -397,3 +397,12 @@ def test_a_hard_stop_of_a_path_keeps_the_limits_of_its_axes_unless_it_is_a_fault
     ended = "PAUSE IDLE(0)\nEnd\nEvent ONERROR\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n"
     at_fault = proved(f"{RATES}{limit}{path}{ended}")
     assert places(at_fault, 0, 1) == pytest.approx([0.6 * 20.2, 0.8 * 20.2])
+
+
+def test_two_blended_paths_may_both_stop_at_a_deceleration_that_was_just_lowered() -> None:
+    """The first 50 have 5 left after 0.2 + 43/20 s; 10 ms later it stops from 20 at 50, which takes 4 of the 4.8."""
+    modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+    paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 2360\nDECEL(0) = 50\nSTOP(0)\n"
+    result = proved(f"{RATES}{modes}{paths}PAUSE IDLE(0)\n")
+    assert result.time == pytest.approx(2.36 + 20.0 / 50.0, abs=1e-6)
+    assert places(result, 0, 1) == pytest.approx([49.2, 0.005 + 0.01], abs=1e-6)

@@ -193,7 +193,9 @@ class Orders:
                 del running[each]
                 continue
             order = _path(each, move, self._nth[each], self._entries[move][1])
-            running[each] = _gentler(order, before, rests)
+            assert order.path is not None
+            order = order._replace(path=order.path._replace(rests=order.path.rests or rests))
+            running[each] = order if self._is_planned_now(each) else _gentler(order, before)
             found.append(running[each])
         return tuple(found)
 
@@ -213,7 +215,7 @@ class Orders:
         order, run = _path(action, move, self._nth[action], entry), action.run
         assert order.path is not None
         planned = self._plans.get(action)
-        if run is None or planned is None or run.present.planned_at == self._controller.clock.now:
+        if run is None or planned is None or self._is_planned_now(action):
             self._plans[action] = order
             for each in _paths_ahead(action):
                 self._plans[each] = _path(each, each.moves[0], 0, -1, run)
@@ -222,6 +224,11 @@ class Orders:
         path = order.path._replace(most_accel=planned.path.most_accel, most_decel=planned.path.most_decel)
         order = order._replace(rates=planned.rates, jerks=planned.jerks, path=path)
         return order._replace(shape=planned.shape, ramp=planned.ramp)
+
+    def _is_planned_now(self, action: PathMove) -> bool:
+        """Whether a path under way has just been planned."""
+        courses = () if action.run is None else action.run.courses
+        return any(each.here is action and each.planned_at == self._controller.clock.now for each in courses)
 
     def displace(self, action: PathMove) -> None:
         """A path has begun elsewhere, since the one that it is blended with was cut short: its orders go with it."""
@@ -329,19 +336,21 @@ def _angle_through(action: PathMove) -> float:
     return master.contour_angle if master.contour_mode else 0.0
 
 
-def _gentler(order: Order, before: Order, rests: bool) -> Order:
-    """What is ordered now for a path that another one is on top of; a rate that came too late for it still counts."""
+def _gentler(order: Order, before: Order) -> Order:
+    """What is ordered now for a path that another one is on top of and that goes on by the plan that it had.
+
+    New rates may have come too late for it, and another shape counts from its next plan on.
+    """
     path, old = order.path, before.path
     assert path is not None
     assert old is not None
     path = path._replace(
-        rests=path.rests or rests,
         most_accel=tuple(map(max, path.most_accel, old.most_accel)),
         most_decel=tuple(map(max, path.most_decel, old.most_decel)),
     )
     rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
-    jerks = max(order.jerks[0], before.jerks[0]), max(order.jerks[1], before.jerks[1])
-    return order._replace(rates=rates, jerks=jerks, path=path)
+    order = order._replace(rates=rates, jerks=before.jerks, path=path)
+    return order._replace(shape=before.shape, ramp=before.ramp)
 
 
 def _order(a: Axis) -> Order:
