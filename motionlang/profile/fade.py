@@ -18,8 +18,9 @@ if TYPE_CHECKING:
     # Stretches of constant jerk in a row: the jerk and the time of each.
     Steps = tuple[tuple[float, float], ...]
 
-# A velocity counts as zero that is smaller than this part of the one that a whole ramp passes in easing out.
-NOTHING = 1e-12
+# A velocity counts as zero that is smaller than this part of the one that a whole ramp passes in easing out, unless
+# it is more than this share of what is to be taken back: a ramp that has hardly begun is no rounding.
+NOTHING, HARDLY = 1e-12, 0.5
 
 
 class Bounds:
@@ -44,7 +45,8 @@ def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]
         return ((-bounds.accel_jerk, a0 / bounds.accel_jerk),), eased
     jerk = bounds.decel_jerk
     eased = v0 - 0.5 * a0 * a0 / jerk
-    if abs(eased - v1) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0):
+    left = eased - v1
+    if abs(left) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0) and left <= HARDLY * abs(v0 - v1):
         return ((jerk, -a0 / jerk),), v1
     if v1 < eased:
         return tuple((-j, t) for j, t in _ramp(v0 - v1, -a0, bounds.decel, jerk)), v1

@@ -7,7 +7,7 @@ from math import cbrt, inf, sqrt
 from motionlang.profile.approach import Ramps, approach, is_rounding
 from motionlang.profile.bent import Bent, bent_approach
 from motionlang.profile.curve import Profile
-from motionlang.profile.fade import NOTHING, Bounds
+from motionlang.profile.fade import HARDLY, NOTHING, Bounds
 from motionlang.profile.limits import LARGEST, SMALLEST, STILL, check_finite, check_positive, too_large
 from motionlang.profile.pieces import position_in
 from motionlang.profile.ramps import FALLING, ramp_distance
@@ -195,7 +195,7 @@ def _back(
     elif b < 0.0:
         time = -b / decel_jerk
         after, way = u + 0.5 * b * time, (u + b * time / 3.0) * time
-        if abs(after) <= NOTHING * (decel * decel / decel_jerk + u):
+        if abs(after) <= NOTHING * (decel * decel / decel_jerk + u) and after <= HARDLY * u:
             after = 0.0
         if after <= 0.0:
             steps = ((decel_jerk, time),)

@@ -206,3 +206,17 @@ def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
         assert made.duration >= 0.0
         assert course is not None
         assert course.duration >= 0.0
+
+
+def test_a_stop_that_has_hardly_begun_takes_its_own_time_whatever_its_velocity() -> None:
+    """From v without an acceleration it takes 2 sqrt(v/j), and from a nanosecond later on a nanosecond less.
+
+    A velocity of 1e-9 is a trillionth of what a ramp to 100 000 passes in easing out, and was dropped as rounding.
+    """
+    for velocity in (1e-3, 1e-9, 1e-11):
+        whole = 2.0 * math.sqrt(velocity / 1e6)
+        begun = velocity - 0.5 * 1e6 * 1e-18
+        made = plan_stop("scurve", 0.0, begun, 1e5, 0.0, 1e6, -1e-3)
+        assert made.duration == pytest.approx(whole - 1e-9, rel=1e-6)
+        back = plan("scurve", 0.0, -1.0, 10.0, 1e5, 1e5, begun, 0.0, 1e6, 1e6, -1e-3)
+        assert back.phases[0].duration == pytest.approx(whole - 1e-9, rel=1e-6)
