@@ -10,13 +10,13 @@ from motionlang import run
 from motionlang.result import Run
 from motionlang.source import Source
 
-FINE = {"controller.instruction_time": 1e-9}
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 
 
-def proved(program: str, suffix: str = "mnt", until: float = 20.0) -> Run:
-    """A run without a diagnostic, whose proof holds."""
-    result = run(Source(f"found.{suffix}", program), machine=FINE, cache=False, prove=True, until=until)
+def proved(program: str, suffix: str = "mnt", until: float = 20.0, statement: float = 1e-9) -> Run:
+    """A run without a diagnostic, whose proof holds; a `statement` takes that many seconds."""
+    machine = {"controller.instruction_time": statement}
+    result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=until)
     assert [each.message for each in result.diagnostics] == []
     assert [each.message for each in result.proof().violations] == []
     return result
@@ -406,3 +406,23 @@ def test_two_blended_paths_may_both_stop_at_a_deceleration_that_was_just_lowered
     result = proved(f"{RATES}{modes}{paths}PAUSE IDLE(0)\n")
     assert result.time == pytest.approx(2.36 + 20.0 / 50.0, abs=1e-6)
     assert places(result, 0, 1) == pytest.approx([49.2, 0.005 + 0.01], abs=1e-6)
+
+
+def test_a_stop_that_takes_less_than_the_clock_can_tell_has_ended_at_once() -> None:
+    """After 10 µs of a jerk the master is at 1e-13 of the 4 of the shear: its slave stops from 4e-20 in 4e-23 s."""
+    master = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 434\nMASTERDISTANCE(1) = 4 : FLY(1) = 8\n"
+    result = proved(f"{master}JOG(0) = 40\nGO(1)\nVELREF(1) = 0\nWAIT = 100\nCANCEL(0)\n", statement=1e-5)
+    stop = result.controller.log.moves[-1].profile
+    assert stop is not None
+    assert 0.0 < stop.duration < 1e-20
+
+
+def test_a_jog_may_take_over_a_last_digit_before_a_move_ends() -> None:
+    """MR leads to -5e-8 in 10 µs; MP takes it back in another 10 and from there to 0 in 20, when GO takes over.
+
+    The jog begins with what the rounding of the clock leaves of that move.
+    """
+    program = "WA0.1\n1MN\n1SA1000,1DS1000\nWA0.1\nNO\n1LP1,1MR-1,1MP1\n1VM,1DI1,1GO,WA1\n1AB\n"
+    _, back, jog, *_ = proved(program, "mcl", statement=1e-5).controller.log.moves
+    assert back.ended == "retarget"
+    assert jog.start_time == pytest.approx(back.start_time + 3e-5, abs=1e-12)

@@ -34,9 +34,9 @@ class Ends:
     """How the entries of one axis end: `going` are those that end after the run, `last` is the one begun last.
 
     `until` is the latest end of all, and `place` the number of the profile of the track that comes behind it. `begun`
-    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time. `said`
-    are the stops, time and word, that an entry says it was ended by; `unsaid` are those at the edge of an entry that
-    says nothing of it, with its line and the message: one of its neighbours has to.
+    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time by the
+    clock. `said` are the stops, time and word, that an entry says it was ended by; `unsaid` are those at the edge of an
+    entry that says nothing of it, with its line and the message: one of its neighbours has to.
     """
 
     __slots__ = ("begun", "going", "last", "place", "said", "stood", "unsaid", "until")
@@ -75,7 +75,7 @@ def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
     order, scale = run.order_of(move), run.orders.scale(move.axis, start)
     if order.kind != "rest" and move.line not in _lines(run, a, start):
         proof.breaks(move.line, f"{where}: it is ordered by line {order.line}")
-    if not profile.duration:
+    if profile.duration <= late:
         found.stood.add(start)
     elif start in found.begun:
         found.begun.remove(start)
@@ -134,7 +134,7 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     stops = orders.stopped(a.index, start - late, end + late)
     i = _last(a, start, end)
     last, over = orders.of[a.index][i], run.span(a, i)[1]
-    if move.profile.duration and last.kind != "path" and abs(over - end) > late:
+    if move.profile.duration > late and last.kind != "path" and abs(over - end) > late:
         proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
     if move.ended == CONTINUED and len(move.profile.knots) <= MOST_PIECES:
         proof.breaks(move.line, f"{where}: it is said to go on as another entry, and has room")
@@ -175,7 +175,11 @@ def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool
         gone = position(run.track(order.tie.master), end) - order.tie.origin
         length = order.tie.table[0][-1]
         return abs(gone * order.tie.direction - length) <= SLACK * max(1.0, length)
-    return order.kind not in ("jog", "stop") and a.starts[i] + a.profiles[i].duration <= end + late
+    if order.kind in ("jog", "stop"):
+        return False
+    # The clock has no rounding: what takes over a last digit before the end has replaced it.
+    over = a.starts[i + 1] if i + 1 < len(a.starts) else end + late
+    return a.starts[i] + a.profiles[i].duration <= (over if abs(over - end) <= late else end + late)
 
 
 def _order_before(run: Run, a: WholeTrack, time: float) -> Order:
