@@ -1,7 +1,9 @@
 """`python -m tests.generated [COUNT] [--seed N] [--jobs N] [--into FOLDER]`: run generated programs with their checks.
 
-Takes the seeds N, N + 1 and so on, and prints each finding with its seed. `--into` writes the programs that led to a
-finding to a folder, each with its machine file. `--show SEED` prints one program and its machine file instead.
+Takes the seeds N, N + 1 and so on, and prints each finding with its seed. `--family words` runs programs of every word
+of both languages instead of those of motion. `--into` writes the programs that led to a finding to a folder, each with
+its machine file. `--show SEED` prints one program and its machine file instead, `--words` how often the programs of the
+seeds have each simulated word, those that none has with the reason.
 """
 
 from __future__ import annotations
@@ -10,17 +12,35 @@ import argparse
 import sys
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from tests.generated.checks import findings
-from tests.generated.motion import generate
+from tests.generated.motion import FAMILIES, generate
+from tests.generated.words import NEVER, simulated, words
 
 # Seeds that one process takes at a time.
 BATCH = 50
 
 
-def _checked(seeds: range) -> list[tuple[int, list[str]]]:
-    return [(seed, findings(generate(seed))) for seed in seeds]
+def _checked(seeds: range, family: str) -> list[tuple[int, list[str]]]:
+    return [(seed, findings(generate(seed, family))) for seed in seeds]
+
+
+def tell_words(seeds: range, family: str) -> int:
+    """Print how many programs have each simulated word; 1 if none has a word and no reason is given."""
+    drawn: dict[str, Counter[str]] = {language: Counter() for language in NEVER}
+    for seed in seeds:
+        program = generate(seed, family)
+        drawn[program.language].update(words(program.language, program.text))
+    unexplained = 0
+    for language, reasons in NEVER.items():
+        names = sorted(simulated(language), key=lambda name: (drawn[language][name], name))
+        for name in names:
+            reason = reasons.get(name, "no reason") if not drawn[language][name] else ""
+            print(f"{language} {name:<24} {drawn[language][name]:>7}  {reason}".rstrip())
+            unexplained += reason == "no reason"
+    return 1 if unexplained else 0
 
 
 def main(arguments: list[str]) -> int:
@@ -31,23 +51,32 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--into", type=Path)
     parser.add_argument("--show", type=int)
+    parser.add_argument("--family", choices=FAMILIES, default="motion")
+    parser.add_argument("--words", action="store_true")
     given = parser.parse_args(arguments)
     if given.show is not None:
-        program = generate(given.show)
+        program = generate(given.show, given.family)
         print(program.text, program.machine_file, sep="")
         return 0
+    if given.words:
+        return tell_words(range(given.seed, given.seed + given.count), given.family)
     end, bad = given.seed + given.count, Counter[str]()
     batches = [range(first, min(first + BATCH, end)) for first in range(given.seed, end, BATCH)]
     with ProcessPoolExecutor(given.jobs) as pool:
-        for batch in pool.map(_checked, batches):
+        for batch in pool.map(partial(_checked, family=given.family), batches):
             for seed, found in batch:
                 if not found:
                     continue
                 bad[found[0].partition(":")[0]] += 1
-                print(f"seed {seed}: {generate(seed).language}", *found[:4], sep="\n  ", flush=True)
+                print(
+                    f"seed {seed}: {generate(seed, given.family).language}",
+                    *found[:4],
+                    sep="\n  ",
+                    flush=True,
+                )
                 if given.into is not None:
                     given.into.mkdir(parents=True, exist_ok=True)
-                    program = generate(seed)
+                    program = generate(seed, given.family)
                     (given.into / program.name).write_text(program.text, encoding="utf-8")
                     machine = (given.into / program.name).with_suffix(".machine.toml")
                     machine.write_text(program.machine_file, encoding="utf-8")

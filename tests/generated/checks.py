@@ -48,6 +48,8 @@ def findings(program: Generated) -> list[str]:
 
 def _findings(program: Generated) -> Iterator[str]:
     first = _run(program)
+    if first.program is None:  # the generator discards nothing: what it writes is grammatical
+        yield from (f"grammar: {each.line}: {each.message}" for each in first.diagnostics)
     text = _report(first)
     report = json.loads(text)
     yield from proved(first)

@@ -6,7 +6,7 @@ from tests.generated.draw import Draw
 
 AXES = (1, 2, 3)
 # What a program does, by how often; each is a method of `McclProgram`.
-_ACTIONS = {
+ACTIONS = {
     "move": 16, "velocity": 8, "contour": 6, "slave": 5, "stop": 10, "speed": 16, "shape": 8, "wait": 20, "rest": 10,
     "limit": 5, "zero": 4, "jog": 2, "switch": 2, "points": 2, "backlash": 3, "units": 1, "override": 4, "search": 2,
     "macro": 2, "task": 2, "repeat": 2, "stepper": 1, "one_line": 6,
@@ -15,6 +15,8 @@ _ACTIONS = {
 
 class McclProgram:
     """One program, drawn action by action; a line of it is a list of commands."""
+
+    actions = ACTIONS
 
     def __init__(self, draw: Draw) -> None:
         self.draw = draw
@@ -38,7 +40,7 @@ class McclProgram:
         return "\n".join(self.lines) + "\n"
 
     def _action(self) -> list[str]:
-        commands: list[str] = getattr(self, f"_{self.draw.pick(_ACTIONS)}")()
+        commands: list[str] = getattr(self, f"_{self.draw.pick(self.actions)}")()
         return commands
 
     def _of(self, *names: str) -> list[str]:

@@ -12,7 +12,7 @@ Dim speeds(5) As Float = 4, 100, 60, 0, 0
 Dim spans(5) As Float = 4, 200, 100, 200, 100
 Dim k As Integer, faults As Integer"""
 # What a program does, by how often; each is a method of `MintProgram`.
-_ACTIONS = {
+ACTIONS = {
     "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "blended": 4, "retarget": 4, "jog": 5, "follow": 6,
     "cam": 5, "fly": 3, "spline": 5, "offset": 3, "home": 2, "reference": 3, "stop": 8, "suspend": 5, "speed": 10,
     "setting": 8, "limit": 5, "zero": 4, "scale": 1, "drive": 2, "wait": 14, "rest": 8, "loop": 2, "dwell": 2,
@@ -28,6 +28,8 @@ _LIMITS = ("SOFTLIMITFORWARD", "SOFTLIMITREVERSE", "SOFTLIMITMODE", "LIMITMODE",
 
 class MintProgram:
     """One program, drawn action by action."""
+
+    actions = ACTIONS
 
     def __init__(self, draw: Draw) -> None:
         self.draw, self.lines = draw, _TABLES.split("\n")
@@ -98,7 +100,7 @@ class MintProgram:
         return [f"  {line}" for line in lines]
 
     def _action(self) -> list[str]:
-        lines: list[str] = getattr(self, f"_{self.draw.pick(_ACTIONS)}")()
+        lines: list[str] = getattr(self, f"_{self.draw.pick(self.actions)}")()
         if self.draw.chance(0.15):
             lines = [f"If IDLE({self._axis()}) Then", *self._indented(lines), "End If"]
         return lines

@@ -11,9 +11,15 @@ from typing import NamedTuple
 from tests.generated.draw import Draw
 from tests.generated.mccl_motion import McclProgram
 from tests.generated.mint_motion import MintProgram
+from tests.generated.words import McclWords, MintWords
 
 # Machine seconds after which a program that has not ended is cut off.
 UNTIL = 20.0
+# What programs are made of, and what makes them, by language: motion alone, or every word of a language.
+FAMILIES: dict[str, dict[str, type[MintProgram | McclProgram]]] = {
+    "motion": {"mint": MintProgram, "mccl": McclProgram},
+    "words": {"mint": MintWords, "mccl": McclWords},
+}
 SUFFIX = {"mint": ".mnt", "mccl": ".mcl"}
 
 
@@ -24,11 +30,12 @@ class Generated(NamedTuple):
     language: str
     text: str
     machine: dict[str, object]
+    family: str = "motion"
 
     @property
     def name(self) -> str:
         """Its file name."""
-        return f"motion-{self.seed}{SUFFIX[self.language]}"
+        return f"{self.family}-{self.seed}{SUFFIX[self.language]}"
 
     @property
     def machine_file(self) -> str:
@@ -36,8 +43,8 @@ class Generated(NamedTuple):
         return "".join(f"{key} = {value}\n" for key, value in self.machine.items())
 
 
-def generate(seed: int) -> Generated:
-    """The program of a seed: two in three are Mint."""
+def generate(seed: int, family: str = "motion") -> Generated:
+    """The program of a seed, of one of `FAMILIES`: two in three are Mint."""
     draw = Draw(seed)
     language = "mccl" if draw.chance(1 / 3) else "mint"
     machine: dict[str, object] = {}
@@ -51,5 +58,4 @@ def generate(seed: int) -> Generated:
             machine[f"axis.{axis}.index_every"] = 12.0 * scale
             if draw.chance(0.4):
                 machine[f"axis.{axis}.travel"] = [-70.0 * scale, 70.0 * scale]
-    text = (McclProgram if language == "mccl" else MintProgram)(draw).text
-    return Generated(seed, language, text, machine)
+    return Generated(seed, language, FAMILIES[family][language](draw).text, machine, family)

@@ -1,0 +1,120 @@
+"""Programs of every word of both languages: motion, and in the midst of it the examples of rows, varied.
+
+Each row of the vocabulary has an example that runs. A program takes some of them, with other axes and other values
+within the range of the row, between the actions of the programs of motion. An example that declares or defines
+something ends its program, as two of them might define the same.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+from motionlang.lang.keyword import Keyword
+from tests.generated.draw import table
+from tests.generated.mccl_motion import ACTIONS as MCCL_ACTIONS
+from tests.generated.mccl_motion import McclProgram
+from tests.generated.mint_motion import ACTIONS as MINT_ACTIONS
+from tests.generated.mint_motion import AXES, MintProgram
+
+_DECLARES = re.compile(
+    r"(?im)^\s*(dim|const|define|sub|task|event|function|type|end|goto|gosub)\b|\bdim\b|:$|^\w+:"
+)
+_SETTING = re.compile(r"^(\w+)\((\d)\) = (-?[\d.]+)$")
+_WORD = {"mint": re.compile(r"[A-Za-z_]\w*"), "mccl": re.compile(r"[A-Z]{2}")}
+_TEXT = re.compile(r"\"[^\"]*\"|'.*")
+# Names that the programs of motion declare.
+_TAKEN = re.compile(r"\b(rise|ways|small|speeds|spans|k|faults)\b")
+
+# Simulated words that no program has, with the reason.
+NEVER: dict[str, dict[str, str]] = {
+    "mint": {
+        "Controller": "told as not simulated where it is used: no source says what a variable of the type does"
+    },
+    "mccl": {},
+}
+
+
+@cache
+def _spelled(language: str) -> dict[str, str]:
+    """The name of a row by its spellings, in lower case."""
+    rows = table(language).values()
+    return {spelling.lower(): row.name for row in rows for spelling in (row.name, row.short) if spelling}
+
+
+def words(language: str, text: str) -> set[str]:
+    """The names of the rows whose words a program has."""
+    found = _WORD[language].findall(_TEXT.sub("", text))
+    return {_spelled(language)[word.lower()] for word in found if word.lower() in _spelled(language)}
+
+
+def simulated(language: str) -> set[str]:
+    """The names of the simulated rows."""
+    return {row.name for row in table(language).values() if row.simulated}
+
+
+@cache
+def examples(language: str) -> tuple[Keyword, ...]:
+    """The simulated rows that have an example."""
+    return tuple(row for row in table(language).values() if row.simulated and row.example)
+
+
+@cache
+def _readings() -> tuple[str, ...]:
+    rows = table("mint").values()
+    return tuple(row.name for row in rows if row.simulated and row.index == "axis" and "R" in row.access)
+
+
+class MintWords(MintProgram):
+    """A Mint program with examples."""
+
+    actions = MINT_ACTIONS | {"word": 60, "reading": 15}
+
+    def _word(self) -> list[str]:
+        row = self._row(declares=False)
+        axis = str(self.draw.choice(AXES))
+        lines = row.example.split("\n")
+        if row.index == "axis" and not re.search(r"\(\d, ?\d|\([1-9]\)", row.example):
+            lines = [line.replace("(0)", f"({axis})") for line in lines]
+        return [self._varied(line) for line in lines]
+
+    def _row(self, declares: bool) -> Keyword:
+        rows = [row for row in examples("mint") if bool(_DECLARES.search(row.example)) == declares]
+        return self.draw.choice(rows)
+
+    def _varied(self, line: str) -> str:
+        """The line with another value of its setting, most of the time."""
+        found = _SETTING.match(line)
+        row = table("mint").get(found[1]) if found is not None else None
+        if found is None or row is None or self.draw.chance(0.3):
+            return line
+        return f"{found[1]}({found[2]}) = {self.draw.value(row)}"
+
+    def _reading(self) -> list[str]:
+        names = [self.draw.choice(_readings()) for _ in range(self.draw.randrange(1, 4))]
+        return ["PRINT " + ', " ", '.join(f"{name}({self._axis()})" for name in names)]
+
+    def _end(self) -> None:
+        if self.draw.chance(0.6):
+            super()._end()
+            return
+        example = _TAKEN.sub(r"\1_", self._row(declares=True).example)
+        self.lines += example.split("\n")
+
+
+class McclWords(McclProgram):
+    """An MCCL program with examples."""
+
+    actions = MCCL_ACTIONS | {"word": 90}
+
+    def _action(self) -> list[str]:
+        kind = self.draw.pick(self.actions)
+        if kind != "word":
+            commands: list[str] = getattr(self, f"_{kind}")()
+            return commands
+        row = self.draw.choice(examples("mccl"))
+        axis = str(self._axis())
+        example = row.example
+        if row.index != "none" and "2" not in example:
+            example = re.sub(r"\b1(?=[A-Z]{2})", axis, example)
+        return [example]
