@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import chain
 
 from motionlang import __version__
 from motionlang.cycle.places import Places
@@ -28,9 +29,9 @@ def write_profile(made: TimeProfile, path: str) -> None:
     lower = path.lower()
     pieces: Iterable[str]
     if lower.endswith(".speedscope.json"):
-        pieces = (json.dumps(speedscope(made), indent=1), "\n")
+        pieces = chain(json.JSONEncoder(indent=1).iterencode(speedscope(made)), "\n")
     elif lower.endswith(".trace.json"):
-        pieces = (json.dumps(trace_events(made), indent=1), "\n")
+        pieces = _trace(made)
     else:
         pieces = _report(made)
     with replacing(path) as file:
@@ -64,57 +65,71 @@ def _inner(row: Row) -> str:
     return "\n".join(f"  {line}" for line in json.dumps(row, indent=1).split("\n")[1:])
 
 
-def trace_events(made: TimeProfile) -> Row:
-    """A lane for the chain, one for each task's waits, one for each axis's moves with their phases; microseconds."""
-    run = made.run
-    events: list[Row] = []
+def _trace(made: TimeProfile) -> Iterator[str]:
+    """The trace events as a document, a line each, made one by one as they are written."""
+    separator = '{"traceEvents": [\n'
+    for event in trace_events(made):
+        yield separator + json.dumps(event)
+        separator = ",\n"
+    yield f'\n],\n"otherData": {json.dumps({"version": f"motionlang {__version__}"})}}}\n'
+
+
+def trace_events(made: TimeProfile) -> Iterator[Row]:
+    """Trace events: a lane for the chain, one for each task's waits, one for each axis's moves with their phases.
+
+    Times are microseconds. The name of a lane comes before its first event, and that of the process first of all.
+    """
+    run, places = made.run, Places(made.run)
     lanes: dict[str, int] = {}
-
-    def put(lane: str, name: str, begin: float, end: float, **about: object) -> None:
-        number = lanes.setdefault(lane, len(lanes) + 1)
+    yield {"name": "process_name", "ph": "M", "pid": 1, "args": {"name": run.source.name}}
+    for lane, name, begin, end, about in _stretches(made, places):
+        number = lanes.get(lane)
+        if number is None:
+            number = lanes[lane] = len(lanes) + 1
+            yield {"name": "thread_name", "ph": "M", "pid": 1, "tid": number, "args": {"name": lane}}
         row = {"name": name, "cat": lane.partition(" ")[0], "ph": "X", "pid": 1, "tid": number}
-        events.append(row | {"ts": begin * MICRO, "dur": (end - begin) * MICRO, "args": about})
+        yield row | {"ts": begin * MICRO, "dur": (end - begin) * MICRO, "args": about}
 
-    for link in made.links:
-        name = f"{link.cause}, line {link.place.line}" if link.place.line else link.cause
-        put("chain", name, link.begin, link.end, line=link.place.line, axes=link.axes, task=link.task)
-    places = Places(run)
+
+def _stretches(made: TimeProfile, places: Places) -> Iterator[tuple[str, str, float, float, Row]]:
+    """The lane, the name, the begin and the end of each event, and what else is known of it."""
+    run = made.run
+    for begin, end, (cause, place, task, axes, _) in made.spans():
+        name = f"{cause}, line {place.line}" if place.line else cause
+        yield "chain", name, begin, end, {"line": place.line, "axes": axes, "task": task}
     for task, waits in made.waits().items():
         for wait in waits:
             what = wait.why or f"for {wait.until - wait.since:.6g} s"
-            line = places.of(wait.at, wait.callers).line
-            put(f"task {task}", what, wait.since, wait.until, line=line, cause=wait.cause)
+            about = {"line": places.of(wait.at, wait.callers).line, "cause": wait.cause}
+            yield f"task {task}", what, wait.since, wait.until, about
     for move in run.controller.log.moves:
         if move.profile is None:
             continue
         lane, begin = f"axis {move.axis}", move.start_time
-        put(lane, move.command or "move", begin, min(begin + move.profile.duration, run.time), line=move.line)
+        end = min(begin + move.profile.duration, run.time)
+        yield lane, move.command or "move", begin, end, {"line": move.line}
         for phase in move.profile.phases:
             end = min(begin + phase.duration, run.time)
             if end > begin:
-                put(lane, phase.name, begin, end)
+                yield lane, phase.name, begin, end, {}
             begin = end
-    names = [
-        {"name": "thread_name", "ph": "M", "pid": 1, "tid": number, "args": {"name": lane}}
-        for lane, number in lanes.items()
-    ]
-    return {"traceEvents": names + events, "otherData": {"version": f"motionlang {__version__}"}}
 
 
 def speedscope(made: TimeProfile) -> Row:
     """The chain as weighted stacks: the program, what was called, the line, and what it did."""
     places = Places(made.run)
     frames: dict[tuple[str, int], int] = {}
-    samples, weights = [], []
-    for link in made.links:
-        stack = [(PROGRAM, 0)]
-        for line in link.place.callers:
-            stack += [(places.sub(line) or PROGRAM, 0), (_named(made, line), line)]
-        stack += [(link.place.sub or PROGRAM, 0), (_named(made, link.place.line), link.place.line)]
-        stack.append((link.cause, 0))
-        unique = [frame for k, frame in enumerate(stack) if k == 0 or frame != stack[k - 1]]
-        samples.append([frames.setdefault(frame, len(frames)) for frame in unique])
-        weights.append(link.duration)
+    known: dict[int, list[int]] = {}  # of a span by the identity of what it shares with those that are alike
+    spans = made.spans()
+    for _, _, about in spans:
+        if id(about) not in known:
+            cause, place, *_ = about
+            stack = [(PROGRAM, 0)]
+            for line in place.callers:
+                stack += [(places.sub(line) or PROGRAM, 0), (_named(made, line), line)]
+            stack += [(place.sub or PROGRAM, 0), (_named(made, place.line), place.line), (cause, 0)]
+            unique = [frame for k, frame in enumerate(stack) if k == 0 or frame != stack[k - 1]]
+            known[id(about)] = [frames.setdefault(frame, len(frames)) for frame in unique]
     name = made.run.source.name
     return {
         "$schema": "https://www.speedscope.app/file-format-schema.json",
@@ -133,8 +148,8 @@ def speedscope(made: TimeProfile) -> Row:
                 "unit": "seconds",
                 "startValue": 0.0,
                 "endValue": made.seconds,
-                "samples": samples,
-                "weights": weights,
+                "samples": [known[id(about)] for _, _, about in spans],
+                "weights": [end - begin for begin, end, _ in spans],
             }
         ],
     }

@@ -13,7 +13,7 @@ from motionlang.profile.total import exact_terms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
     from motionlang.controller.record.records import Waited
@@ -55,11 +55,11 @@ class TimeProfile:
         """Whether there is more than the parent task."""
         return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.turns)
 
-    def waits(self) -> dict[str, list[Waited]]:
+    def waits(self) -> dict[str, Iterator[Waited]]:
         """The waits of each task in the order of time, the loops that waited among them."""
         from motionlang.controller.record.records import Waited
 
-        return {name: list(map(Waited._make, told(waits))) for name, waits in self._waits.items()}
+        return {name: map(Waited._make, told(waits)) for name, waits in self._waits.items()}
 
     @property
     def links(self) -> list[Link]:

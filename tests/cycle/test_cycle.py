@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tracemalloc
 from itertools import pairwise
 from math import fsum
 from pathlib import Path
@@ -172,12 +173,36 @@ def test_other_programs_read_it() -> None:
         "Stroke",
         deep[-1],
     ]
-    events = trace_events(made)["traceEvents"]
-    lanes = {event["args"]["name"] for event in events if event["ph"] == "M"}
-    assert lanes == {"chain", "task ParentTask", "axis 0", "axis 1"}
+    events = list(trace_events(made))
+    lanes = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
+    assert lanes == ["chain", "task ParentTask", "axis 0", "axis 1"]
     assert max(event["ts"] + event["dur"] for event in events if event["ph"] == "X") == pytest.approx(
         made.run.time * 1e6
     )
+
+
+@pytest.mark.parametrize("text", ["", PROGRAM])
+def test_the_trace_is_one_document_with_a_line_for_each_event(text: str, tmp_path: Path) -> None:
+    made, path = profiled(text, machine=WORLD), tmp_path / "cycle.trace.json"
+    write_profile(made, str(path))
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert document["traceEvents"] == json.loads(json.dumps(list(trace_events(made))))
+    assert document["traceEvents"][0]["args"] == {"name": "cycle.mnt"}
+    assert document["otherData"]["version"].startswith("motionlang ")
+    assert len(path.read_text(encoding="utf-8").splitlines()) == len(document["traceEvents"]) + 3
+
+
+def test_a_trace_is_written_without_holding_it(tmp_path: Path) -> None:
+    """The spans of the chain take less than the text of all events; events as rows would take ten times as much."""
+    made = profiled("For k = 1 To 500\n  MOVER(0) = 3 : GO(0) : PAUSE IDLE(0)\nNext\n")
+    path = tmp_path / "cycle.trace.json"
+    tracemalloc.start()
+    try:
+        write_profile(made, str(path))
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak < path.stat().st_size
 
 
 @pytest.mark.parametrize(
