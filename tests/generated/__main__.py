@@ -2,8 +2,10 @@
 
 Takes the seeds N, N + 1 and so on, and prints each finding with its seed. `--family words` runs programs of every word
 of both languages instead of those of motion. `--into` writes the programs that led to a finding to a folder, each with
-its machine file. `--show SEED` prints one program and its machine file instead, `--words` how often the programs of the
-seeds have each simulated word, those that none has with the reason.
+its machine file.
+
+`--show SEED` prints one program and its machine file instead, `--shrink SEED` the smallest one that still has its
+finding, and `--words` how often the programs of the seeds have each simulated word, and why some have not.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ from pathlib import Path
 
 from tests.generated.checks import findings
 from tests.generated.motion import FAMILIES, generate
+from tests.generated.shrink import shrunk
 from tests.generated.words import NEVER, simulated, words
 
 # Seeds that one process takes at a time.
@@ -51,11 +54,13 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--into", type=Path)
     parser.add_argument("--show", type=int)
+    parser.add_argument("--shrink", type=int)
     parser.add_argument("--family", choices=FAMILIES, default="motion")
     parser.add_argument("--words", action="store_true")
     given = parser.parse_args(arguments)
-    if given.show is not None:
-        program = generate(given.show, given.family)
+    if given.show is not None or given.shrink is not None:
+        program = generate(given.show if given.shrink is None else given.shrink, given.family)
+        program = program if given.shrink is None else shrunk(program)
         print(program.text, program.machine_file, sep="")
         return 0
     if given.words:
