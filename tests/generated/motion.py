@@ -11,7 +11,7 @@ from typing import NamedTuple
 from tests.generated.draw import Draw
 from tests.generated.mccl_motion import McclProgram
 from tests.generated.mint_motion import MintProgram
-from tests.generated.words import McclWords, MintWords
+from tests.generated.words import McclWords, MintWords, surroundings
 
 # Machine seconds after which a program that has not ended is cut off.
 UNTIL = 20.0
@@ -40,7 +40,15 @@ class Generated(NamedTuple):
     @property
     def machine_file(self) -> str:
         """The settings as a machine file."""
-        return "".join(f"{key} = {value}\n" for key, value in self.machine.items())
+        return "".join(f"{key} = {_toml(value)}\n" for key, value in self.machine.items())
+
+
+def _toml(value: object) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {_toml(each)}" for key, each in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else f"{value}"
 
 
 def generate(seed: int, family: str = "motion") -> Generated:
@@ -58,4 +66,6 @@ def generate(seed: int, family: str = "motion") -> Generated:
             machine[f"axis.{axis}.index_every"] = 12.0 * scale
             if draw.chance(0.4):
                 machine[f"axis.{axis}.travel"] = [-70.0 * scale, 70.0 * scale]
+    if family == "words":
+        machine |= surroundings(draw, language)
     return Generated(seed, language, FAMILIES[family][language](draw).text, machine, family)

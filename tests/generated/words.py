@@ -11,7 +11,7 @@ import re
 from functools import cache
 
 from motionlang.lang.keyword import Keyword
-from tests.generated.draw import table
+from tests.generated.draw import Draw, table
 from tests.generated.mccl_motion import ACTIONS as MCCL_ACTIONS
 from tests.generated.mccl_motion import McclProgram
 from tests.generated.mint_motion import ACTIONS as MINT_ACTIONS
@@ -25,6 +25,11 @@ _WORD = {"mint": re.compile(r"[A-Za-z_]\w*"), "mccl": re.compile(r"[A-Z]{2}")}
 _TEXT = re.compile(r"\"[^\"]*\"|'.*")
 # Names that the programs of motion declare.
 _TAKEN = re.compile(r"\b(rise|ways|small|speeds|spans|k|faults)\b")
+
+_MOTOR: dict[str, object] = {
+    "kind": "brushless", "resistance": 1.2, "inductance": 2e-3, "torque_constant": 0.06, "inertia": 3e-5,
+    "coulomb": 0.01, "amplifier_gain": 6.0,
+}  # fmt: skip
 
 # Simulated words that no program has, with the reason.
 NEVER: dict[str, dict[str, str]] = {
@@ -63,6 +68,22 @@ def examples(language: str) -> tuple[Keyword, ...]:
 def _readings() -> tuple[str, ...]:
     rows = table("mint").values()
     return tuple(row.name for row in rows if row.simulated and row.index == "axis" and "R" in row.access)
+
+
+def surroundings(draw: Draw, language: str) -> dict[str, object]:
+    """Inputs that change, an operator who answers, and now and then a motor that is simulated."""
+    machine: dict[str, object] = {}
+    if draw.chance(0.5):
+        machine["input"] = [
+            {"channel": draw.randrange(8), "at": draw.real(0.0, 3.0), "for": draw.real(0.01, 2.0)}
+            for _ in range(draw.randrange(1, 5))
+        ]
+    if draw.chance(0.5):
+        machine["answer"] = [{"text": str(draw.randrange(100))} for _ in range(draw.randrange(1, 4))]
+    if draw.chance(0.1):
+        plant = f"axis.{0 if language == 'mint' else 1}.plant"
+        machine |= {f"{plant}.{name}": value for name, value in _MOTOR.items()}
+    return machine
 
 
 class MintWords(MintProgram):
