@@ -58,9 +58,15 @@ def _waits(result: Run, end: float) -> Iterator[object]:
 
 
 def _moves(result: Run, end: float) -> Iterator[object]:
-    """The entries as they began, to a millionth of a count: a path that goes on writes its own anew."""
+    """The entries as they began, to a millionth of a count: a path that goes on writes its own anew.
+
+    One that is blended into the entry before it begins where that ends, which may come sooner than planned.
+    """
+    over: dict[int, float] = {}
     for move in result.controller.log.moves:
         if move.start_time < end:
             assert move.profile is not None
-            begin = round(move.profile.start, 6)
+            is_blended = move.start_time < over.get(move.axis, 0.0) - LAST
+            begin = None if is_blended else round(move.profile.start, 6)
+            over[move.axis] = move.start_time + move.profile.duration
             yield (move.axis, move.command, move.line, move.start_time, begin, move.scale)
