@@ -22,10 +22,11 @@ if TYPE_CHECKING:
 OFF = "MOTIONLANG_NO_CACHE"
 # How many files the folder may hold.
 ENTRIES = 512
-# What compiling takes besides a language's own package; a test holds it to what a compilation imports.
+# What compiling takes besides a language's own package; a test holds it to what a compilation imports. The files of
+# keywords import the controller, but only for what the keywords do in a run.
 SHARED = ("lang" + os.sep, "errors.py", "source.py", os.path.join("controller", "faults.py"))
-# What of that package no compilation takes: the operations of keywords, what looks programs over, what rows rest on.
-RUN, ASIDE = "_operations.py", ("lint", "evidence")
+# What of that package no compilation takes: what looks programs over, what rows rest on.
+ASIDE = ("lint", "evidence")
 # Bytes of the checksum at the beginning of an entry.
 CHECKSUM = 4
 
@@ -148,7 +149,7 @@ def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
         path
         for module in [*sys.modules.values()]
         if (path := getattr(module, "__file__", None)) is not None and path.startswith(makers)
-        if not path.endswith(RUN) and not any(f"{os.sep}{name}{os.sep}" in path for name in ASIDE)
+        if not any(f"{os.sep}{name}{os.sep}" in path for name in ASIDE)
     ]
     for parent, _, files in os.walk(makers[0], onerror=_raise):
         if os.path.basename(parent) not in ASIDE:

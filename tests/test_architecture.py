@@ -52,7 +52,7 @@ LEVELS: dict[str, int] = {
 # What a run left behind, and the same as data: `Run.report` is built when somebody asks for it.
 BESIDE: tuple[set[str], ...] = ({"report", "result"},)
 # The floors inside a package, from the ground up: what runs on one may import those below it. What stands on one floor
-# under two names does not know each other. The rows of the keywords are on the ground, what keywords do is higher up.
+# under two names does not know each other. How a keyword is found ("vocabulary") is on the ground, its file higher up.
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
         (
@@ -85,9 +85,9 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("controller", "verbs"),
     ),
     "mint": (
-        ("models", "keywords", "evidence"),
+        ("models", "evidence", "vocabulary"),
         ("syntax", "runtime"),
-        ("operations",),
+        ("keywords",),
         ("resolve",),
         ("compile",),
         ("program",),
@@ -166,17 +166,19 @@ def at_run_time(path: Path) -> set[str]:
     return {name for name in found if name.startswith("motionlang.")}
 
 
-def inner(package: str, parts: list[str]) -> str:
-    """The name that stands in `FLOORS` for a module, by its parts below the package.
+# What finds the file of a keyword, and what lower stages know of keywords.
+VOCABULARY = frozenset(("index", "vocabulary", "event_kinds", "switchable"))
 
-    `keywords/homing.py` holds the rows of a subject, `homing_operations.py` and the like beside it what they do.
-    """
-    if parts[0] != "keywords" or len(parts) != 2:
+
+def inner(package: str, parts: list[str]) -> str:
+    """The name that stands in `FLOORS` for a module, by its parts below the package."""
+    if parts[0] != "keywords":
         return parts[0]
-    subject = "_".join(parts[1].split("_")[:-1])
-    folder = PACKAGE / package / "keywords"
-    beside = any((folder / f"{name}.py").exists() for name in (subject, subject.rpartition("_")[0]) if name)
-    return "operations" if beside or parts[1] == "operations" else "keywords"
+    if package == "mccl":  # whose rows and operations are in files of their own
+        name = parts[-1]
+        subject = name.partition("_")[0]
+        return "operations" if name == "operations" or subject != name else "keywords"
+    return "vocabulary" if len(parts) == 1 or parts[1] in VOCABULARY else "keywords"
 
 
 def layer(module: str) -> str:
@@ -352,7 +354,7 @@ def test_what_is_named_here_exists() -> None:
     for name in LEVELS:
         assert not name or (PACKAGE / name).is_dir() or (PACKAGE / f"{name}.py").exists(), name
     for package, floors in FLOORS.items():
-        for name in (each for floor in floors for each in floor if each != "operations"):
+        for name in (each for floor in floors for each in floor if each not in ("vocabulary", "operations")):
             assert (PACKAGE / package / name).is_dir() or (PACKAGE / package / f"{name}.py").exists(), name
         for path in (PACKAGE / package).iterdir():
             assert path.name in ("__init__.py", "__pycache__") or path.stem in {

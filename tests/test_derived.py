@@ -43,21 +43,18 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "golden"))
     mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
     row = (
-        '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", "state.halfway", "Half of the position.",\n'
-        '            "POS(0) = 5\\nPRINT HALFWAY(0)", changes="motion"),\n'
+        '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", Actions(read=of(Environment, halfway)),\n'
+        '            "Half of the position.", "POS(0) = 5\\nPRINT HALFWAY(0)", changes="motion"),\n'
     )
-    insert(mint / "state.py", ")  # fmt: skip", row)
     does = (
         "def halfway(environment: Environment, axis: int) -> float:\n"
         "    place = environment.controller.position(axis) / 2\n"
         "    return scale_of(environment, axis).position_to_user(place)\n"
         "\n\n"
     )
-    insert(
-        mint / "state_operations.py", "\nTYPE_CHECKING", "from motionlang.mint.runtime.binding import of\n"
-    )
-    insert(mint / "state_operations.py", "OPERATIONS = {", does)
-    insert(mint / "state_operations.py", "}\n", '    "state.halfway": {"read": of(Environment, halfway)},\n')
+    insert(mint / "state.py", "def place(", does)
+    insert(mint / "state.py", ")  # fmt: skip", row)
+    insert(mint / "state.py", "\nTYPE_CHECKING", "from motionlang.mint.runtime.binding import of\n")
     row = '    _row("HY", "reading", "R", "none", "number", "tell_half", "Tell a half.", "HY"),\n'
     insert(mccl / "reports.py", ")  # fmt: skip", row)
     does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'

@@ -29,7 +29,6 @@ LAZY = {
     "mint/__init__.py": "interactive keywords keywords.machine_readings keywords.switchable lint models program "
     "resolve.asked runtime.wait_sources syntax.extent syntax.parser",
     "mint/keywords/__init__.py": "keywords.vocabulary",
-    "mint/keywords/vocabulary.py": "keywords.all_words",
     "mint/program.py": "compile.compiler syntax.parser",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
     "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",
@@ -53,7 +52,7 @@ LAZY = {
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",
-    "mint/keywords/buffer_operations.py": "keywords.following_masters",
+    "mint/keywords/buffer.py": "keywords.following_masters",
     "mint/resolve/names.py": "resolve.flattening",
     "mint/runtime/printing.py": "models",
     "mint/runtime/task.py": "runtime.errors runtime.task_state",

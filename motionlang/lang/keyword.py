@@ -1,14 +1,15 @@
 """A keyword: one row of a dialect's vocabulary, from which everything else about the word derives.
 
 Dispatch, diagnostics, did-you-mean, completion, `help`, highlighting, the linter and `docs/keywords/` read
-these rows and nothing else. A row names behaviour (`verb`) and never contains code.
+these rows and nothing else. A row refers to the functions that carry it out (`Actions`), which its file defines.
 """
 
 from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
 
 # What a statement with a word does to the axes it names. Of the first group a word has at most one, which is its role
 # in a program that is followed step by step; the others say more of it.
@@ -36,6 +37,32 @@ TRAITS = {
 }
 
 
+class Actions:
+    """The functions that carry a keyword out, None where there is none; each language says how they are called.
+
+    `verb`       the name by which the controller, the compiler or the linter know what it does; "" where they need none
+    `read`, `write`, `load`, `do`   read its value, write it, put a move into the buffer, carry out a command
+    `held`       reads what a writing replaces, where `read` does not say
+    `attribute`  the property that it reads and writes of its subject, such as the "edge" of a latch
+    """
+
+    __slots__ = ("attribute", "do", "held", "load", "read", "verb", "write")
+
+    def __init__(
+        self,
+        verb: str = "",
+        *,
+        read: Callable[..., Any] | None = None,
+        write: Callable[..., Any] | None = None,
+        load: Callable[..., Any] | None = None,
+        do: Callable[..., Any] | None = None,
+        held: Callable[..., Any] | None = None,
+        attribute: str = "",
+    ) -> None:
+        self.verb, self.attribute = verb, attribute
+        self.read, self.write, self.load, self.do, self.held = read, write, load, do, held
+
+
 class Keyword:
     """One word of a motion language.
 
@@ -43,7 +70,8 @@ class Keyword:
     `access`   "R", "W", "RW" (values) or "C" (a command without a value)
     `index`    what stands in the brackets: "axis", "axes" (a list), "channel", "bank", "none"
     `unit`     "uu", "uu/s", "uu/s2", "uu/s3", "s", "ms", "counts", "%", "bool", "bits", "number", "text", ""
-    `verb`     the controller verb or field that the word stands for; "" where it is not simulated
+    `actions`  the functions that carry it out, or only a `verb`: the setting or the reading of the controller that it
+               stands for, the value of a constant, the name of a function or a statement; "" where it is not simulated
     `low`…`high`  the accepted range, inclusive; None where open
     `solved`   its reading takes the level that it is compared with, and so can tell when it passes that
     `simulated`   False: recognised, documented, answered as "not simulated"
@@ -58,6 +86,7 @@ class Keyword:
 
     __slots__ = (
         "access",
+        "actions",
         "changes",
         "default",
         "driven",
@@ -89,7 +118,7 @@ class Keyword:
         access: str,
         index: str,
         unit: str,
-        verb: str,
+        actions: str | Actions,
         help: str,
         example: str = "",
         *,
@@ -108,11 +137,17 @@ class Keyword:
         family: str = "",
     ) -> None:
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
-        self.unit, self.verb, self.help, self.example = unit, verb, help, example
+        self.actions = actions if isinstance(actions, Actions) else Actions(actions)
+        self.unit, self.verb, self.help, self.example = unit, self.actions.verb, help, example
         self.default, self.low, self.high = default, low, high
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes, self.meant, self.family = tunes, meant, family
+
+    @property
+    def attribute(self) -> str:
+        """The property of its subject that it reads and writes."""
+        return self.actions.attribute
 
     def does(self, what: str) -> bool:
         """Whether its effect has a word of `ROLES` or `TRAITS`."""

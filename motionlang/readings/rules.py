@@ -110,7 +110,7 @@ def _is_kept(row: Keyword) -> bool:
         and {"R", "W"} == set(row.access)
         and row.index == "axis"
         and not row.effect
-        and not row.verb.startswith("io.")
+        and row.verb != "enable_output"
     )
 
 

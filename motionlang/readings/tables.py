@@ -442,12 +442,12 @@ DEFAULTS = {
         "mint.contourangle-default": ("contourangle", ""),
         "mint.blendmode-default": ("blendmode", ""),
         "mint.blenddistance-default": ("blenddistance", ""),
+        "mint.follownumerator-default": ("follownumerator", ""),
+        "mint.followdenom-default": ("followdenom", ""),
         "mint.mastersource-default": ("mastersource", ""),
         "mint.masterchannel-default": ("masterchannel", ""),
         "mint.masterdistance-default": ("masterdistance", ""),
         "mint.followmode-default": ("followmode", ""),
-        "mint.follownumerator-default": ("follownumerator", ""),
-        "mint.followdenom-default": ("followdenom", ""),
         "mint.offsetdistance-default": ("offsetdistance", ""),
         "mint.camstart-default": ("camstart", ""),
         "mint.camend-default": ("camend", ""),
@@ -468,17 +468,17 @@ DEFAULTS = {
         "mint.softlimitreverse-default": ("softlimitreverse", ""),
         "mint.softlimitmode-default": ("softlimitmode", ""),
         "mint.limitmode-default": ("limitmode", ""),
-        "mint.limitforwardinput-default": ("limitforwardinput", ""),
-        "mint.limitreverseinput-default": ("limitreverseinput", ""),
         "mint.folerrormode-default": ("folerrormode", ""),
-        "mint.errorinput-default": ("errorinput", ""),
         "mint.errorinputmode-default": ("errorinputmode", ""),
-        "mint.stopinput-default": ("stopinput", ""),
-        "mint.stopinputmode-default": ("stopinputmode", ""),
-        "mint.suspendinput-default": ("suspendinput", ""),
-        "mint.resetinput-default": ("resetinput", ""),
         "mint.errordecel-default": ("errordecel", ""),
         "mint.abortmode-default": ("abortmode", ""),
+        "mint.limitforwardinput-default": ("limitforwardinput", ""),
+        "mint.limitreverseinput-default": ("limitreverseinput", ""),
+        "mint.errorinput-default": ("errorinput", ""),
+        "mint.stopinput-default": ("stopinput", ""),
+        "mint.suspendinput-default": ("suspendinput", ""),
+        "mint.resetinput-default": ("resetinput", ""),
+        "mint.stopinputmode-default": ("stopinputmode", ""),
         "mint.stopmode-default": ("stopmode", ""),
         "mint.hometype-default": ("hometype", ""),
         "mint.homespeed-default": ("homespeed", ""),
@@ -509,7 +509,7 @@ DEFAULTS = {
     },
 }
 MOTIONS = """
-movecorrection presetindex hta torqueref tqr torquerefenable jogcommand jgc speedref sdr speedrefenable
-speedtestref velref posref mover mr movea ma jog jg incr inca vectora va vectorr vr circlea ca circler cr
-helixa helixr follow fl home hm torque datum freq holdtoanalog
+movecorrection presetindex hta torqueref tqr torquerefenable jog jg jogcommand jgc speedref sdr speedrefenable
+speedtestref velref posref mover mr movea ma incr inca vectora va vectorr vr circlea ca circler cr helixa
+helixr follow fl home hm torque datum freq holdtoanalog
 """

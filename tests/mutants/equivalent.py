@@ -62,25 +62,23 @@ EQUIVALENT: dict[str, str] = {
         "both are the same in 32 bits"
     ),
     "motionlang/measured/recording.py: _names: True -> False": "both rows are as wide as the numbers",
-    "motionlang/mint/keywords/buffer_operations.py: read_status: "
+    "motionlang/mint/keywords/buffer.py: read_status: "
     "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
         "by no place to the left or to the right"
     ),
-    "motionlang/mint/keywords/camboxes_operations.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
+    "motionlang/mint/keywords/camboxes.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
         "no source has 0 counts in a unit"
     ),
-    "motionlang/mint/keywords/paths_operations.py: put_arc: True -> False": (
+    "motionlang/mint/keywords/paths.py: put_arc: True -> False": (
         "as many places as axes have been asked for before"
     ),
-    "motionlang/mint/keywords/terminal_operations.py: ask: 1 -> 2": (
+    "motionlang/mint/keywords/terminal.py: ask: 1 -> 2": (
         "of how often something was done only a change is asked"
     ),
-    "motionlang/mint/keywords/presets_operations.py: Presets: choose: value >= 0 -> value > 0": (
+    "motionlang/mint/keywords/presets.py: Presets: choose: value >= 0 -> value > 0": (
         "0 is the number of a channel, and passes the check"
     ),
-    "motionlang/mint/keywords/modbus_operations.py: Coils: __init__: 1 -> 2": (
-        "a coil is on at every value but 0"
-    ),
+    "motionlang/mint/keywords/modbus.py: Coils: __init__: 1 -> 2": ("a coil is on at every value but 0"),
     "motionlang/profile/approach.py: _travel: v >= speed -> v > speed": (
         "a peak that is just the speed leaves nothing to slew but rounding"
     ),

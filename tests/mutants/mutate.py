@@ -51,7 +51,6 @@ GENERATED = (
     "mccl/syntax/tables.py",
     "mint/syntax/tables.py",
     "mint/keywords/index.py",
-    "mint/keywords/operations_index.py",
     "readings/tables.py",
 )
 

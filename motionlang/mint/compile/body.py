@@ -209,7 +209,7 @@ class Whole:
         name = self._operations.get((how, row, axis))
         if name is None:
             of = () if axis is None else (axis,)
-            name = self._named(how, row.verb, row.name, row.unit, row.index, row.low, row.high, *of)
+            name = self._named(how, row.name, *of)
             self._operations[how, row, axis] = name
         return name
 

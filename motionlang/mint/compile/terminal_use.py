@@ -34,9 +34,9 @@ def _terminal(b: Body, node: nodes.Expr | None) -> str:
     return converted(b, number(b, node, "the number of a terminal"), Type(INTEGER), node)
 
 
-def _use(b: Body, verb: str) -> str:
-    """An operation on terminals that no keyword stands for."""
-    return b.whole.use("read", f"terminal.{verb}", "PRINT", "", "none", None, None)
+def _use(b: Body, name: str) -> str:
+    """An operation on terminals, which only the compiler knows by a keyword."""
+    return b.whole.use("read", f"({name})")
 
 
 def _printed(b: Body, text: str, where: str = "") -> str:
@@ -140,7 +140,7 @@ def input_(b: Body, node: nodes.Input) -> None:
     ask, typed, arguments = b.whole.use("env", "input"), b.whole.use("env", "typed"), ""
     if where or b.whole.names.uses_terminal:
         one = b.temp()
-        b.emit(f"{one} = {_use(b, 'place')}({where or -1})")
+        b.emit(f"{one} = {_use(b, 'terminal')}({where or -1})")
         ask, typed, arguments, where = _use(b, "question"), _use(b, "answer"), f", {one}", one
     if node.prompt is not None:
         b.emit(_printed(b, value(b, node.prompt).text, where))

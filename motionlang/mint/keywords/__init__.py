@@ -1,18 +1,18 @@
-"""The words of Mint: the rows of a subject, and beside them what its words do.
+"""The words of Mint, a file a subject: its rows, and above them what its words do.
 
-A program that was compiled before imports operations from here and no row: nothing is imported with the package.
+A run imports the files of the words that it uses, and nothing with the package: `index` says which file has a word.
 """
 
 from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.keyword import Table
+    from motionlang.mint.keywords.vocabulary import Vocabulary
 
-_vocabulary: Table | None = None
+_vocabulary: Vocabulary | None = None
 
 
-def table() -> Table:
+def table() -> Vocabulary:
     """All words of Mint."""
     global _vocabulary  # noqa: PLW0603 - one vocabulary a process
     if _vocabulary is None:

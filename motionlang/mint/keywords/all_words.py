@@ -1,4 +1,4 @@
-"""All words of Mint: group by group what is simulated, then every further word of its type library."""
+"""All words of Mint: file by file what is simulated, then every further word of its type library."""
 
 from __future__ import annotations
 
@@ -14,21 +14,18 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 
-def rows() -> list[Keyword]:
-    """Every row, the groups in their order, then what is left of the library."""
-    return [*(row for group in groups() for row in group.ROWS), *_not_simulated()]
-
-
-def groups() -> tuple[ModuleType, ...]:
-    """The modules of the groups, in their order."""
+def files() -> tuple[ModuleType, ...]:
+    """The modules that have rows, in their order."""
     return tuple(import_module(f"motionlang.mint.keywords.{name}") for name in _ORDER.split())
 
 
 _ORDER = """
 correction presets hold_to_analogue torque jogging drives
-axis feedrate motion buffer compensation on_the_fly paths following table_motion state timing tasks terminal
+axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
+table_motion_cams table_motion_splines state timing tasks terminal
 camboxes captures auxiliary_latches monitoring event_flags relays steppers
-io comms modbus remote network serial limits homing latches sensing servo functions nonvolatile encoder_wrap
+io_inputs io_outputs io_signals comms modbus remote network network_groups serial limits limits_switches
+limits_resetting homing latches latches_position_compare sensing servo functions nonvolatile encoder_wrap
 no_effect identity legacy factory_defaults units constants language
 """
 _UNITS = {
@@ -41,26 +38,26 @@ _UNITS = {
 }
 
 
-def _not_simulated() -> Iterator[Keyword]:
+def library() -> Iterator[Keyword]:
     """The rest of the type library: recognised and explained, not simulated."""
     fates = {
-        "kept": no_effect.VERB,
-        "value": unsimulated.VALUE,
-        "command": unsimulated.COMMAND,
-        "motion": unsimulated.MOTION,
+        "kept": no_effect.KEPT,
+        "value": unsimulated.ACTIONS[unsimulated.VALUE],
+        "command": unsimulated.ACTIONS[unsimulated.COMMAND],
+        "motion": unsimulated.ACTIONS[unsimulated.MOTION],
     }
     for name, short, index, kind, access, fate, meaning in _lines("values"):
-        verb = fates[fate]
+        actions = fates[fate]
         sense = "reading" if access == "R" else "setting"
-        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning,
-                      group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False,
+        yield Keyword(name, short, sense, access, index, _UNITS[kind], actions, meaning,
+                      group=unsimulated.GROUPS.get(actions.verb, unsimulated.KEPT_GROUP), simulated=False,
                       effect="switch" if name in no_effect.SWITCHES else "",
                       tunes=no_effect.TUNES.get(name, ""))  # fmt: skip
     for file in ("commands", "commands_v4"):
         for name, short, index, fate, meaning in _lines(file):
-            verb = fates[fate]
-            yield Keyword(name, short, "command", "C", index, "", verb, meaning,
-                          group=unsimulated.GROUPS[verb], simulated=False)  # fmt: skip
+            actions = fates[fate]
+            yield Keyword(name, short, "command", "C", index, "", actions, meaning,
+                          group=unsimulated.GROUPS[actions.verb], simulated=False)  # fmt: skip
 
 
 def _lines(file: str) -> Iterator[list[str]]:

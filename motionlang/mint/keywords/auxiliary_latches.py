@@ -1,51 +1,223 @@
-"""Latches of auxiliary encoders, and index marks."""
+"""Latches of auxiliary encoders, at an edge of an input, and the index marks of encoders."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from math import floor
+
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.controller.triggers.position_zones import Cells
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
+from motionlang.mint.keywords.latches import FastLatches, Latch
+from motionlang.mint.keywords.sensing import channel_of
+from motionlang.mint.runtime.binding import of, of_word, unchecked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.mint.runtime.environment import Environment
+
+
+class AuxLatch(Latch):
+    """The fast latch of an auxiliary encoder, whose number is its `axis`; what it catches are counts."""
+
+    def _place(self) -> float:
+        return self._controller.encoder_position(AUXILIARY + self.axis)
+
+
+class AuxLatches(FastLatches):
+    """The fast latch of every auxiliary encoder, from its first use on; a catch raises FASTIN."""
+
+    kind = AuxLatch
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.encoders = environment.part(AuxEncoders)
+
+    def checked(self, number: int) -> int:
+        return _channel(number)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT: they are no axis's."""
+
+
+def _per_unit(latches: AuxLatches, row: Keyword, channel: int) -> float:
+    """Counts in one unit of what the encoder shows, for distances."""
+    return latches.encoders.per_unit(channel) if row.unit == "number" else 1.0
+
+
+def read_setting(latches: AuxLatches, row: Keyword, channel: int) -> float:
+    """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
+    value: float = getattr(latches.latch(channel), row.attribute)
+    return value / _per_unit(latches, row, channel) if row.unit == "number" else int(value)
+
+
+def write_setting(latches: AuxLatches, row: Keyword, channel: int, value: float) -> None:
+    """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
+    latches.latch(channel).set(row.attribute, value * abs(_per_unit(latches, row, channel)))
+
+
+def read_encoder(latches: AuxLatches, channel: int) -> float:
+    """FASTAUXENCODER: what the encoder would show at the counts that were caught."""
+    return latches.encoders.shown(channel, latches.latch(channel).value)
+
+
+# ---------------------------------------------------------------------------------------------- index marks
+
+ONCE, AGAIN = 0, 1
+
+
+class Index:
+    """The index marks of one encoder: whether one was passed since that was asked last, and a latch at the next one."""
+
+    def __init__(self, environment: Environment, track: Axis, physical: bool) -> None:
+        self._environment, self._controller, self._track = environment, environment.controller, track
+        self._physical = physical
+        self._cells: Cells | None = None
+        self.passed = self.armed = False
+        self.mode, self.place = ONCE, 0.0
+        self.put()
+
+    def put(self) -> None:
+        """Look for the marks where the scale has them now."""
+        if self._cells is not None:
+            self._cells.remove()
+            self._cells = None
+        track = self._track
+        pitch = track.index_pitch
+        if pitch:
+            origin = track.index_origin - floor(track.index_origin / pitch) * pitch
+            self._cells = Cells(self._controller, track, (origin,), self._mark, pitch, self._physical)
+
+    def take(self) -> bool:
+        """Whether a mark was passed since this was asked last."""
+        passed, self.passed = self.passed, False
+        self._environment.acts += passed
+        return passed
+
+    def _mark(self, index: int) -> None:
+        self.passed = True
+        if self.armed:
+            place = self._track.here(self._controller.clock.now)
+            self.place = place - self._track.datum if self._physical else place
+            self.armed = self.mode == AGAIN
+
+
+class Indexes:
+    """The index marks of the encoders of axes and of the world: they are looked for from the program's start."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        controller = environment.controller
+        self._found: dict[int, Index] = {}
+        for channel in [*controller.axes, *controller.encoders]:
+            self.of(channel)
+        controller.listeners.append(self._heard, "scale")
+
+    def of(self, channel: int) -> Index:
+        """The marks of an encoder; auxiliary ones are numbered from `AUXILIARY` on."""
+        if channel not in self._found:
+            controller = self.environment.controller
+            of_axis = channel in controller.axes and channel not in controller.encoders
+            track = controller.axes[channel] if of_axis else controller.encoder(channel)
+            self._found[channel] = Index(self.environment, track, of_axis)
+        return self._found[channel]
+
+    def of_aux(self, channel: int) -> Index:
+        return self.of(AUXILIARY + _channel(channel))
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "scale" and axis in self._found:
+            self._found[axis].put()
+
+
+def _passed(indexes: Indexes, channel: int) -> int:
+    return int(indexes.of(channel_of(indexes.environment, channel)).take())
+
+
+def write_armed(indexes: Indexes, channel: int, armed: int) -> None:
+    """AUXENCODERZEROENABLE: the next index mark is caught."""
+    indexes.of_aux(channel).armed = bool(armed)
+
+
+def write_mode(indexes: Indexes, channel: int, mode: int) -> None:
+    """AUXENCODERZEROLATCHMODE."""
+    indexes.of_aux(channel).mode = mode
+
+
+def read_place(indexes: Indexes, channel: int) -> float:
+    """AUXENCODERZEROPOSITION: what the encoder would show at the mark that was caught."""
+    return indexes.environment.part(AuxEncoders).shown(channel, indexes.of_aux(channel).place)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+
+def _setting_of(attribute: str) -> Actions:
+    return Actions(
+        read=of_word(AuxLatches, read_setting), write=of_word(AuxLatches, write_setting), attribute=attribute
+    )
+
+
+_ENABLE = Actions(
+    write=unchecked(of(AuxLatches, lambda part, channel, armed: part.latch(channel).arm(bool(armed))))
+)
+_CAUGHT = Actions(read=of(AuxLatches, lambda latches, channel: int(latches.latch(channel).read())))
+# ENCODERZLATCH and AUXENCODERZLATCH.
+_PASSED = Actions(read=of(Indexes, _passed))
+_AUX_PASSED = Actions(read=of(Indexes, lambda indexes, channel: int(indexes.of_aux(channel).take())))
+_ZERO_MODE = Actions(
+    read=of(Indexes, lambda indexes, channel: indexes.of_aux(channel).mode), write=of(Indexes, write_mode)
+)
 
 _FAST = "FASTAUXSELECT(0) = 3\nFASTAUXENABLE(0) = 1\nPRINT {}(0)"
 _MARK = "AUXENCODERZEROENABLE(0) = 1\nPRINT {}(0)"
 
 
-def _setting(name: str, unit: str, verb: str, value: str, help: str, high: float) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "auxchannel", unit, f"auxiliary_latches.{verb}", help,
+def _setting(name: str, unit: str, actions: Actions, value: str, help: str, high: float) -> Keyword:
+    return Keyword(name, "", "setting", "RW", "auxchannel", unit, actions, help,
                    f"{name}(0) = {value}\nPRINT {name}(0)", default=0.0, low=0, high=high, group="latches")  # fmt: skip
 
 
-def _reading(name: str, short: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:  # fmt: skip
-    return Keyword(name, short, "reading", "R", index, unit, f"auxiliary_latches.{verb}", help, example.format(name),
+def _reading(
+    name: str, short: str, index: str, unit: str, actions: Actions, help: str, example: str
+) -> Keyword:
+    return Keyword(name, short, "reading", "R", index, unit, actions, help, example.format(name),
                    default=0.0, group="latches")  # fmt: skip
 
 
-def _enable(name: str, verb: str, help: str, example: str) -> Keyword:
-    return Keyword(name, "", "setting", "W", "auxchannel", "bool", f"auxiliary_latches.{verb}", help, example,
+def _enable(name: str, actions: Actions, help: str, example: str) -> Keyword:
+    return Keyword(name, "", "setting", "W", "auxchannel", "bool", actions, help, example,
                    low=0, high=1, group="latches")  # fmt: skip
 
 
 ROWS = (
-    _setting("FASTAUXSELECT", "integer", "setting.input", "3",
+    _setting("FASTAUXSELECT", "integer", _setting_of("input"), "3",
              "The input that triggers the latch of an auxiliary encoder.", 999),
-    _enable("FASTAUXENABLE", "enable", "Arm the latch of an auxiliary encoder; it forgets what it had caught.",
+    _enable("FASTAUXENABLE", _ENABLE, "Arm the latch of an auxiliary encoder; it forgets what it had caught.",
             _FAST.format("FASTAUXLATCH")),
-    _setting("FASTAUXLATCHEDGE", "bool", "setting.edge", "1",
+    _setting("FASTAUXLATCHEDGE", "bool", _setting_of("edge"), "1",
              "0: the input triggers when it becomes active; 1: inactive.", 1),
-    _setting("FASTAUXLATCHMODE", "integer", "setting.again", "1", "0: the latch catches once; 1: it stays armed.", 1),
-    _setting("FASTAUXLATCHDISTANCE", "number", "setting.inhibit_distance", "5",
+    _setting("FASTAUXLATCHMODE", "integer", _setting_of("again"),
+             "1", "0: the latch catches once; 1: it stays armed.", 1),
+    _setting("FASTAUXLATCHDISTANCE", "number", _setting_of("inhibit_distance"), "5",
              "How far the encoder must be from the position caught last before an edge counts again.", 8388607.0),
-    _reading("FASTAUXLATCH", "", "auxchannel", "bool", "caught", "1 when the latch of an auxiliary encoder has caught.",
+    _reading("FASTAUXLATCH", "", "auxchannel", "bool", _CAUGHT,
+             "1 when the latch of an auxiliary encoder has caught.",
              _FAST),
-    _reading("FASTAUXENCODER", "", "auxchannel", "number", "encoder", "What AUXENCODER was when its latch caught.",
+    _reading("FASTAUXENCODER", "", "auxchannel", "number", Actions(read=of(AuxLatches, read_encoder)),
+             "What AUXENCODER was when its latch caught.",
              _FAST),
-    _reading("ENCODERZLATCH", "", "channel", "bool", "passed",
+    _reading("ENCODERZLATCH", "", "channel", "bool", _PASSED,
              "1 when an encoder has passed an index mark since this was read last.",
              "MOVER(0) = 100\nGO(0)\nPRINT ENCODERZLATCH(0)"),
-    _reading("AUXENCODERZLATCH", "aez", "auxchannel", "bool", "aux_passed",
+    _reading("AUXENCODERZLATCH", "aez", "auxchannel", "bool", _AUX_PASSED,
              "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK),
-    _enable("AUXENCODERZEROENABLE", "zero_enable", "Catch the position of an auxiliary encoder at its next index mark.",
+    _enable("AUXENCODERZEROENABLE", Actions(write=of(Indexes, write_armed)),
+            "Catch the position of an auxiliary encoder at its next index mark.",
             _MARK.format("AUXENCODERZEROPOSITION")),
-    _setting("AUXENCODERZEROLATCHMODE", "integer", "zero_mode", "1",
+    _setting("AUXENCODERZEROLATCHMODE", "integer", _ZERO_MODE, "1",
              "0: AUXENCODERZEROENABLE is for one mark; 1: for every one from then on.", 1),
-    _reading("AUXENCODERZEROPOSITION", "", "auxchannel", "number", "zero_place",
+    _reading("AUXENCODERZEROPOSITION", "", "auxchannel", "number", Actions(read=of(Indexes, read_place)),
              "What AUXENCODER was at the index mark.", _MARK),
 )  # fmt: skip

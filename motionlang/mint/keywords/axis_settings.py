@@ -11,7 +11,8 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.controller.scale import Scale
-    from motionlang.mint.runtime.binding import Maker, Operation, Row
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.runtime.binding import Maker, Operation
     from motionlang.mint.runtime.environment import Environment
 
     Value = TypeVar("Value")
@@ -55,7 +56,7 @@ class Settings:
 def reading(kind: type[Settings]) -> Maker:
     """What reads a setting of a family as its word shows it: a whole number where that is what it is."""
 
-    def bound(environment: Environment, row: Row) -> Callable[[int], Operation]:
+    def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
         part, name, whole = environment.part(kind), row.name, row.unit in WHOLE
         unit = row.unit if part.in_counts else ""
 
@@ -76,7 +77,7 @@ def reading(kind: type[Settings]) -> Maker:
 def writing(kind: type[Settings]) -> Maker:
     """What writes a setting of a family."""
 
-    def bound(environment: Environment, row: Row) -> Callable[[int], Operation]:
+    def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
         part, name = environment.part(kind), row.name
         unit = row.unit if part.in_counts else ""
 

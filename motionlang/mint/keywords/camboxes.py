@@ -1,18 +1,214 @@
-"""Outputs that are switched by the position of an axis or an encoder."""
+"""Cam boxes: outputs that are switched at positions of an axis or an encoder, at the very moment of each.
+
+The positions are pairs, on and off, in a table of the program whose element 1 is the count. A box goes by what the
+table, the scale and the wrap are when it is switched on: another scale leaves the counts at which it switches.
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from functools import partial
+from itertools import pairwise
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.controller.triggers.position_zones import Cells
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
+from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
+from motionlang.mint.keywords.sensing import Encoders, channel_of
+from motionlang.mint.keywords.table_motion_cams import elements
+from motionlang.mint.runtime.binding import Each, axis_of, of, scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.mint.runtime.environment import Environment
+
+
+LAST_BOX = 31
+# The sources, numbered as LATCHSOURCE numbers them.
+AXIS, ENCODER, AUX_ENCODER = 0, 1, 2
+
+
+class Source:
+    """What a box looks at: a track, and how the positions of the program become its counts."""
+
+    __slots__ = ("per_unit", "period", "physical", "track", "zero")
+
+    def __init__(
+        self, track: Axis, zero: float, per_unit: float, wrap: float, physical: bool = False
+    ) -> None:
+        self.track, self.zero, self.per_unit, self.physical = track, zero, per_unit, physical
+        self.period = abs(wrap * per_unit)
+
+    def counts(self, position: float) -> float:
+        return (position - self.zero) * self.per_unit
+
+
+def source_of(environment: Environment, kind: int, channel: int) -> Source:
+    """The track a cam box watches, and what its counts are in user units. Refusal where there is none."""
+    controller = environment.controller
+    if kind == AXIS:
+        scale = scale_of(environment, channel)
+        wrap = environment.wraps.get(channel, 0.0)
+        return Source(controller.axes[channel], scale.zero, scale.counts, wrap)
+    encoders = environment.part(Encoders if kind == ENCODER else AuxEncoders)
+    shown = (
+        encoders.setting("zero", channel),
+        encoders.per_unit(channel),
+        encoders.setting("ENCODERWRAP", channel),
+    )
+    if kind == AUX_ENCODER:
+        return Source(controller.encoder(AUXILIARY + channel), *shown)
+    if channel in controller.encoders:
+        return Source(controller.encoders[channel], *shown)
+    return Source(controller.axes[channel], *shown, physical=True)
+
+
+class CamBox:
+    """One box: what drives its output, where, and how many seconds ahead."""
+
+    def __init__(self, environment: Environment, number: int) -> None:
+        self._environment, self.number = environment, number
+        self.output, self.kind, self.channel, self.lead = 0, AXIS, 0, 0.0
+        self.table: Sequence[float] | None = None
+        self._states: list[int] = []
+        self._cells: Cells | None = None
+
+    @property
+    def enabled(self) -> bool:
+        return self._cells is not None
+
+    def enable(self, enabled: bool) -> None:
+        """Begin to switch the output, which at once shows where the source is, or leave it as it is."""
+        if self._cells is not None:
+            self._cells.remove()
+            self._cells = None
+        if not enabled:
+            return
+        source = source_of(self._environment, self.kind, self.channel)
+        edges, self._states = self._edges(source)
+        view = None
+        if self.lead:
+            from motionlang.profile.ahead import Ahead
+
+            view = partial(Ahead, lead=self.lead)
+        self._cells = Cells(
+            self._environment.controller,
+            source.track,
+            edges,
+            self._show,
+            source.period,
+            source.physical,
+            view,
+        )
+        self._show(self._cells.index)
+
+    def _show(self, index: int) -> None:
+        states = self._states
+        if self._cells is not None and self._cells.period:
+            state = states[(index - 1) % len(states)]
+        else:
+            state = states[index - 1] if index else 0
+        self._environment.controller.set_output(self.output, state)
+
+    def _edges(self, source: Source) -> tuple[list[float], list[int]]:
+        """Where the output changes, rising, and what it is from there on, forward."""
+        places = self._positions()
+        found: list[tuple[float, int]] = []
+        for begin, end in zip(places[::2], places[1::2], strict=True):
+            if not source.period and begin >= end:
+                raise self._wrong(f"it is on from {begin:g} to {end:g}")
+            low, high = (
+                sorted((source.counts(begin), source.counts(end)))
+                if not source.period
+                else ((source.counts(begin), source.counts(end))[:: 1 if source.per_unit > 0 else -1])
+            )
+            found += [(low, 1), (high, 0)]
+        if source.period:
+            found = sorted((place % source.period, state) for place, state in found)
+        for (place, state), (other, following) in pairwise(found):
+            if place >= other or state == following:
+                raise self._wrong("its stretches touch or overlap")
+        return [place for place, _ in found], [state for _, state in found]
+
+    def _positions(self) -> list[float]:
+        if self.table is None:
+            raise Refusal("range", f"cam box {self.number} has no positions",
+                          f"write CAMBOXDATA({self.number}, …) first")  # fmt: skip
+        places = elements(self.table, "CAMBOXDATA")
+        if len(places) % 2:
+            raise self._wrong(f"{len(places)} positions are no pairs")
+        return places
+
+    def _wrong(self, what: str) -> Refusal:
+        return Refusal(
+            "range", f"cam box {self.number}: {what}", "the table is pairs of positions: on, off, on, off …"
+        )
+
+
+class CamBoxes:
+    """The boxes, each from its first use on."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        self._boxes = Each(lambda number: CamBox(environment, checked(number, LAST_BOX, "cam box")))
+
+    def box(self, number: int) -> CamBox:
+        return self._boxes[number]
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def write_box(boxes: CamBoxes, number: int, enabled: int) -> None:
+    """CAMBOX: begin with the data as they are now, or end."""
+    boxes.box(number).enable(bool(enabled))
+
+
+def do_data(
+    boxes: CamBoxes,
+    number: int,
+    output: int,
+    kind: int,
+    channel: int,
+    time: int,
+    table: Sequence[float] | None,
+) -> None:
+    """CAMBOXDATA: output, source, lead in ms and table; a box at work begins anew with them."""
+    box = boxes.box(number)
+    checked(output, LAST_CHANNEL, "output")
+    checked(kind, AUX_ENCODER, "source of a cam box")
+    if not 0 <= time <= 32767:
+        raise Refusal("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
+    look = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
+    look(boxes.environment, channel)
+    enabled = box.enabled
+    box.enable(False)
+    box.output, box.kind, box.channel, box.lead, box.table = output, kind, channel, time / 1000.0, table
+    if enabled:
+        box.enable(True)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_BOX_ACTIONS = Actions(
+    read=of(CamBoxes, lambda boxes, number: int(boxes.box(number).enabled)), write=of(CamBoxes, write_box)
+)
 
 _BOX = (
     "Dim p(3) As Float = 2, 20, 30\nCAMBOXDATA(0, 5, 0, 0, 0, p)\nCAMBOX(0) = _ON\nPRINT CAMBOX(0), OUTX(5)"
 )
 
+
 ROWS = (
-    Keyword("CAMBOX", "", "setting", "RW", "box", "bool", "camboxes.box",
+    Keyword("CAMBOX", "", "setting", "RW", "box", "bool", _BOX_ACTIONS,
             "Whether a cam box switches its output at the positions of its CAMBOXDATA.",
             _BOX, default=0.0, low=0, high=1, group="latches"),
-    Keyword("CAMBOXDATA", "", "command", "C", "box, output, source, channel, time, array", "", "camboxes.data",
+    Keyword("CAMBOXDATA", "", "command", "C", "box, output, source, channel, time, array", "",
+            Actions(do=of(CamBoxes, do_data)),
             "Define a cam box: its output, its source (0 an axis, 1 an encoder, 2 an auxiliary encoder) and the "
             "source's channel, how many ms ahead it switches, and a table of pairs of positions, on and off, whose "
             "element 1 is the count.",

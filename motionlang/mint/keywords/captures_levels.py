@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords import captures_quantities as quantities
-from motionlang.mint.keywords.camboxes_operations import AUX_ENCODER, AXIS, ENCODER, source_of
+from motionlang.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, source_of
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.io_outputs import Analogue
 
@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mint.keywords.camboxes_operations import Source
+    from motionlang.mint.keywords.camboxes import Source
     from motionlang.mint.runtime.environment import Environment
     from motionlang.profile import Profile
 

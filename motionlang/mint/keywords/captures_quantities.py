@@ -10,7 +10,7 @@ from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, _signed, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.keywords.sensing_operations import Encoders, channel_of
+from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False

@@ -1,8 +1,154 @@
-"""Compensation of play and of a leadscrew's errors: POS shows where the load is, ENCODER where the motor is."""
+"""BACKLASH and PRECISION words: what the motor does on top of what POS shows, which ENCODER reads.
+
+A setting that changes leaves the motor where it is: ENCODER goes on from what it read.
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.controller.motion.takeup import Takeup
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
+from motionlang.mint.keywords.sensing import Encoders
+from motionlang.mint.keywords.table_motion_cams import elements
+from motionlang.mint.runtime.binding import of_word, scale_of
+from motionlang.profile.leadscrew import Leadscrew
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.environment import Environment
+
+    Array = list[float]
+
+
+SINGLE, DUAL = 1, 2
+_AT_REST = ("BACKLASH", "BACKLASHINTERVAL")
+
+
+class Compensation(Settings):
+    """The settings of every axis, in user units, and what its motor does for them, in counts."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.tables: dict[int, tuple[Array, Array | None]] = {}
+        self._screws: dict[int, tuple[Leadscrew, Leadscrew]] = {}
+        self._takeups: dict[int, Takeup] = {}
+        # What keeps ENCODER where it is when a setting changes.
+        self._bases: dict[int, float] = {}
+        environment.part(Encoders).compensation = self
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        """Write a setting; Refusal of modes that lack what they need, and of play in motion.
+
+        BACKLASH: the motor is taken to stand at the end that the sign says.
+        """
+        if name in _AT_REST and not self.controller.is_idle(axis):
+            raise Refusal("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
+        before, kept = self.shift(axis), self._settings.get((name, axis))
+        self._settings[name, axis] = value
+        try:
+            self._renew(axis)
+        except Refusal:
+            self._settings[name, axis] = kept or 0.0
+            raise
+        if name == "BACKLASH":
+            self._takeup(axis).taken = 0.0
+        self._bases[axis] = self._bases.get(axis, 0.0) + before - self.shift(axis)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT: the screw and its play are what they are."""
+
+    def attach(self, axis: int, forward: Array, reverse: Array | None) -> None:
+        """PRECISIONTABLE; a mode that is on goes by it at once."""
+        before = self.shift(axis)
+        self.tables[axis] = forward, reverse
+        self._renew(axis)
+        self._bases[axis] = self._bases.get(axis, 0.0) + before - self.shift(axis)
+
+    def shift(self, axis: int) -> float:
+        """How far the motor is from where POS is, counts."""
+        return self._bases.get(axis, 0.0) + self._advance(axis) + self._screwed(axis)[0]
+
+    def rate(self, axis: int) -> float:
+        """How fast that changes, counts/s."""
+        self._advance(axis)
+        takeup = self._takeup(axis)
+        slope = self._screwed(axis)[1]
+        velocity = self.environment.controller.velocity(axis)
+        return (slope - 1.0) * velocity + (takeup.rate() if self.setting("BACKLASHMODE", axis) else 0.0)
+
+    def _advance(self, axis: int) -> float:
+        now = self.environment.controller.clock.now
+        return self._takeup(axis).advance(now, bool(self.setting("BACKLASHMODE", axis)))
+
+    def _takeup(self, axis: int) -> Takeup:
+        found = self._takeups.get(axis)
+        if found is None:
+            controller = self.environment.controller
+            found = self._takeups[axis] = Takeup(controller.axes[axis], controller.clock.now)
+        return found
+
+    def _screwed(self, axis: int) -> tuple[float, float]:
+        """What the table asks for on top, counts, and its slope there."""
+        screws = self._screws.get(axis)
+        if screws is None:
+            return 0.0, 1.0
+        screw = screws[self._takeup(axis).heading < 0]
+        scale = scale_of(self.environment, axis)
+        nut = scale.position_to_user(self.environment.controller.position(axis))
+        return scale.to_counts(screw.motor(nut) - nut), screw.slope(nut)
+
+    def _renew(self, axis: int) -> None:
+        """Take the settings over."""
+        environment, takeup = self.environment, self._takeup(axis)
+        mode = self.setting("PRECISIONMODE", axis)
+        if mode == DUAL and self.setting("BACKLASHMODE", axis):
+            raise Refusal("range", f"axis {axis} cannot have two tables and BACKLASHMODE 1",
+                          "the tables of both directions hold the play: BACKLASHMODE(axis) = 0")  # fmt: skip
+        screws = self._made(axis, mode == DUAL) if mode else None
+        loop = environment.controller.gain(axis, PERIOD, LOOP_TIME)
+        takeup.size = scale_of(environment, axis).to_counts(self.setting("BACKLASH", axis))
+        takeup.ramp = self.setting("BACKLASHINTERVAL", axis) * loop * 1e-6
+        if screws is None:
+            self._screws.pop(axis, None)
+        else:
+            self._screws[axis] = screws
+
+    def _made(self, axis: int, dual: bool) -> tuple[Leadscrew, Leadscrew]:
+        if axis not in self.tables:
+            raise Refusal(
+                "range", f"axis {axis} has no precision table", f"PRECISIONTABLE({axis}, positions, NULL)"
+            )
+        start, step = self.setting("PRECISIONOFFSET", axis), self.setting("PRECISIONINCREMENT", axis)
+        forward, reverse = self.tables[axis]
+        try:
+            screw = Leadscrew(start, step, elements(forward, "PRECISIONTABLE"))
+            if not dual or reverse is None:
+                return screw, screw
+            return screw, Leadscrew(start, step, elements(reverse, "PRECISIONTABLE"))
+        except ValueError as problem:
+            raise Refusal("range", f"axis {axis}: {problem}") from None
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def do_table(
+    compensation: Compensation, row: Keyword, axis: int, forward: Array | None, reverse: Array | None
+) -> None:
+    """PRECISIONTABLE: the positions of the nut, forward and in reverse."""
+    if forward is None:
+        raise Refusal(
+            "range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL"
+        )
+    elements(forward, row.name)
+    compensation.attach(axis, forward, reverse)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_SETTING = Actions(read=reading(Compensation), write=writing(Compensation))
 
 _LARGEST = 8388607.0
 _PLAY = (
@@ -17,7 +163,7 @@ _TABLE = (
 
 
 def _setting(name: str, short: str, unit: str, help: str, example: str, low: float, high: float) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, "compensation.setting", help, example, default=0.0,
+    return Keyword(name, short, "setting", "RW", "axis", unit, _SETTING, help, example, default=0.0,
                    low=low, high=high, group="compensation")  # fmt: skip
 
 
@@ -37,7 +183,8 @@ ROWS = (
     _setting("BACKLASHMODE", "BLM", "integer", "1: play is compensated. Not with _lsDUAL_TABLE.",
              _PLAY, 0, 1),
     _mode("_blOFF", 0, "BACKLASHMODE: off."),
-    Keyword("PRECISIONTABLE", "", "command", "C", "axis, array, array", "", "compensation.table",
+    Keyword("PRECISIONTABLE", "", "command", "C", "axis, array, array", "",
+            Actions(do=of_word(Compensation, do_table)),
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "
             "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, group="compensation"),
     _setting("PRECISIONINCREMENT", "", "uu", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,

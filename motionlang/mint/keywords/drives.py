@@ -1,8 +1,153 @@
-"""References of a drive: speed, velocity, position; what it demands and what it measures."""
+"""References of a drive: SPEEDREF and its ramps, SPEEDTESTREF, VELREF, POSREF.
+
+A ramp is given as the time from rest to the drive's highest speed.
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from math import inf
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.motion.reference import PERIOD
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.changes import moving, repeatable
+from motionlang.mint.runtime.environment import Environment
+from motionlang.profile.reference import Slope
+
+# Settings that are not 0 until they are written.
+DEFAULTS = {"SPEEDREFENABLE": 1.0}
+
+
+class Drives(Settings):
+    """The settings of drives, by keyword and axis (speeds in counts/s, times in ms), and their references."""
+
+    defaults = DEFAULTS
+    in_counts = unsigned = True
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        # The line of the program that wrote a reference last, by its word and axis.
+        self._lines: dict[tuple[str, int], int] = {}
+        self.controller.analogue_inputs.listeners.append(self._analogue)
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        if name == "SPEEDREFSOURCE" and value:
+            analogue_input(int(value) - 1)
+        super().set(name, axis, value)
+        if name in ("SPEEDREFENABLE", "SPEEDREFSOURCE") and ("SPEEDREF", axis) in self._lines:
+            self.run(axis)
+
+    def refer(self, name: str, axis: int, velocity: float, line: int) -> None:
+        """A speed reference is written: SPEEDREF or SPEEDTESTREF, counts/s."""
+        self._settings[name, axis] = velocity
+        self._lines[name, axis] = line
+        self.run(axis, name, velocity != 0.0)
+
+    def run(self, axis: int, name: str = "SPEEDREF", takes: bool = False) -> None:
+        """Let the axis follow its reference; from another motion only a reference `takes` it that was just written."""
+        velocity, most = self.wanted(axis, name), self.setting("DRIVESPEEDMAX", axis) or inf
+        if not self.runs(axis, name) and not (velocity and (takes or self.controller.is_idle(axis))):
+            return
+        error_time = self.setting("SPEEDREFERRORDECELTIME", axis)
+        rate = top_speed(self.environment, axis) / error_time * 1000.0 if error_time else 0.0
+        limited = max(-most, min(velocity, most))
+        line = self._lines.get((name, axis), 0)
+        self.controller.refer_speed(axis, limited, self._slopes(axis, name), rate, name, line)
+
+    def runs(self, axis: int, name: str) -> bool:
+        """Whether a reference has the axis."""
+        move = self.controller.axes[axis].move
+        return move is not None and move.command == name
+
+    def wanted(self, axis: int, name: str = "SPEEDREF") -> float:
+        """The reference in force, counts/s: what was written, or an analogue input of the highest speed."""
+        if name != "SPEEDREF":
+            return self.setting(name, axis)
+        if not self.setting("SPEEDREFENABLE", axis):
+            return 0.0
+        source = int(self.setting("SPEEDREFSOURCE", axis))
+        if not source:
+            return self.setting(name, axis)
+        share = self.environment.part(Analogue).read(source - 1) / 100.0
+        return share * top_speed(self.environment, axis)
+
+    def _slopes(self, axis: int, name: str) -> tuple[Slope, Slope]:
+        a, top = self.controller.axes[axis], top_speed(self.environment, axis)
+        times = [self.setting(f"{name}{way}TIME", axis) / 1000.0 for way in ("ACCEL", "DECEL")]
+        rates = (0.0, 0.0) if all(times) else self.controller.rates(a, a.speed)
+        made = []
+        for way, time, rate in zip(("ACCEL", "DECEL"), times, rates, strict=True):
+            edges = [self.setting(f"{name}{way}JERK{edge}TIME", axis) / 1000.0 for edge in ("START", "END")]
+            made.append(Slope(top / time if time else rate, *edges))
+        return made[0], made[1]
+
+    def _analogue(self, channel: int, value: float) -> None:
+        for name, axis in list(self._settings):
+            hears = name == "SPEEDREFSOURCE" and self._settings[name, axis] == channel + 1
+            if hears and not self.controller.faults(axis) and self.controller.is_enabled(axis):
+                self.run(axis)
+
+
+def top_speed(environment: Environment, axis: int) -> float:
+    """The highest speed of an axis, counts/s: DRIVESPEEDMAX, else MAXSPEED, else SPEED."""
+    a = environment.controller.axes[axis]
+    most = environment.part(Drives).setting("DRIVESPEEDMAX", axis)
+    return most or (a.max_speed if a.max_speed < INFINITY else a.speed)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def write_speed(drives: Drives, row: Keyword, axis: int, value: float, line: int) -> None:
+    """SPEEDREF and SPEEDTESTREF, user units a second."""
+    drives.refer(row.name, axis, drives.scale(axis).to_counts(value, row.unit), line)
+
+
+def read_speed(drives: Drives, row: Keyword, axis: int) -> float:
+    """SPEEDREF and SPEEDTESTREF: the reference in force, from an analogue input where one is its source."""
+    return drives.scale(axis).to_user(drives.wanted(axis, row.name), row.unit)
+
+
+def write_velocity(drives: Drives, row: Keyword, axis: int, value: float, line: int) -> None:
+    """VELREF: within a period of the profiler the axis has the velocity."""
+    controller, velocity = drives.controller, drives.scale(axis).to_counts(value, row.unit)
+    if velocity == drives.setting(row.name, axis) and drives.runs(axis, row.name):
+        return
+    drives.set(row.name, axis, velocity)
+    change = abs(velocity - controller.demand_velocity(axis))
+    slope = Slope(max(change, 1.0) / PERIOD)
+    controller.refer_speed(axis, velocity, (slope, slope), 0.0, row.name, line)
+
+
+def write_position(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
+    """POSREF."""
+    controller = environment.controller
+    place = controller.axes[axis].scale.position_to_counts(value + environment.turn(axis))
+    controller.refer_position(axis, place, row.name, line)
+
+
+def read_position(environment: Environment, axis: int) -> float:
+    """Where the reference is, or would begin: the target of the axis, as far as it has one."""
+    target = environment.controller.axes[axis].target
+    return environment.place(axis, target if abs(target) < INFINITY else environment.controller.demand(axis))
+
+
+def read_error(environment: Environment, row: Keyword, axis: int) -> float:
+    """Demanded minus measured velocity."""
+    controller = environment.controller
+    error = controller.demand_velocity(axis) - controller.velocity(axis)
+    return controller.axes[axis].scale.to_user(error, row.unit)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_SETTING = Actions(read=reading(Drives), write=repeatable(writing(Drives)))
+_SPEED = Actions(read=of_word(Drives, read_speed), write=repeatable(of_word(Drives, write_speed)))
+_POSITION = Actions(read=of(Environment, read_position), write=of_word(Environment, write_position))
+_ERROR = Actions(read=moving(of_word(Environment, read_error)))
 
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
@@ -12,7 +157,7 @@ _STOP = "\nSPEEDREF(0) = 0\nPAUSE IDLE(0)\nPRINT POS(0)"
 
 def _setting(name: str, unit: str, help: str, example: str, high: float, default: float = 0.0, short: str = "",
              effect: str = "") -> Keyword:  # fmt: skip
-    return Keyword(name, short, "setting", "RW", "axis", unit, "drives.setting", help, example, default=default, low=0,
+    return Keyword(name, short, "setting", "RW", "axis", unit, _SETTING, help, example, default=default, low=0,
                    high=high, group="axis", effect=effect)  # fmt: skip
 
 
@@ -20,13 +165,13 @@ def _time(name: str, help: str) -> Keyword:
     return _setting(name, "number", help, f"{name}(0) = 200\nPRINT {name}(0)", _LONGEST)
 
 
-def _reading(name: str, short: str, unit: str, verb: str, help: str) -> Keyword:
-    return Keyword(name, short, "reading", "R", "axis", unit, verb, help,
+def _reading(name: str, short: str, unit: str, actions: str | Actions, help: str) -> Keyword:
+    return Keyword(name, short, "reading", "R", "axis", unit, actions, help,
                    f"JOG(0) = 100\nWAIT = 100\nPRINT {name}(0)\nCANCEL(0)", default=0.0, group="state")  # fmt: skip
 
 
-def _reference(name: str, short: str, unit: str, verb: str, help: str, example: str) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, verb, help, example, default=0.0, low=-_LARGEST,
+def _reference(name: str, short: str, unit: str, actions: Actions, help: str, example: str) -> Keyword:
+    return Keyword(name, short, "setting", "RW", "axis", unit, actions, help, example, default=0.0, low=-_LARGEST,
                    high=_LARGEST, group="motion", effect="act")  # fmt: skip
 
 
@@ -37,11 +182,12 @@ _EDGES = (
     ("DECEL", "END", "fades as the lower SPEEDREF is reached"),
 )
 
+
 ROWS = (
     _setting("DRIVESPEEDMAX", "uu/s",
              "The highest speed of the application: limits SPEEDREF, and is what its ramp times lead to.",
              "DRIVESPEEDMAX(0) = 1000\nPRINT DRIVESPEEDMAX(0)", _LARGEST, short="dsm"),
-    _reference("SPEEDREF", "sdr", "uu/s", "drives.speed",
+    _reference("SPEEDREF", "sdr", "uu/s", _SPEED,
                "Speed reference: ramp to a speed in the SPEEDREF… times and keep it, until another one is written; 0 "
                "brings the axis to rest.", _RUN + "SPEEDREF(0) = 500\nWAIT = 1000\nPRINT VEL(0)" + _STOP),
     _setting("SPEEDREFENABLE", "bool", "0 lets the axis ramp to rest whatever SPEEDREF is, 1 lets it go on.",
@@ -56,20 +202,20 @@ ROWS = (
                                             "by half of it.") for way, edge, what in _EDGES),
     _time("SPEEDREFERRORDECELTIME", "Milliseconds from the highest speed to rest when an error stops an axis that "
                                     "follows SPEEDREF; 0 for ERRORDECEL."),
-    _reference("SPEEDTESTREF", "", "uu/s", "drives.speed",
+    _reference("SPEEDTESTREF", "", "uu/s", _SPEED,
                "A speed reference for tests, with ramps of its own.",
                "DRIVESPEEDMAX(0) = 1000 : SPEEDTESTREFACCELTIME(0) = 500 : SPEEDTESTREFDECELTIME(0) = 500\n"
                "SPEEDTESTREF(0) = 500\nWAIT = 1000\nPRINT VEL(0)\nSPEEDTESTREF(0) = 0"),
     _time("SPEEDTESTREFACCELTIME", "Milliseconds from rest to the highest speed in ramps of SPEEDTESTREF."),
     _time("SPEEDTESTREFDECELTIME", "Milliseconds from the highest speed to rest in ramps of SPEEDTESTREF."),
-    _reference("VELREF", "", "uu/s", "drives.velocity",
+    _reference("VELREF", "", "uu/s", Actions(read=reading(Drives), write=repeatable(of_word(Drives, write_velocity))),
                "Velocity reference: within a millisecond the axis has this velocity, without a ramp of its own.",
                "VELREF(0) = 100\nWAIT = 100\nPRINT VEL(0)\nVELREF(0) = 0"),
-    _reference("POSREF", "", "uu", "drives.position",
+    _reference("POSREF", "", "uu", _POSITION,
                "Position reference: within a millisecond the axis is there, in a straight line.",
                "POSREF(0) = 2\nWAIT = 2\nPRINT POS(0)"),
     _reading("SPEEDDEMAND", "sdd", "uu/s", "demand_velocity", "The speed that the drive is to have now."),
     _reading("SPEEDMEASURED", "sms", "uu/s", "velocity", "The measured speed, as VEL."),
-    _reading("SPEEDERROR", "", "uu/s", "drives.error", "Demanded minus measured speed."),
-    _reading("VELERROR", "", "uu/s", "drives.error", "Demanded minus measured velocity."),
+    _reading("SPEEDERROR", "", "uu/s", _ERROR, "Demanded minus measured speed."),
+    _reading("VELERROR", "", "uu/s", _ERROR, "Demanded minus measured velocity."),
 )  # fmt: skip

@@ -2,26 +2,70 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from math import floor
+
+from motionlang.controller.moves import buffer
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.homing import Homes
+from motionlang.mint.runtime.binding import axis_of, of, of_word
+from motionlang.mint.runtime.changes import moving
+from motionlang.mint.runtime.environment import Environment
+
+NEGATIVE_INDEX = 4
+
+
+def _turns(environment: Environment, axis: int, place: float) -> int:
+    """The number of turns of a position in counts; where that has no end, of the axis as it stands."""
+    wrap = environment.wraps.get(axis)
+    if not wrap:
+        return 0
+    if not abs(place) < 1e300:
+        place = environment.controller.position(axis)
+    return floor(environment.controller.axes[axis].scale.position_to_user(place) / wrap + 1e-12)
+
+
+def do_datum(environment: Environment, row: Keyword, axes: tuple[int, ...], line: int) -> None:
+    """DATUM: HOME of type _hmNEGATIVE_INDEX."""
+    homes = environment.part(Homes)
+    for axis in [axis_of(environment, axis) for axis in axes]:
+        homes.begin(axis, NEGATIVE_INDEX, line)
+
+
+def write_frequency(environment: Environment, row: Keyword, axis: int, pulses: float, line: int) -> None:
+    """FREQ, pulses a second; 0 ends it, as it ends a jog."""
+    environment.controller.jog(axis, pulses, row.name, line, None, not pulses)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_DEMAND = Actions(read=moving(of(Environment, lambda e, axis: _turns(e, axis, e.controller.demand(axis)))))
+_TARGET = Actions(read=moving(of(Environment, lambda e, axis: _turns(e, axis, e.controller.target(axis)))))
+_LAST_TARGET = Actions(
+    read=moving(of(Environment, lambda e, axis: _turns(e, axis, buffer.end(e.controller.axes[axis]))))
+)
+_FREQUENCY = Actions(
+    read=moving(of(Environment, lambda e, axis: e.controller.axes[axis].velocity(e.clock.now))),
+    write=of_word(Environment, write_frequency),
+)
 
 _ROUND = "POSWRAP(0) = 360\nMOVER(0) = 800\nGO(0)\nPRINT {0}(0)\nPAUSE IDLE(0)\nPRINT {0}(0)"
 
 
-def _turns(name: str, verb: str, help: str) -> Keyword:
-    return Keyword(name, "", "reading", "R", "axis", "integer", verb, help, _ROUND.format(name), default=0.0,
+def _reading(name: str, actions: Actions, help: str) -> Keyword:
+    return Keyword(name, "", "reading", "R", "axis", "integer", actions, help, _ROUND.format(name), default=0.0,
                    group="state")  # fmt: skip
 
 
 ROWS = (
-    _turns("POSROLLOVERDEMAND", "encoder_wrap.demand", "How many times POSDEMAND has wrapped."),
-    _turns("POSROLLOVERTARGET", "encoder_wrap.target", "How many times POS will have wrapped when the move is over."),
-    _turns("POSROLLOVERTARGETLAST", "encoder_wrap.last_target",
+    _reading("POSROLLOVERDEMAND", _DEMAND, "How many times POSDEMAND has wrapped."),
+    _reading("POSROLLOVERTARGET", _TARGET, "How many times POS will have wrapped when the move is over."),
+    _reading("POSROLLOVERTARGETLAST", _LAST_TARGET,
            "How many times POS will have wrapped when the buffer is empty."),
-    Keyword("DATUM", "", "command", "C", "axes", "", "encoder_wrap.datum",
+    Keyword("DATUM", "", "command", "C", "axes", "", Actions(do=of_word(Environment, do_datum)),
             "Find the encoder's index in reverse, which is HOME of type _hmNEGATIVE_INDEX (v3).",
             "If HOMEINPUT(0) >= 0 Then DATUM(0)\nPAUSE IDLE(0)\nPRINT HOMESTATUS(0)",
             group="motion", effect="act datum"),
-    Keyword("FREQ", "", "setting", "RW", "axis", "number", "encoder_wrap.frequency",
+    Keyword("FREQ", "", "setting", "RW", "axis", "number", _FREQUENCY,
             "Run at a constant number of pulses a second, its sign the direction, until stopped or told another one.",
             "FREQ(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT FREQ(0)",
             default=0.0, low=-8388607.0, high=8388607.0, group="motion", effect="act"),

@@ -1,8 +1,77 @@
-"""Events that a program raises or drops."""
+"""Events that the program raises or drops by itself, and those of keys.
+
+The type of an event is the place of its kind in the order of urgency, which is also its bit in EVENTPENDING. What
+follows says which of the kind: a bank and a bit pattern of inputs, the number of a latch, a bit pattern of elements,
+locations or buses.
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.machine.machine import CONSOLE
+from motionlang.mint.keywords.event_kinds import KINDS, SINGLE
+from motionlang.mint.keywords.io_inputs import BANK
+from motionlang.mint.runtime.binding import of_word
+from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.events import Events
+
+# Kinds whose first datum is a bank, and kinds whose first datum is a number; the others take a bit pattern.
+_BANKED, _NUMBERED = ("in", "fastin"), ("latch",)
+
+
+class Keys:
+    """The event of the terminal: keys have been pressed."""
+
+    def __init__(self, environment: Environment) -> None:
+        events = environment.events
+        machine = environment.machine
+        terminals = {entry.get("terminal", CONSOLE) for entry in machine.settings.get("key", ())}  # type: ignore[attr-defined]
+        for number in sorted({CONSOLE, *terminals}):
+            machine.operator_at(number).listeners.append(lambda: events.raise_("terminalreceive"))
+
+
+def _kind(row: Keyword, type_: int) -> str:
+    if not 0 <= type_ < len(KINDS):
+        raise Refusal(
+            "event", f"{row.name}: there is no event of type {type_}", f"they are 0 to {len(KINDS) - 1}"
+        )
+    return KINDS[type_]
+
+
+def _numbers(kind: str, first: int, second: int) -> list[int]:
+    """Which events of a kind the data name."""
+    if kind in SINGLE:
+        return [0]
+    if kind in _NUMBERED:
+        return [first]
+    start, pattern = (first * BANK, second) if kind in _BANKED else (0, first)
+    return [start + k for k in range(BANK) if pattern >> k & 1]
+
+
+def do_pend(events: Events, row: Keyword, type_: int, first: int, second: int) -> None:
+    """EVENTPEND."""
+    kind = _kind(row, type_)
+    numbers = [number for number in _numbers(kind, first, second) if events.handles(kind, number)]
+    if not numbers:
+        words = f"the program has no handler of {kind.upper()} for {first}, {second}"
+        raise Refusal("event", words if kind not in SINGLE else f"the program has no handler of {kind.upper()}",
+                      f"write Event {kind.upper()}{'' if kind in SINGLE else '0'} … End Event")  # fmt: skip
+    for number in numbers:
+        events.raise_(kind, number)
+
+
+def do_unpend(events: Events, row: Keyword, type_: int, first: int, second: int) -> None:
+    """EVENTUNPEND: what waits is dropped; of a kind with numbers all that wait where the data name none."""
+    numbers = _numbers(_kind(row, type_), first, second)
+    events.pending[:] = [
+        (rank, number)
+        for rank, number in events.pending
+        if rank != type_ or (numbers and number not in numbers)
+    ]
+
+
+# ------------------------------------------------------------------------------------------------- keywords
 
 _TYPES = (
     "0 ONERROR, 1 BUS, 2 STOP, 3 FASTIN, 4 LATCH, 5 TIMER, 6 IN, 7 NETDATA, 8 COMMS, 9 DPR, 10 AXISIDLE, 11 MBLOW, "
@@ -10,13 +79,16 @@ _TYPES = (
 )
 _TIMER = '{0}WAIT = 5\nEnd\nEvent TIMER\n  PRINT "tick"\nEnd Event'
 
+
 ROWS = (
-    Keyword("EVENTPEND", "", "command", "C", "type, data, data", "", "event_flags.pend",
+    Keyword("EVENTPEND", "", "command", "C", "type, data, data", "", Actions(do=of_word(Events, do_pend)),
             f"Raise an event; the types are {_TYPES}. The data are a bank and a bit pattern (IN, FASTIN), a number "
             "(LATCH), or a bit pattern (COMMS, NETDATA, BUS).",
             _TIMER.format("EVENTPEND(5, 0, 0)\n"), group="events"),
-    Keyword("EVENTUNPEND", "", "command", "C", "type, data, data", "", "event_flags.unpend",
+    Keyword("EVENTUNPEND", "", "command", "C", "type, data, data", "", Actions(do=of_word(Events, do_unpend)),
             "Drop an event that waits to be handled; the same types and data as EVENTPEND.",
             _TIMER.format("EVENTDISABLE = 0x20\nEVENTPEND(5, 0, 0)\nEVENTUNPEND(5, 0, 0)\nEVENTDISABLE = 0\n"
                           "PRINT EVENTPENDING\n"), group="events"),
 )  # fmt: skip
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"terminalreceive": Keys}

@@ -10,6 +10,11 @@ KINDS = (
     "onerror", "bus", "stop", "fastin", "latch", "timer", "in", "netdata", "comms", "dpr", "axisidle", "mblow",
     "terminalreceive", "serialreceive", "busmessage", "modbus", "knife", "reset",
 )  # fmt: skip
+# The keyword whose file raises the events of a kind for programs that handle them: `SOURCES` there says what does.
+RAISED_BY = {
+    "in": "IN", "latch": "LATCH", "fastin": "FASTENABLE", "stop": "STOPINPUT", "comms": "COMMS", "netdata": "NETFLOAT",
+    "bus": "NODELIVE", "terminalreceive": "EVENTPEND", "serialreceive": "SERIALCHAR",
+}  # fmt: skip
 # Kinds that only EVENTPEND raises here: nothing of the simulated machine is their source.
 SOURCELESS = frozenset(("dpr", "busmessage", "modbus", "knife", "reset"))
 # What a kind is called too: COMMSX in the manuals, and CAN by v4.

@@ -2,13 +2,29 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.limits_resetting import default
+from motionlang.mint.keywords.no_effect import Kept
+from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.environment import Environment
+
+
+def do_defaults(environment: Environment) -> None:
+    """SYSTEMDEFAULTS and FACTORYDEFAULTS: DEFAULTALL, and what was kept is forgotten."""
+    for axis in environment.controller.axes:
+        default(environment, axis)
+    environment.part(Kept).values.clear()
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_DEFAULTS = Actions(do=of(Environment, do_defaults))
 
 _EXAMPLE = "SPEED(0) = 10 : MOTORPOLES(0) = 6\n{}\nPRINT SPEED(0), MOTORPOLES(0)"
 
 
 def _word(name: str, short: str, help: str) -> Keyword:
-    return Keyword(name, short, "command", "C", "none", "", "factory_defaults.defaults", help, _EXAMPLE.format(name),
+    return Keyword(name, short, "command", "C", "none", "", _DEFAULTS, help, _EXAMPLE.format(name),
                    group="axis")  # fmt: skip
 
 

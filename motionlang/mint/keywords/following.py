@@ -2,7 +2,89 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.buffer import loads
+from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
+from motionlang.mint.keywords.motion import finite
+from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.binding import Operation
+
+
+RAMPED = 1
+
+
+def _follow(masters: Masters, axis: int, line: int) -> None:
+    """Follow at the ratio that is set; 0 ends following."""
+    controller, ratio = masters.controller, masters.ratios.get(axis, 0.0)
+    ratio *= masters.setting("FOLLOWNUMERATOR", axis) / masters.setting("FOLLOWDENOM", axis)
+    if not ratio:
+        if controller.master_of(axis) is not None:
+            controller.come_to_rest(axis, "stop")
+        return
+    found = masters.of(axis)
+    controller.gear(
+        axis,
+        found.number,
+        ratio * masters.scale(axis).counts / found.per_unit,
+        masters.setting("FOLLOWMODE", axis) == RAMPED,
+        found.encoder,
+        "FOLLOW",
+        line,
+    )
+
+
+def read_follow(masters: Masters, axis: int) -> float:
+    """The ratio while the axis follows, 0 otherwise."""
+    return masters.ratios.get(axis, 0.0) if masters.controller.master_of(axis) is not None else 0.0
+
+
+def write_follow(masters: Masters, axis: int, ratio: float, line: int) -> None:
+    """FOLLOW: the ratio of slave to master from now on; 0 brings the slave to rest."""
+    masters.ratios[axis] = ratio
+    _follow(masters, axis, line)
+
+
+def write_part(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
+    """An axis that follows already takes the new ratio."""
+    masters.set(row.name, axis, value)
+    if masters.controller.master_of(axis) is not None and masters.ratios.get(axis):
+        _follow(masters, axis, line)
+
+
+def put_fly(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
+    """FLY: user units of the slave while the master goes MASTERDISTANCE."""
+    found, over = distance(environment, axis, row.name)
+    found.refuse(environment, axis)
+    counts = scale_of(environment, axis).to_counts(value)
+    environment.controller.load_fly(axis, found.number, counts, over, found.encoder, row.name, line)
+
+
+def put_offset(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
+    """OFFSET: user units on top of what the axis follows, over OFFSETDISTANCE of the master."""
+    finite(row, value)
+    mode = int(masters.setting("OFFSETMODE", axis))
+    over = masters.setting("OFFSETDISTANCE", axis) * masters.of(axis).per_unit
+    counts = masters.scale(axis).to_counts(value)
+    masters.controller.load_offset(axis, counts, mode, over, row.name, line)
+
+
+@by_axis
+def read_offset(environment: Environment, row: Keyword, axis: int) -> Operation:
+    """What is still to go: of the offset of a slave, of the move of another axis."""
+    return environment.controller.reader("offset_remaining", axis, row.unit, environment)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_PART = Actions(
+    read=of_word(Masters, lambda masters, row, axis: masters.setting(row.name, axis)),
+    write=repeatable(of_word(Masters, write_part)),
+)
 
 _LARGEST = 8388607.0
 _READY = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMASTERCHANNEL(1) = 0\n"
@@ -14,16 +96,6 @@ _OFFSET = (
     _READY
     + "FOLLOW(1) = 1\nJOG(0) = 50\n{}WAIT = 1000\nOFFSET(1) = 10\nGO(1)\nWAIT = 2000\nPRINT POS(1) - POS(0)\nCANCELALL"
 )
-
-
-def _setting(
-    name: str, short: str, unit: str, help: str, default: float, low: float, high: float, family: str = ""
-) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, "following.masters.setting", help,
-                   f"{name}(1) = 1\nPRINT {name}(1)", default=default, low=low, high=high,
-                   group="following", family=family)  # fmt: skip
-
-
 _SOURCES = (
     ("POS", "the position of an axis"),
     ("ENCODER", "an encoder"),
@@ -54,71 +126,32 @@ ROWS = (
     *(_constant(f"_ms{name}", n, f"MASTERSOURCE: {help}.") for n, (name, help) in enumerate(_SOURCES)),
     *(_constant(f"_of{name}", n, f"OFFSETMODE: {help}.") for n, (name, help) in enumerate(_OFFSET_MODES)),
     *(_constant(f"_os{name}", 1 << n, f"OFFSETSTATUS: {help}.") for n, (name, help) in enumerate(_STATUS)),
-    _setting("MASTERSOURCE", "", "integer",
-             "What MASTERCHANNEL is: _msPOS an axis, _msENCODER an encoder, _msAUXENCODER an auxiliary encoder.",
-             0.0, 0, 2),
-    _setting("MASTERCHANNEL", "", "integer", "The axis or encoder that the axis follows.", 0.0, 0, 63),
-    _setting("MASTERDISTANCE", "", "number",
-             "How far the master goes, in its own units, during a FLY or a segment of a cam; negative for backwards.",
-             0.0, -_LARGEST, _LARGEST),
-    _setting("FOLLOWMODE", "", "integer",
-             "How FOLLOW begins: 0 at the master's speed at once, 1 with ramps at ACCEL and DECEL.", 0.0, 0, 1),
-    Keyword("FOLLOW", "FL", "setting", "RW", "axis", "number", "following.follow",
+    Keyword("FOLLOW", "FL", "setting", "RW", "axis", "number",
+            Actions(read=of(Masters, read_follow), write=of(Masters, write_follow)),
             "Follow the master: units of this axis for each unit of the master. 0 ends it; no GO is needed.",
             _READY + "FOLLOW(1) = 0.5\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
             default=0.0, low=-_LARGEST, high=_LARGEST, group="motion", effect="act follows"),
-    Keyword("FOLLOWNUMERATOR", "", "setting", "RW", "axis", "number", "following.part",
+    Keyword("FOLLOWNUMERATOR", "", "setting", "RW", "axis", "number", _PART,
             "FOLLOW is multiplied by this and divided by FOLLOWDENOM: 1 and 3 make an exact third.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOWNUMERATOR(1) = 2\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\n"
             "PAUSE IDLE(0)\nPRINT POS(1)", default=1.0, low=-_LARGEST, high=_LARGEST, group="motion"),
-    Keyword("FOLLOWDENOM", "", "setting", "RW", "axis", "number", "following.part",
+    Keyword("FOLLOWDENOM", "", "setting", "RW", "axis", "number", _PART,
             "What FOLLOW is divided by.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
             default=1.0, low=1e-9, high=_LARGEST, group="motion"),
-    _setting("GEARING", "GR", "%",
-             "How much of the slave's lag GEARINGMODE corrects. Without a simulated motor there is no lag to correct.",
-             100.0, -_LARGEST, _LARGEST, "gearing"),
-    _setting("GEARINGMODE", "GRM", "integer", "1: the slave's lag behind its master is corrected, see GEARING.",
-             0.0, 0, 1),
-    Keyword("FLY", "", "move", "W", "axis", "uu", "following.fly",
+    Keyword("FLY", "", "move", "W", "axis", "uu", Actions(load=loads(Environment, put_fly)),
             "Load a segment of a flying shear: go this distance while the master goes MASTERDISTANCE. Its ratio to the "
             "master changes evenly from that of the segment before, so two equal segments end at a ratio of 0.",
             _FLY, group="motion", effect="course follows"),
-    Keyword("OFFSET", "", "move", "RW", "axis", "uu", "following.offset",
+    Keyword("OFFSET", "", "move", "RW", "axis", "uu", Actions(read=read_offset, load=loads(Masters, put_offset)),
             "Load a distance on top of following; an axis that follows nobody moves by it. Reading it gives the "
             "distance still to go, of a move too.",
             _OFFSET.format(""), group="motion", effect="course follows", solved=True),
-    Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", "following.masters.setting",
+    Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", MASTER_SETTING,
             "How OFFSET is done: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
             _OFFSET.format("OFFSETMODE(1) = _ofSPEED_MOD : OFFSETDISTANCE(1) = 50\n"),
             default=0.0, low=0, high=3, group="following", family="offset modes"),
-    _setting("OFFSETDISTANCE", "", "number",
-             "How far the master goes during an OFFSET of mode 2 or 3, in its own units.", 0.0, -_LARGEST, _LARGEST),
     Keyword("OFFSETSTATUS", "OFS", "reading", "R", "axis", "bits", "offset_status",
             "How the last OFFSET went: the _os constants, 0 as wanted.",
             _OFFSET.format("") + "\nPRINT OFFSETSTATUS(1)", default=0.0, group="following"),
-    Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number", "following.auxiliary.position",
-            "What an auxiliary encoder shows, in units of AUXENCODERSCALE.",
-            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
-            default=0.0, group="encoders", driven="encoder", solved=True),
-    Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number", "following.auxiliary.velocity",
-            "Speed of an auxiliary encoder, in units of AUXENCODERSCALE a second.",
-            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nPRINT AUXENCODERVEL(0)", default=0.0, group="encoders"),
-    Keyword("AUXENCODERMODE", "", "setting", "RW", "auxchannel", "integer", "following.auxiliary.mode",
-            "8: the auxiliary encoder is a virtual axis, which runs at AUXENCODERSPEED. Other values have no effect.",
-            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
-            default=0.0, low=0.0, high=2147483647.0, group="encoders"),
-    Keyword("AUXENCODERSPEED", "", "setting", "RW", "auxchannel", "number", "following.auxiliary.speed",
-            "The speed at which an auxiliary encoder of AUXENCODERMODE 8 counts by itself: a master without a machine.",
-            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
-            default=0.0, low=-_LARGEST, high=_LARGEST, group="encoders"),
-    *(
-        Keyword(f"AUX{name}", "", "setting", "RW", "auxchannel", unit, "following.auxiliary.setting", help,
-                f"AUX{name}(0) = 4\nPRINT AUX{name}(0)", default=default, low=low, high=_LARGEST, group="encoders")
-        for name, unit, help, default, low in (
-            ("ENCODERSCALE", "number", "Counts of an auxiliary encoder in one of its units.", 1.0, 1e-6),
-            ("ENCODERPRESCALE", "integer", "What the counts of an auxiliary encoder are divided by first.", 1.0, 1),
-            ("ENCODERWRAP", "number", "The range in which AUXENCODER counts, from 0 on; 0 for no end.", 0.0, 0),
-        )
-    ),
 )  # fmt: skip

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.sensing_operations import (
+from motionlang.mint.keywords.sensing import (
     Encoders,
     compared,
     read_setting,
@@ -12,7 +13,7 @@ from motionlang.mint.keywords.sensing_operations import (
     write_encoder,
     write_setting,
 )
-from motionlang.mint.runtime.binding import Row, of, of_word
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving
 from motionlang.mint.runtime.environment import Environment
 
@@ -69,26 +70,53 @@ def _channel(channel: int) -> int:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def write_mode(encoders: AuxEncoders, row: Row, channel: int, mode: int) -> None:
+def write_mode(encoders: AuxEncoders, row: Keyword, channel: int, mode: int) -> None:
     """AUXENCODERMODE: 8 makes the encoder a virtual axis; any other mode has no effect, which the report says."""
     encoders.set_mode(_channel(channel), mode)
     if mode not in (0, VIRTUAL):
         encoders.machine.without_effect.setdefault(row.name, [])
 
 
-OPERATIONS = {
-    "following.auxiliary.position": {"read": compared(AuxEncoders), "write": of(AuxEncoders, write_encoder)},
-    "following.auxiliary.velocity": {"read": moving(of(AuxEncoders, read_speed))},
-    "following.auxiliary.speed": {
-        "read": of(AuxEncoders, lambda encoders, channel: encoders.virtual_speed(_channel(channel))),
-        "write": of(AuxEncoders, lambda encoders, channel, speed: encoders.turn(_channel(channel), speed)),
-    },
-    "following.auxiliary.mode": {
-        "read": of(AuxEncoders, lambda encoders, channel: encoders.modes.get(_channel(channel), 0)),
-        "write": of_word(AuxEncoders, write_mode),
-    },
-    "following.auxiliary.setting": {
-        "read": of_word(AuxEncoders, read_setting),
-        "write": of_word(AuxEncoders, write_setting),
-    },
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_SPEED = Actions(
+    read=of(AuxEncoders, lambda encoders, channel: encoders.virtual_speed(_channel(channel))),
+    write=of(AuxEncoders, lambda encoders, channel, speed: encoders.turn(_channel(channel), speed)),
+)
+_MODE = Actions(
+    read=of(AuxEncoders, lambda encoders, channel: encoders.modes.get(_channel(channel), 0)),
+    write=of_word(AuxEncoders, write_mode),
+)
+_SETTING = Actions(read=of_word(AuxEncoders, read_setting), write=of_word(AuxEncoders, write_setting))
+
+_LARGEST = 8388607.0
+
+
+ROWS = (
+    Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number",
+            Actions(read=compared(AuxEncoders), write=of(AuxEncoders, write_encoder)),
+            "What an auxiliary encoder shows, in units of AUXENCODERSCALE.",
+            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
+            default=0.0, group="encoders", driven="encoder", solved=True),
+    Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number",
+            Actions(read=moving(of(AuxEncoders, read_speed))),
+            "Speed of an auxiliary encoder, in units of AUXENCODERSCALE a second.",
+            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nPRINT AUXENCODERVEL(0)", default=0.0, group="encoders"),
+    Keyword("AUXENCODERMODE", "", "setting", "RW", "auxchannel", "integer", _MODE,
+            "8: the auxiliary encoder is a virtual axis, which runs at AUXENCODERSPEED. Other values have no effect.",
+            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
+            default=0.0, low=0.0, high=2147483647.0, group="encoders"),
+    Keyword("AUXENCODERSPEED", "", "setting", "RW", "auxchannel", "number", _SPEED,
+            "The speed at which an auxiliary encoder of AUXENCODERMODE 8 counts by itself: a master without a machine.",
+            "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
+            default=0.0, low=-_LARGEST, high=_LARGEST, group="encoders"),
+    *(
+        Keyword(f"AUX{name}", "", "setting", "RW", "auxchannel", unit, _SETTING, help,
+                f"AUX{name}(0) = 4\nPRINT AUX{name}(0)", default=default, low=low, high=_LARGEST, group="encoders")
+        for name, unit, help, default, low in (
+            ("ENCODERSCALE", "number", "Counts of an auxiliary encoder in one of its units.", 1.0, 1e-6),
+            ("ENCODERPRESCALE", "integer", "What the counts of an auxiliary encoder are divided by first.", 1.0, 1),
+            ("ENCODERWRAP", "number", "The range in which AUXENCODER counts, from 0 on; 0 for no end.", 0.0, 0),
+        )
+    ),
+)  # fmt: skip

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.sensing_operations import Encoders
+from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.runtime.binding import axis_of
 from motionlang.mint.runtime.changes import repeatable
 
@@ -15,6 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.mint.runtime.environment import Environment
+
 
 AXIS, ENCODER, AUX_ENCODER = range(3)
 LAST_ENCODER = 63
@@ -105,6 +107,36 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
     return found, over * found.per_unit
 
 
-OPERATIONS = {
-    "following.masters.setting": {"read": reading(Masters), "write": repeatable(writing(Masters))},
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+MASTER_SETTING = Actions(read=reading(Masters), write=repeatable(writing(Masters)))
+
+_LARGEST = 8388607.0
+
+
+def _setting(
+    name: str, short: str, unit: str, help: str, default: float, low: float, high: float, family: str = ""
+) -> Keyword:
+    return Keyword(name, short, "setting", "RW", "axis", unit, MASTER_SETTING, help,
+                   f"{name}(1) = 1\nPRINT {name}(1)", default=default, low=low, high=high,
+                   group="following", family=family)  # fmt: skip
+
+
+ROWS = (
+    _setting("MASTERSOURCE", "", "integer",
+             "What MASTERCHANNEL is: _msPOS an axis, _msENCODER an encoder, _msAUXENCODER an auxiliary encoder.",
+             0.0, 0, 2),
+    _setting("MASTERCHANNEL", "", "integer", "The axis or encoder that the axis follows.", 0.0, 0, 63),
+    _setting("MASTERDISTANCE", "", "number",
+             "How far the master goes, in its own units, during a FLY or a segment of a cam; negative for backwards.",
+             0.0, -_LARGEST, _LARGEST),
+    _setting("FOLLOWMODE", "", "integer",
+             "How FOLLOW begins: 0 at the master's speed at once, 1 with ramps at ACCEL and DECEL.", 0.0, 0, 1),
+    _setting("GEARING", "GR", "%",
+             "How much of the slave's lag GEARINGMODE corrects. Without a simulated motor there is no lag to correct.",
+             100.0, -_LARGEST, _LARGEST, "gearing"),
+    _setting("GEARINGMODE", "GRM", "integer", "1: the slave's lag behind its master is corrected, see GEARING.",
+             0.0, 0, 1),
+    _setting("OFFSETDISTANCE", "", "number",
+             "How far the master goes during an OFFSET of mode 2 or 3, in its own units.", 0.0, -_LARGEST, _LARGEST),
+)  # fmt: skip

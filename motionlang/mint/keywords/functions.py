@@ -10,7 +10,6 @@ def _function(name: str, index: str, unit: str, verb: str, help: str, example: s
                    group="functions")  # fmt: skip
 
 
-# The unit "same" stands for the type of the arguments.
 ROWS = (
     _function("Abs", "number", "same", "absolute", "The number without its sign.", "Abs(-3)"),
     _function("Sgn", "number", "integer", "sign", "-1, 0 or 1 as the number is negative, zero or positive.",

@@ -5,10 +5,118 @@ The machine file can give each of them another answer, in its section `[mint.rea
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.no_effect import Kept
+from motionlang.mint.runtime.binding import axis_of, of
+from motionlang.mint.runtime.changes import always
+from motionlang.mint.runtime.environment import Environment
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.mint.runtime.binding import Maker, Operation
+
+
+# What the library of WorkBench calls its own simulated controller.
 # What NUMBEROF counts.
 AXES = 0
+VIRTUAL = "Virtual Controller"
+_POWER_UP = "2000-01-01 00:00:00"
+_DATE = "%Y-%m-%d %H:%M:%S"
+
+
+def answers(known: Callable[..., object]) -> Maker:
+    """What the machine file says, or what this program knows: of the environment and what stands in the brackets."""
+
+    def made(environment: Environment, row: Keyword) -> Operation:
+        find, of_axis = environment.part(Kept).told.find, row.index == "axis"
+
+        def read(*where: int) -> object:
+            if of_axis:
+                axis_of(environment, where[0])
+            told = find(row.name, row.unit, where)
+            return known(environment, *where) if told is None else told
+
+        return read
+
+    return made
+
+
+def version(environment: Environment) -> str:
+    from motionlang import __version__
+
+    return f"motionlang {__version__}"
+
+
+def count(environment: Environment, item: int) -> int:
+    """NUMBEROF: the axes; of other items what the machine file says, else the run ends."""
+    if item == AXES:
+        return len(environment.controller.axes)
+    from motionlang.lang.run_errors import NotSimulated
+
+    words = f"how many there are of item {item} is not known here"
+    raise NotSimulated(words, f'the machine file can say it: [mint.readings] NUMBEROF = {{ "{item}" = 8 }}')
+
+
+def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:
+    """OKTOLOADMOVE: 1 where every axis of the array could take a move into its buffer now."""
+    controller = environment.controller
+
+    def takes(axis: int) -> bool:
+        a = controller.axes[axis_of(environment, axis)]
+        stopping = a.move is not None and a.move.ended in ("stop", "fault")
+        return controller.is_enabled(axis) and not a.faults and not stopping and controller.room(axis) > 0
+
+    return int(all(takes(int(axis)) for axis in (axes or [])[1 : count + 1]))
+
+
+# --------------------------------------------------------------------------------------------- date and time
+
+
+class Calendar:
+    """Date and time at a moment of machine time; both from the machine file or the program."""
+
+    def __init__(self, environment: Environment) -> None:
+        told = environment.part(Kept).told.find("REALTIMECLOCK", "text", ())
+        self.clock = environment.clock
+        self.set(str(told) if told is not None else _POWER_UP, 0.0)
+
+    def set(self, text: str, now: float) -> None:
+        """Refuses what is no date."""
+        from datetime import datetime
+
+        from motionlang.controller.faults import Refusal
+
+        try:
+            self.date = datetime.strptime(text, _DATE)
+        except ValueError:
+            raise Refusal(
+                "range", f"REALTIMECLOCK cannot be {text!r}", f'it takes a text like "{_POWER_UP}"'
+            ) from None
+        self.since = now
+
+    def text(self) -> str:
+        """Whole seconds."""
+        from datetime import timedelta
+
+        try:
+            return (self.date + timedelta(seconds=int(self.clock.now - self.since + 1e-9))).strftime(_DATE)
+        except OverflowError:
+            return self.date.strftime(_DATE)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_LOCAL = Actions(read=answers(lambda environment, *where: 0))
+_FIT = Actions(read=answers(lambda environment, *where: 1))
+# What is not there needs no clearing.
+_NOTHING_WRONG = Actions(read=_LOCAL.read, write=lambda environment, row: lambda *given: None)
+_DATE_ACTIONS = Actions(
+    read=always(of(Calendar, Calendar.text)),
+    write=of(Calendar, lambda calendar, text: calendar.set(text, calendar.clock.now)),
+)
+_NOTHING = Actions(do=lambda environment, row: lambda *given: None)
 
 
 def _word(
@@ -17,26 +125,27 @@ def _word(
     access: str,
     index: str,
     unit: str,
-    verb: str,
+    actions: Actions,
     help: str,
     default: float | None = 0.0,
 ) -> Keyword:
     where = "" if index == "none" else "(0)"
     kind = "setting" if "W" in access else "reading"
-    return Keyword(name, short, kind, access, index, unit, f"identity.{verb}", help, f"PRINT {name}{where}",
+    return Keyword(name, short, kind, access, index, unit, actions, help, f"PRINT {name}{where}",
                    default=None if unit == "text" else default, group="identity")  # fmt: skip
 
 
 def _fine(name: str, short: str, access: str, index: str, unit: str, help: str) -> Keyword:
     given = " Writing it clears nothing." if "W" in access else ""
-    return _word(name, short, access, index, unit, "nothing_wrong", f"{help} 0: nothing went wrong.{given}")
+    return _word(name, short, access, index, unit, _NOTHING_WRONG, f"{help} 0: nothing went wrong.{given}")
 
 
 ROWS = (
-    _word("PLATFORMNAME", "", "R", "none", "text", "platform",
+    _word("PLATFORMNAME", "", "R", "none", "text",
+          Actions(read=answers(lambda environment: environment.machine.model or VIRTUAL)),
           "The controller: controller.model of the machine file, or Virtual Controller."),
-    _word("FIRMWAREVERSION", "", "R", "none", "text", "version", "The version of this program."),
-    _word("NUMBEROF", "no", "R", "item", "integer", "count",
+    _word("FIRMWAREVERSION", "", "R", "none", "text", Actions(read=answers(version)), "The version of this program."),
+    _word("NUMBEROF", "no", "R", "item", "integer", Actions(read=answers(count)),
           "How many there are of something: _noAXES counts the axes; of other things the machine file knows.",
           default=None),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",
@@ -44,28 +153,28 @@ ROWS = (
     Keyword("_egCONTROLLER", "", "constant", "R", "none", "integer", "3",
             "ERRORPRESENT and its family: errors of the controller, as _egMISC.", "PRINT _egCONTROLLER",
             group="constants"),
-    _word("AXISBUS", "", "R", "axis", "integer", "local", "The bus of an axis: 0, as every axis is local."),
-    _word("AXISNODE", "", "R", "axis", "integer", "local",
+    _word("AXISBUS", "", "R", "axis", "integer", _LOCAL, "The bus of an axis: 0, as every axis is local."),
+    _word("AXISNODE", "", "R", "axis", "integer", _LOCAL,
           "The node of an axis: 0, as every axis is local."),
-    _word("MINTEXECUTING", "", "R", "none", "bool", "fit", "1: the program runs.", 1.0),
-    _word("SUPPORTSMINT", "", "R", "none", "bool", "fit", "1: the controller runs programs.", 1.0),
-    _word("PHASESEARCHSTATUS", "", "R", "axis", "bool", "fit_axis", "1: the motor is commutated.", 1.0),
+    _word("MINTEXECUTING", "", "R", "none", "bool", _FIT, "1: the program runs.", 1.0),
+    _word("SUPPORTSMINT", "", "R", "none", "bool", _FIT, "1: the controller runs programs.", 1.0),
+    _word("PHASESEARCHSTATUS", "", "R", "axis", "bool", _FIT, "1: the motor is commutated.", 1.0),
     _fine("INITERROR", "", "RW", "none", "bits", "Errors of the start of the controller."),
     _fine("INITWARNING", "", "RW", "none", "bits", "Warnings of the start of the controller."),
     Keyword("AVERAGEVEL", "", "reading", "R", "axis", "uu/s", "velocity",
             "Velocity of the axis as VEL has it: there is no noise of which to take the average.",
             "JOG(0) = 100\nWAIT = 100\nPRINT AVERAGEVEL(0)\nSTOP(0)", default=0.0, group="state"),
-    Keyword("OKTOLOADMOVE", "", "reading", "R", "count, array", "bool", "identity.takes_moves",
+    Keyword("OKTOLOADMOVE", "", "reading", "R", "count, array", "bool", Actions(read=of(Environment, takes_moves)),
             "1 when the axes in an array, so many of them, take a move now: there is room, and none is in error, "
             "switched off or stopping.",
             "Dim a(2) As Integer = 0, 1\nPRINT OKTOLOADMOVE(2, a)", default=1.0, group="state"),
-    Keyword("REALTIMECLOCK", "", "setting", "RW", "none", "text", "identity.date",
+    Keyword("REALTIMECLOCK", "", "setting", "RW", "none", "text", _DATE_ACTIONS,
             "Date and time, 2000-01-01 00:00:00 at power-up until it is set; [mint.readings] gives another begin. It "
             "goes with machine time.",
             'REALTIMECLOCK = "2026-11-20 06:30:00"\nWAIT = 2000\nPRINT REALTIMECLOCK', group="identity"),
-    Keyword("NOP", "", "command", "C", "none", "", "identity.nothing", "Do nothing.", "NOP", group="control"),
+    Keyword("NOP", "", "command", "C", "none", "", _NOTHING, "Do nothing.", "NOP", group="control"),
     *(
-        Keyword(name, "", "command", "C", "none", "", "identity.nothing", help, name, group="terminal")
+        Keyword(name, "", "command", "C", "none", "", _NOTHING, help, name, group="terminal")
         for name, help in (
             ("TRON", "Line trace on: MintMT has the word for old programs and does nothing."),
             ("TROFF", "Line trace off: MintMT has the word for old programs and does nothing."),

@@ -1,8 +1,8 @@
-"""In which group each word of Mint stands, "" for the type library. Written by `indexing`; do not edit."""
+"""In which file each word of Mint stands, "" for the type library. Written by `indexing`; do not edit."""
 
 from __future__ import annotations
 
-GROUPS = {
+FILES = {
     "correction": """
 movecorrection timescale
 """,
@@ -19,7 +19,7 @@ torqueref tqr torquerefenable torquerefsource torquerefrisetime torquereffalltim
 currentmeas cms currentdemand
 """,
     "jogging": """
-jogspeed jgs jogcommand jgc jogmode jogduration jogtime jogacceltimemax jogdeceltimemax
+jog jg jogspeed jgs jogcommand jgc jogmode jogduration jogtime jogacceltimemax jogdeceltimemax
 """,
     "drives": """
 drivespeedmax dsm speedref sdr speedrefenable speedrefsource speedrefacceltime speedrefdeceltime
@@ -36,7 +36,7 @@ feedrate feedratemode frm feedrateoverride fro feedrateparameter maxspeed maxacc
 deceltimemax acceljerktime deceljerktime sramp
 """,
     "motion": """
-mover mr movea ma go jog jg cancel cn cancelall cna
+mover mr movea ma go cancel cn cancelall cna
 """,
     "buffer": """
 _trauto _trgo _trinput _trposition movebufferid mbi movebufferidlast movebufferstatus mbs movebufferlow
@@ -55,15 +55,21 @@ blend veldemandpath vectorangle
 """,
     "following": """
 _mspos _msencoder _msauxencoder _ofstandard _ofspeed_limit _ofaccel_mod _ofspeed_mod _osmaxspeed _osminspeed
-_osmaxaccel _osmaxdecel _osprofileerror _oszeroaccel mastersource masterchannel masterdistance followmode
-follow fl follownumerator followdenom gearing gr gearingmode grm fly offset offsetmode offsetdistance
-offsetstatus ofs auxencoder auxencodervel auxencodermode auxencoderspeed auxencoderscale auxencoderprescale
-auxencoderwrap
+_osmaxaccel _osmaxdecel _osprofileerror _oszeroaccel follow fl follownumerator followdenom fly offset
+offsetmode offsetstatus ofs
 """,
-    "table_motion": """
-_spspline_1 _spabsolute _spt_absolute _spcontinuous _spspline_2 camtable cam camstart camend camamplitude
-camindex camsegment camphase camphasestatus splinetable spline spl splinestart splineend splinetime
-splinesuspendtime splineindex splinesegment
+    "following_masters": """
+mastersource masterchannel masterdistance followmode gearing gr gearingmode grm offsetdistance
+""",
+    "following_auxiliary": """
+auxencoder auxencodervel auxencodermode auxencoderspeed auxencoderscale auxencoderprescale auxencoderwrap
+""",
+    "table_motion_cams": """
+camtable cam camstart camend camamplitude camindex camsegment camphase camphasestatus
+""",
+    "table_motion_splines": """
+_spspline_1 _spabsolute _spt_absolute _spcontinuous _spspline_2 splinetable spline spl splinestart splineend
+splinetime splinesuspendtime splineindex splinesegment
 """,
     "state": """
 idle id pos ps vel vl posremaining folerror fe movebufferfree
@@ -76,7 +82,8 @@ taskpriority taskquantum taskstatus tasksuspend taskresume timerevent eventactiv
 errcode errline errstring errdata errorpresent errorreadnext errorreadcode errorclear errorstring
 """,
     "terminal": """
-terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep
+terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep (terminal) (question) (answer)
+(printer)
 """,
     "camboxes": """
 cambox camboxdata
@@ -106,10 +113,15 @@ motorbrakedelay
     "steppers": """
 stepper steppervel stepperscale stepperwrap
 """,
-    "io": """
-in inx instate instatex isx inputactivelevel inputdebounce inputmode inputpostrigger inputnegtrigger imask out
-ot outx otx outputactivelevel oal driveenableoutput deo globalerroroutput geo adc adcgain ag adcoffset ao
-adcdeadband add adcdeadbandoffset adcmode am dac
+    "io_inputs": """
+in inx instate instatex isx inputactivelevel inputdebounce inputmode inputpostrigger inputnegtrigger imask
+""",
+    "io_outputs": """
+out ot outx otx outputactivelevel oal adc adcgain ag adcoffset ao adcdeadband add adcdeadbandoffset adcmode am
+dac
+""",
+    "io_signals": """
+driveenableoutput deo globalerroroutput geo
 """,
     "comms": """
 modbusparameter _mpenable _mpdebug _mpdropped_frames _mpregister_mapping _rmcomms_array _rmnet_data
@@ -124,20 +136,27 @@ remotein remoteinx remoteinbank remoteout remoteoutx remoteoutbank remoteadc rem
     "network": """
 _cetnone _cetoperational _cetpassive _cetoff _cetreceive_overrun _cetdied _cetlive _cetemergency
 _cettransmit_overrun busevent canevent buseventinfo caneventinfo busstate canbusstate busreset canbusreset
-busnode nodescan remotecomms remotecommsinteger commsremote remoteencoder remoteobject remoteobjectfloat
+nodescan remotecomms remotecommsinteger commsremote remoteencoder remoteobject remoteobjectfloat
 remoteobjectstring remoteerror remotestatus remoteemergencymessage remoteestop remotereset
-remoteinputactivelevel remoteoutputactivelevel remotepdoin remotepdoout remotepdovalid connect connectstatus
-group groupcomms groupinfo groupmaster groupmasterstatus groupstatus
+remoteinputactivelevel remoteoutputactivelevel remotepdoin remotepdoout remotepdovalid
+""",
+    "network_groups": """
+busnode connect connectstatus group groupcomms groupinfo groupmaster groupmasterstatus groupstatus
 """,
     "serial": """
 serialchar serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclearerror
 """,
     "limits": """
 _emignore _emcrash_stop _emcrash_stop_disable _emerror_decel _emerror_decel_disable _emcall_event
-softlimitforward softlimitreverse softlimitmode limitmode limitforwardinput lfi limitreverseinput lri
-limitforward lf limitreverse lr limit folerrormode errorinput ei errorinputmode errorswitch es stopinput
-stopinputmode stopswitch suspendinput suspendswitch resetinput rsi axiserror errordecel abortmode abort stop
-st stopmode reset resetall default defaultall (line)
+softlimitforward softlimitreverse softlimitmode limitmode limitforward lf limitreverse lr limit folerrormode
+errorinputmode axiserror errordecel abortmode abort (line)
+""",
+    "limits_switches": """
+limitforwardinput lfi limitreverseinput lri errorinput ei errorswitch es stopinput stopswitch suspendinput
+suspendswitch resetinput rsi
+""",
+    "limits_resetting": """
+stopinputmode stop st stopmode reset resetall default defaultall
 """,
     "homing": """
 home hm hometype homespeed homebackoff homecreepspeed homeaccel homedecel homeoffset homerefpos homepos hps
@@ -148,8 +167,10 @@ _hmnegative_limit_index _hmpositive_limit _hmpositive_limit_index
     "latches": """
 latchtriggermode latchtriggerchannel latchtriggeredge latchsource latchsourcechannel latchmode
 latchinhibittime latchinhibitvalue latchenable latch latchvalue fastselect fastenable fastlatchedge
-fastlatchmode fastlatchdistance fastlatch fastpos fastencoder comparemode compareoutput comparepos
-compareenable comparelatch
+fastlatchmode fastlatchdistance fastlatch fastpos fastencoder
+""",
+    "latches_position_compare": """
+comparemode compareoutput comparepos compareenable comparelatch
 """,
     "sensing": """
 axismode amd posdemand veldemand acceldemand postarget postargetlast posachieved idlemode idlepos idlevel

@@ -8,6 +8,7 @@ edge that has come since it was read last.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import PATTERNS
 from motionlang.mint.runtime.binding import of, of_word
 
@@ -16,8 +17,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Operation
     from motionlang.mint.runtime.environment import Environment
+
 
 BANK = 32
 LAST_CHANNEL = 999
@@ -133,22 +135,22 @@ def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_bank(environment: Environment, row: Row) -> Operation:
+def read_bank(environment: Environment, row: Keyword) -> Operation:
     inputs = environment.part(Inputs)
     return lambda bank: bits_of(bank, inputs.read)
 
 
-def read_bit(environment: Environment, row: Row) -> Operation:
+def read_bit(environment: Environment, row: Keyword) -> Operation:
     inputs = environment.part(Inputs)
     return lambda channel: int(inputs.read(checked(channel)))
 
 
-def read_level_bank(environment: Environment, row: Row) -> Operation:
+def read_level_bank(environment: Environment, row: Keyword) -> Operation:
     levels = environment.controller.inputs
     return lambda bank: bits_of(bank, levels.__getitem__)
 
 
-def read_level_bit(environment: Environment, row: Row) -> Operation:
+def read_level_bit(environment: Environment, row: Keyword) -> Operation:
     levels = environment.controller.inputs
     return lambda channel: int(levels[checked(channel)] != 0)
 
@@ -157,26 +159,55 @@ def _bank(bank: int) -> int:
     return checked(bank, LAST_CHANNEL // BANK, "bank")
 
 
-OPERATIONS = {
-    "io.inputs.bank": {"read": read_bank},
-    "io.inputs.bit": {"read": read_bit},
-    "io.inputs.level_bank": {"read": read_level_bank},
-    "io.inputs.level_bit": {"read": read_level_bit},
-    "io.inputs.active_level": {
-        "read": of(Inputs, lambda inputs, bank: inputs.active_level(_bank(bank))),
-        "write": of(Inputs, lambda inputs, bank, bits: inputs.set_active_level(_bank(bank), bits)),
-    },
-    # Samples for which an input must stay as it is.
-    "io.inputs.debounce": {
-        "read": of(Inputs, lambda inputs, bank: inputs.debounce(_bank(bank))),
-        "write": of(Inputs, lambda inputs, bank, samples: inputs.set_debounce(_bank(bank), samples)),
-    },
-    "io.inputs.pattern": {
-        "read": of_word(Inputs, lambda inputs, row, bank: inputs.pattern(row.name, _bank(bank))),
-        "write": of_word(
-            Inputs, lambda inputs, row, bank, bits: inputs.set_pattern(row.name, _bank(bank), bits)
-        ),
-    },
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_ACTIVE_LEVEL = Actions(
+    read=of(Inputs, lambda inputs, bank: inputs.active_level(_bank(bank))),
+    write=of(Inputs, lambda inputs, bank, bits: inputs.set_active_level(_bank(bank), bits)),
+)
+# Samples for which an input must stay as it is.
+_DEBOUNCE = Actions(
+    read=of(Inputs, lambda inputs, bank: inputs.debounce(_bank(bank))),
+    write=of(Inputs, lambda inputs, bank, samples: inputs.set_debounce(_bank(bank), samples)),
+)
+_PATTERN = Actions(
+    read=of_word(Inputs, lambda inputs, row, bank: inputs.pattern(row.name, _bank(bank))),
+    write=of_word(Inputs, lambda inputs, row, bank, bits: inputs.set_pattern(row.name, _bank(bank), bits)),
+)
+
+
+def _pattern(name: str, help: str, example: str) -> Keyword:
+    return Keyword(name, "", "setting", "RW", "bank", "bits", _PATTERN, help, example,
+                   default=float(PATTERNS[name]), group="io")  # fmt: skip
+
+
+ROWS = (
+    Keyword("IN", "", "reading", "R", "bank", "bits", Actions(read=read_bank),
+            "The digital inputs of a bank as bits, bank 0 when none is given; edges that are latched are read off.",
+            "PRINT IN(0) & 3", default=0.0, group="io", driven="input"),
+    Keyword("INX", "", "reading", "R", "input", "bool", Actions(read=read_bit),
+            "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",
+            "PRINT INX(3)", default=0.0, group="io", driven="input"),
+    Keyword("INSTATE", "", "reading", "R", "bank", "bits", Actions(read=read_level_bank),
+            "The electrical levels of a bank of inputs, whatever their active level, debouncing and edges.",
+            "PRINT INSTATE(0)", default=0.0, group="io", driven="input"),
+    Keyword("INSTATEX", "isx", "reading", "R", "input", "bool", Actions(read=read_level_bit),
+            "The electrical level of one input.",
+            "PRINT INSTATEX(3)", default=0.0, group="io", driven="input"),
+    Keyword("INPUTACTIVELEVEL", "", "setting", "RW", "bank", "bits", _ACTIVE_LEVEL,
+            "Bit pattern of the inputs that are active while their level is high; the others are active low.",
+            "INPUTACTIVELEVEL(0) = 0xFFFE\nPRINT INX(0)", default=-1.0, group="io"),
+    Keyword("INPUTDEBOUNCE", "", "setting", "RW", "bank", "integer", _DEBOUNCE,
+            "How many samples of 1 ms the inputs of a bank must stay the same before their state follows.",
+            "INPUTDEBOUNCE(0) = 5\nPRINT INPUTDEBOUNCE(0)", default=0.0, low=0, high=1000, group="io"),
+    _pattern("INPUTMODE", "Bit pattern of the inputs that report their edges (1) instead of their state (0).",
+             "INPUTMODE(0) = 8\nPRINT INX(3)"),
+    _pattern("INPUTPOSTRIGGER", "Bit pattern of the inputs whose becoming active is an edge and an event.",
+             "INPUTPOSTRIGGER(0) = 8\nPRINT INPUTPOSTRIGGER(0)"),
+    _pattern("INPUTNEGTRIGGER", "Bit pattern of the inputs whose becoming inactive is an edge and an event.",
+             "INPUTNEGTRIGGER(0) = 8\nPRINT INPUTNEGTRIGGER(0)"),
+    _pattern("IMASK", "Bit pattern of the inputs that may raise an event IN0, IN1 …",
+             "IMASK(0) = 8\nPRINT IMASK(0)"),
+)  # fmt: skip
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"in": Inputs}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import ANALOGUE
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.runtime.binding import of, of_word
@@ -10,29 +11,30 @@ from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Operation
+
 
 LAST_BANK = LAST_CHANNEL // BANK
 
 
-def read_bank(environment: Environment, row: Row) -> Operation:
+def read_bank(environment: Environment, row: Keyword) -> Operation:
     outputs = environment.controller.outputs
     return lambda bank: bits_of(bank, outputs.__getitem__)
 
 
 @repeatable
-def write_bank(environment: Environment, row: Row) -> Operation:
+def write_bank(environment: Environment, row: Keyword) -> Operation:
     outputs = environment.controller.outputs
     return lambda bank, bits: outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
 
 
-def read_bit(environment: Environment, row: Row) -> Operation:
+def read_bit(environment: Environment, row: Keyword) -> Operation:
     output = environment.controller.output
     return lambda channel: int(output(checked(channel, LAST_CHANNEL, "output")) != 0)
 
 
 @repeatable
-def write_bit(environment: Environment, row: Row) -> Operation:
+def write_bit(environment: Environment, row: Keyword) -> Operation:
     set_output = environment.controller.set_output
     return lambda channel, value: set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
 
@@ -94,7 +96,7 @@ def analogue_output(channel: int) -> int:
     return checked(channel, LAST_ANALOGUE, "analogue output")
 
 
-def write_adc_setting(analogue: Analogue, row: Row, channel: int, value: float) -> None:
+def write_adc_setting(analogue: Analogue, row: Keyword, channel: int, value: float) -> None:
     """ADCGAIN, ADCOFFSET and the like, percent, and ADCMODE."""
     analogue.set(row.name, analogue_input(channel), value)
 
@@ -104,26 +106,48 @@ def write_dac(environment: Environment, channel: int, value: float) -> None:
     environment.controller.set_analogue_output(analogue_output(channel), value)
 
 
-OPERATIONS = {
-    "io.outputs.bank": {"read": read_bank, "write": write_bank},
-    "io.outputs.bit": {"read": read_bit, "write": write_bit},
-    "io.outputs.active_level": {
-        "read": of(Environment, read_active_level),
-        "write": of(Environment, write_active_level),
-    },
-    "io.outputs.adc": {
-        "read": of(Analogue, lambda analogue, channel: analogue.read(analogue_input(channel)))
-    },
-    "io.outputs.adc_setting": {
-        "read": of_word(
-            Analogue, lambda analogue, row, channel: analogue.setting(row.name, analogue_input(channel))
-        ),
-        "write": of_word(Analogue, write_adc_setting),
-    },
-    "io.outputs.dac": {
-        "read": of(
-            Environment, lambda e, channel: float(e.controller.analogue_outputs[analogue_output(channel)])
-        ),
-        "write": repeatable(of(Environment, write_dac)),
-    },
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_ACTIVE_LEVEL = Actions(read=of(Environment, read_active_level), write=of(Environment, write_active_level))
+_ADC = Actions(read=of(Analogue, lambda analogue, channel: analogue.read(analogue_input(channel))))
+_ADC_SETTING = Actions(
+    read=of_word(
+        Analogue, lambda analogue, row, channel: analogue.setting(row.name, analogue_input(channel))
+    ),
+    write=of_word(Analogue, write_adc_setting),
+)
+_DAC = Actions(
+    read=of(Environment, lambda e, channel: float(e.controller.analogue_outputs[analogue_output(channel)])),
+    write=repeatable(of(Environment, write_dac)),
+)
+
+
+def _adc(name: str, short: str, help: str, low: float, high: float, unit: str = "%") -> Keyword:
+    value = "1" if unit == "integer" else "50"
+    return Keyword(name, short, "setting", "RW", "channel", unit, _ADC_SETTING, help,
+                   f"{name}(0) = {value}\nPRINT {name}(0)", default=ANALOGUE[name], low=low, high=high,
+                   group="io")  # fmt: skip
+
+
+ROWS = (
+    Keyword("OUT", "ot", "setting", "RW", "bank", "bits", Actions(read=read_bank, write=write_bank),
+            "The digital outputs of a bank as bits, bank 0 when none is given.",
+            "OUT(0) = 5\nPRINT OUT(0)", default=0.0, group="io"),
+    Keyword("OUTX", "otx", "setting", "RW", "output", "bool", Actions(read=read_bit, write=write_bit),
+            "One digital output: 1 is on.",
+            "OUTX(2) = _ON\nPRINT OUTX(2)", default=0.0, group="io"),
+    Keyword("OUTPUTACTIVELEVEL", "oal", "setting", "RW", "bank", "bits", _ACTIVE_LEVEL,
+            "Bit pattern of the outputs whose level is high while they are on; inputs wired to them see the level.",
+            "OUTPUTACTIVELEVEL(0) = 0xFFFE\nPRINT OUTPUTACTIVELEVEL(0)", default=-1.0, group="io"),
+    Keyword("ADC", "", "reading", "R", "channel", "%", _ADC,
+            "An analogue input in percent of its range, after gain, offset and dead band.",
+            "PRINT ADC(0)", default=0.0, group="io", driven="analogue"),
+    _adc("ADCGAIN", "ag", "Gain of an analogue input in percent.", -10000.0, 10000.0),
+    _adc("ADCOFFSET", "ao", "What is added to an analogue input, in percent of its range.", -100.0, 100.0),
+    _adc("ADCDEADBAND", "add", "An analogue input this near to ADCDEADBANDOFFSET reads as that.", 0.0, 100.0),
+    _adc("ADCDEADBANDOFFSET", "", "The middle of the dead band of an analogue input.", -100.0, 100.0),
+    _adc("ADCMODE", "am", "Range of an analogue input: 0 both signs, -100 to 100; 1 positive only.", 0, 1, "integer"),
+    Keyword("DAC", "", "setting", "RW", "channel", "%", _DAC,
+            "An analogue output in percent of its range.",
+            "DAC(0) = 25.5\nPRINT DAC(0)", default=0.0, low=-100.0, high=100.0, group="io"),
+)  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
@@ -47,10 +48,19 @@ class Signals(Settings):
             controller.set_output(self.errors, int(any(controller.faults(axis) for axis in controller.axes)))
 
 
-OPERATIONS = {
-    "io.signals.enable_output": {"read": reading(Signals), "write": repeatable(writing(Signals))},
-    "io.signals.error_output": {
-        "read": of(Signals, lambda signals: signals.errors),
-        "write": repeatable(of(Signals, Signals.assign_errors)),
-    },
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_ERROR_OUTPUT = Actions(
+    read=of(Signals, lambda signals: signals.errors), write=repeatable(of(Signals, Signals.assign_errors))
+)
+
+
+ROWS = (
+    Keyword("DRIVEENABLEOUTPUT", "deo", "setting", "RW", "axis", "integer",
+            Actions("enable_output", read=reading(Signals), write=repeatable(writing(Signals))),
+            "The output that is on while the drive of the axis is enabled; -1 for none.",
+            "DRIVEENABLEOUTPUT(0) = 4\nPRINT OUTX(4)", default=-1.0, low=-1, high=999, group="io"),
+    Keyword("GLOBALERROROUTPUT", "geo", "setting", "RW", "none", "integer", _ERROR_OUTPUT,
+            "The output that is on while any axis has an error; -1 for none.",
+            "GLOBALERROROUTPUT = 5\nPRINT OUTX(5)", default=-1.0, low=-1, high=999, group="io"),
+)  # fmt: skip

@@ -1,8 +1,128 @@
-"""Jogging by a command: a preset speed, a direction, a time."""
+"""JOG, and jogging by a command at a preset speed: JOGCOMMAND, JOGSPEED, JOGMODE, JOGDURATION."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.drives import top_speed
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.clock import Event
+
+    Rates = tuple[float | None, float | None]
+
+
+INFINITY = float("inf")
+CONTINUOUS, TIMED = range(2)
+COMMAND = "JOGCOMMAND"
+_RAMPS = ("JOGACCELTIMEMAX", "JOGDECELTIMEMAX")
+
+
+class Jogs(Settings):
+    """What jogs go by, by keyword and axis (speeds in counts/s, times in ms), and the commands in force."""
+
+    in_counts = unsigned = True
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.commands: dict[int, int] = {}
+        # When the jog of a command began, and the end of one whose time is limited.
+        self._began: dict[int, float] = {}
+        self._ends: dict[int, Event] = {}
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        """Set a value; a new JOGSPEED acts at once on a jog that JOGCOMMAND keeps going."""
+        super().set(name, axis, value)
+        if name == "JOGSPEED" and self.commanded(axis):
+            self._jog(axis, self.commands[axis], self.controller.axes[axis].move.line)  # type: ignore[union-attr]
+
+    def rates(self, axis: int) -> Rates | None:
+        """Acceleration and deceleration of jogs, None where they are those of moves."""
+        times = [self.setting(name, axis) for name in _RAMPS]
+        if not any(times):
+            return None
+
+        top = top_speed(self.environment, axis)
+        accel, decel = (top / time * 1000.0 if time else None for time in times)
+        return accel, decel
+
+    def jog(self, axis: int, velocity: float, command: str, line: int) -> None:
+        """Ramp to a velocity, counts/s, and keep it; 0 brings the axis to rest, which is the end of it."""
+        rates = self.rates(axis) if self._settings else None
+        more = (rates, True) if rates is not None or not velocity else ()
+        self.controller.jog(axis, velocity, command, line, *more)
+
+    def command(self, axis: int, direction: int, line: int) -> None:
+        """Jog by JOGCOMMAND: 1 forwards, -1 in reverse, 0 to rest; with JOGMODE 1 for a time, once a command."""
+        timed, before = self.setting("JOGMODE", axis) == TIMED, self.commands.get(axis, 0)
+        if timed and direction and direction == before:
+            return
+        self._jog(axis, direction, line)
+        self.commands[axis] = direction
+        if not direction or direction != before:
+            self._began[axis] = self.environment.clock.now
+            self._limit(axis, self.setting("JOGDURATION", axis) / 1000.0 if timed and direction else None)
+
+    def commanded(self, axis: int) -> bool:
+        """Whether the axis jogs by a command now."""
+        move = self.controller.axes[axis].move
+        return (
+            move is not None and move.command == COMMAND and not move.ended and bool(self.commands.get(axis))
+        )
+
+    def elapsed(self, axis: int, level: float | None = None) -> int:
+        """Milliseconds since the jog of a command began, 0 while there is none."""
+        return self.environment.elapsed(self._began[axis], level) if self.commanded(axis) else 0
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        super().default(axis)
+        self.commands.pop(axis, None)
+
+    def _jog(self, axis: int, direction: int, line: int) -> None:
+        speed = self.setting("JOGSPEED", axis)
+        if direction and not speed:
+            raise Refusal("zero-speed", f"axis {axis} cannot jog: its JOGSPEED is 0", "set JOGSPEED first")
+        self.jog(axis, direction * speed, COMMAND, line)
+
+    def _limit(self, axis: int, seconds: float | None) -> None:
+        event = self._ends.pop(axis, None)
+        if event is not None:
+            event.cancel()
+        if seconds is not None:
+            clock = self.environment.clock
+            self._ends[axis] = clock.at(clock.now + seconds, lambda: self._over(axis))
+
+    def _over(self, axis: int) -> None:
+        if self.commanded(axis):
+            move = self.controller.axes[axis].move
+            assert move is not None
+            self.jog(axis, 0.0, COMMAND, move.line)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def write_velocity(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
+    """JOG: user units a second, the sign the direction, kept until something else is said."""
+    velocity = environment.controller.axes[axis].scale.to_counts(value, row.unit)
+    environment.part(Jogs).jog(axis, velocity, row.name, line)
+    environment.jogs[axis] = value
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_SETTING = Actions(read=reading(Jogs), write=repeatable(writing(Jogs)))
+_COMMAND = Actions(read=of(Jogs, lambda jogs, axis: jogs.commands.get(axis, 0)), write=of(Jogs, Jogs.command))
+_JOG = Actions(
+    read=of(Environment, lambda e, axis: float(e.jogs.get(axis, 0.0))),
+    write=repeatable(of_word(Environment, write_velocity)),
+)
 
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
@@ -12,14 +132,19 @@ _PANEL = "JOGSPEED(0) = 100 : JOGMODE(0) = 1 : JOGDURATION(0) = 300\nJOGCOMMAND(
 def _setting(
     name: str, short: str, unit: str, help: str, example: str, high: float, low: float = 0.0
 ) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, "jogging.setting", help, example, default=0.0, low=low,
+    return Keyword(name, short, "setting", "RW", "axis", unit, _SETTING, help, example, default=0.0, low=low,
                    high=high, group="axis")  # fmt: skip
 
 
 ROWS = (
+    Keyword("JOG", "JG", "setting", "RW", "axis", "uu/s", _JOG,
+            "Run at a constant speed, its sign the direction, until stopped or told another speed; 0 brings the axis "
+            "to rest and ends it.",
+            "JOG(0) = 100\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)\nPAUSE IDLE(0)",
+            default=0.0, low=-8388607.0, high=8388607.0, group="motion", effect="act endless"),
     _setting("JOGSPEED", "jgs", "uu/s", "The speed at which JOGCOMMAND jogs; a new one acts at once.",
              "JOGSPEED(0) = 100\nJOGCOMMAND(0) = -1\nWAIT = 100\nPRINT VEL(0)\nJOGCOMMAND(0) = 0", _LARGEST),
-    Keyword("JOGCOMMAND", "jgc", "setting", "RW", "axis", "integer", "jogging.command",
+    Keyword("JOGCOMMAND", "jgc", "setting", "RW", "axis", "integer", _COMMAND,
             "Jog at JOGSPEED: 1 forwards, -1 in reverse; 0 brings the axis to rest. It keeps its value until it is "
             "written again, also when JOGDURATION has ended the jog.",
             _PANEL + "PRINT VEL(0)\nPAUSE IDLE(0)\nPRINT POS(0)", default=0.0, low=-1, high=1,
@@ -30,7 +155,7 @@ ROWS = (
     _setting("JOGDURATION", "", "ms",
              "After how many milliseconds a jog of JOGMODE 1 begins to come to rest.",
              "JOGDURATION(0) = 500\nPRINT JOGDURATION(0)", _LONGEST),
-    Keyword("JOGTIME", "", "reading", "R", "axis", "integer", "jogging.time",
+    Keyword("JOGTIME", "", "reading", "R", "axis", "integer", Actions(read=of(Jogs, Jogs.elapsed)),
             "How many milliseconds JOGCOMMAND has been jogging; 0 while it does not.",
             _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, group="state", solved=True),
     _setting("JOGACCELTIMEMAX", "", "ms",

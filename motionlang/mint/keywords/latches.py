@@ -1,8 +1,204 @@
-"""Positions that are caught at an edge, and outputs that are switched at a position."""
+"""Latches: a position caught at the very moment of an edge, not at the next tick of anything.
+
+LATCH… has channels that say what triggers them and what they catch; FAST… is the older set, one latch an axis. A latch
+sees the input itself, without INPUTDEBOUNCE. What the numbers of the modes mean is from memory.
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.triggers.homing import next_index
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.runtime.binding import Each, axis_of, scale_of, unchecked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.scale import Scale
+    from motionlang.controller.triggers.watch import Watch
+    from motionlang.mint.runtime.binding import Maker, Operation
+    from motionlang.mint.runtime.environment import Environment
+
+
+INFINITY = float("inf")
+LAST_LATCH = 31
+BY_INPUT, BY_INDEX = 0, 1
+RISING, FALLING, BOTH = 0, 1, 2
+AXIS_POSITION, ENCODER = 0, 1
+
+
+class Latch:
+    """One latch. `again` keeps it armed after it has caught something; positions are counts."""
+
+    def __init__(self, environment: Environment, axis: int, fired: Callable[[Latch], None]) -> None:
+        self.environment, self._controller = environment, environment.controller
+        self._fired = fired
+        self.axis = axis
+        self.trigger_mode, self.input, self.again = BY_INPUT, 0, 0
+        self.edge, self.source = RISING, AXIS_POSITION
+        self.inhibit_time, self.inhibit_distance = 0.0, 0.0
+        self.armed = self.caught = False
+        self.value = 0.0
+        self._time = -INFINITY
+        self._watches: list[Watch] = []
+        self._controller.inputs.listeners.append(self._changed)
+
+    @property
+    def scale(self) -> Scale:
+        return scale_of(self.environment, self.axis)
+
+    def arm(self, armed: bool) -> None:
+        """Switch the latch on, which forgets what it caught, or off."""
+        self._unwatch()
+        self.armed = armed
+        if armed:
+            self.caught = False
+            self._watch()
+
+    def set(self, name: str, value: float) -> None:
+        """Change a setting; a latch that is armed goes by it from now on."""
+        setattr(self, name, value)
+        self._unwatch()
+        if self.armed:
+            self._watch()
+
+    def read(self) -> bool:
+        """Whether something was caught; of a latch that goes on by itself, since this was asked last."""
+        caught = self.caught
+        if caught and self.again:
+            self.caught = False
+            self.environment.acts += 1
+        return caught
+
+    def _watch(self) -> None:
+        """The next mark of the encoder to either side, as far as a mark is the trigger."""
+        if self.trigger_mode != BY_INDEX:
+            return
+        for direction in (1, -1):
+            mark = next_index(self._controller, self.axis, direction)
+            if abs(mark) < INFINITY:
+                self._watches.append(self._controller.watch(self.axis, mark, self._mark, physical=True))
+
+    def _unwatch(self) -> None:
+        for watch in self._watches:
+            self._controller.unwatch(self.axis, watch)
+        self._watches.clear()
+
+    def _mark(self, direction: int) -> None:
+        self._unwatch()
+        self._catch()
+        if self.armed:
+            self._watch()
+
+    def _changed(self, channel: int, value: float) -> None:
+        if not self.armed or self.trigger_mode != BY_INPUT or channel != self.input:
+            return
+        on = self._controller.inputs.inverted(channel)
+        if self.edge == BOTH or on is (self.edge == RISING):
+            self._catch()
+
+    def _catch(self) -> None:
+        now, position = self._controller.clock.now, self._place()
+        near = abs(position - self.value) < self.inhibit_distance and self._time > -INFINITY
+        if near or now - self._time < self.inhibit_time / 1000.0:
+            return
+        self.value, self._time, self.caught = position, now, True
+        self.armed = bool(self.again)
+        self._fired(self)
+
+    def _place(self) -> float:
+        """What is caught: where the axis is, or what its encoder has counted."""
+        position = self._controller.position(self.axis)
+        return position - self._controller.axes[self.axis].datum if self.source == ENCODER else position
+
+
+class Latches:
+    """The latch channels, each from its first use on; a catch raises LATCH."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._latches = Each(lambda number: self.made(self.checked(number)))
+
+    def latch(self, number: int) -> Latch:
+        """The latch of a channel or of an axis, made on first use."""
+        return self._latches[number]
+
+    def checked(self, number: int) -> int:
+        return checked(number, LAST_LATCH, "latch channel")
+
+    def made(self, number: int) -> Latch:
+        events = self._environment.events
+        return Latch(self._environment, 0, lambda _: events.raise_("latch", number))
+
+
+class FastLatches(Latches):
+    """The fast latch of every axis; a catch raises FASTIN."""
+
+    kind = Latch
+
+    def checked(self, number: int) -> int:
+        return axis_of(self._environment, number)
+
+    def made(self, number: int) -> Latch:
+        events = self._environment.events
+        return self.kind(self._environment, number, lambda fired: events.raise_("fastin", fired.input))
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        if axis in self._latches:
+            self._latches.pop(axis).arm(False)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_setting(latch: Latch, row: Keyword) -> float:
+    """What a latch goes by; positions in user units of its axis, times in ms."""
+    value: float = getattr(latch, row.attribute)
+    return latch.scale.to_user(value) if row.unit == "uu" else int(value)
+
+
+def write_setting(latch: Latch, row: Keyword, value: float) -> None:
+    """What a latch goes by; positions in user units of its axis, times in ms."""
+    if row.attribute == "axis":
+        axis_of(latch.environment, int(value))
+    latch.set(row.attribute, latch.scale.to_counts(value) if row.unit == "uu" else value)
+
+
+def read_value(latch: Latch, row: Keyword) -> float:
+    """What was caught: a position in user units, within POSWRAP as POS shows it, an encoder's count in counts."""
+    return latch.value if latch.source == ENCODER else latch.environment.place(latch.axis, latch.value)
+
+
+def read_encoder(latch: Latch, row: Keyword) -> float:
+    """FASTENCODER: what the encoder had counted."""
+    return latch.value - latch.environment.controller.axes[latch.axis].datum
+
+
+def on_latch(function: Callable[..., object]) -> Maker:
+    """What does something with the latch of a channel, or with the fast one of an axis: those of words in FAST."""
+
+    def made(environment: Environment, row: Keyword) -> Operation:
+        latches = environment.part(FastLatches if row.name.startswith("FAST") else Latches)
+        return lambda channel, *value: function(latches.latch(channel), row, *value)
+
+    return made
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+
+def _setting_of(attribute: str) -> Actions:
+    return Actions(read=on_latch(read_setting), write=on_latch(write_setting), attribute=attribute)
+
+
+_ENABLE = Actions(
+    read=on_latch(lambda latch, row: int(latch.armed)),
+    write=unchecked(on_latch(lambda latch, row, armed: latch.arm(bool(armed)))),
+)
+_CAUGHT = Actions(read=on_latch(lambda latch, row: int(latch.read())))
+_VALUE = Actions(read=on_latch(read_value))
 
 _ARMED = "LATCHTRIGGERCHANNEL(0) = 3\nLATCHENABLE(0) = 1\nPRINT {}(0)"
 _FAST = "FASTSELECT(0) = 3\nFASTENABLE(0) = 1\nPRINT {}(0)"
@@ -11,19 +207,14 @@ _FAST = "FASTSELECT(0) = 3\nFASTENABLE(0) = 1\nPRINT {}(0)"
 def _setting(
     name: str, sets: str, index: str, unit: str, value: str, help: str, high: float, default: float = 0.0
 ) -> Keyword:
-    return Keyword(name, "", "setting", "RW", index, unit, f"latches.setting.{sets}", help,
+    return Keyword(name, "", "setting", "RW", index, unit, _setting_of(sets), help,
                    f"{name}(0) = {value}\nPRINT {name}(0)", default=default, low=0, high=high,
                    group="latches")  # fmt: skip
 
 
-def _reading(name: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:
-    return Keyword(name, "", "reading", "R", index, unit, verb, help, example.format(name), default=0.0,
+def _reading(name: str, index: str, unit: str, actions: Actions, help: str, example: str) -> Keyword:
+    return Keyword(name, "", "reading", "R", index, unit, actions, help, example.format(name), default=0.0,
                    group="latches")  # fmt: skip
-
-
-def _compare(name: str, sets: str, help: str, low: float, high: float, default: float) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "integer", f"latches.position_compare.{sets}", help,
-                   f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, group="latches")  # fmt: skip
 
 
 ROWS = (
@@ -41,13 +232,13 @@ ROWS = (
              "How long after an edge a latch ignores further ones.", 2147483647),
     _setting("LATCHINHIBITVALUE", "inhibit_distance", "latch", "uu", "5",
              "How far the axis must be from the position caught last before an edge counts again.", 8388607.0),
-    Keyword("LATCHENABLE", "", "setting", "RW", "latch", "bool", "latches.enable",
+    Keyword("LATCHENABLE", "", "setting", "RW", "latch", "bool", _ENABLE,
             "Arm a latch; it forgets what it had caught.",
             _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
-    _reading("LATCH", "latch", "bool", "latches.caught", "1 when a latch has caught a position.", _ARMED),
-    _reading("LATCHVALUE", "latch", "number", "latches.value", "What a latch has caught.", _ARMED),
+    _reading("LATCH", "latch", "bool", _CAUGHT, "1 when a latch has caught a position.", _ARMED),
+    _reading("LATCHVALUE", "latch", "number", _VALUE, "What a latch has caught.", _ARMED),
     _setting("FASTSELECT", "input", "axis", "integer", "3", "The input that triggers the fast latch of the axis.", 999),
-    Keyword("FASTENABLE", "", "setting", "W", "axis", "integer", "latches.enable",
+    Keyword("FASTENABLE", "", "setting", "W", "axis", "integer", _ENABLE,
             "Arm the fast latch of the axis; it forgets what it had caught.",
             _FAST.format("FASTLATCH"), low=0, high=1, group="latches"),
     _setting("FASTLATCHEDGE", "edge", "axis", "bool", "1",
@@ -55,22 +246,10 @@ ROWS = (
     _setting("FASTLATCHMODE", "again", "axis", "integer", "1", "0: the fast latch catches once; 1: it stays armed.", 1),
     _setting("FASTLATCHDISTANCE", "inhibit_distance", "axis", "uu", "5",
              "How far the axis must be from the position caught last before an edge counts again.", 8388607.0),
-    _reading("FASTLATCH", "axis", "bool", "latches.caught", "1 when the fast latch of the axis has caught.", _FAST),
-    _reading("FASTPOS", "axis", "number", "latches.value", "The position that the fast latch has caught.", _FAST),
-    _reading("FASTENCODER", "axis", "number", "latches.encoder",
+    _reading("FASTLATCH", "axis", "bool", _CAUGHT, "1 when the fast latch of the axis has caught.", _FAST),
+    _reading("FASTPOS", "axis", "number", _VALUE, "The position that the fast latch has caught.", _FAST),
+    _reading("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),
              "What the encoder had counted when the fast latch caught.", _FAST),
-    _compare("COMPAREMODE", "mode",
-             "0: the output comes on at position 0 and stays on; 1: it is on between positions 0 and 1.", 0, 1, 0.0),
-    _compare("COMPAREOUTPUT", "output",
-             "The output that the position compare of the axis switches; -1 for none.", -1, 999, -1.0),
-    Keyword("COMPAREPOS", "", "setting", "RW", "axis, register", "uu", "latches.position_compare.position",
-            "The positions with which the axis is compared: registers 0 and 1.",
-            "COMPAREPOS(0, 1) = 25\nPRINT COMPAREPOS(0, 1)",
-            default=0.0, low=-8388607.0, high=8388607.0, group="latches"),
-    Keyword("COMPAREENABLE", "", "setting", "RW", "output", "bool", "latches.position_compare.enable",
-            "Whether the position compare switches an output.",
-            "COMPAREOUTPUT(0) = 2\nCOMPAREENABLE(2) = 1\nPRINT COMPAREENABLE(2)",
-            default=0.0, low=0, high=1, group="latches"),
-    _reading("COMPARELATCH", "axis", "bool", "latches.position_compare.passed",
-             "1 when the axis has been at a compare position since the compare was enabled.", "PRINT {}(0)"),
 )  # fmt: skip
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"latch": Latches, "fastin": FastLatches}

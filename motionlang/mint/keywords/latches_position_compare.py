@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.position_zones import Cells
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.runtime.binding import Each, of, of_word, scale_of, unchecked
 
@@ -12,8 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
+
 
 # COMPAREMODE, from memory: the output comes on at position 0 and stays on; it is on between positions 0 and 1.
 AT, BETWEEN = 0, 1
@@ -111,12 +112,12 @@ class Compares:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_setting(compares: Compares, row: Row, axis: int) -> int:
+def read_setting(compares: Compares, row: Keyword, axis: int) -> int:
     value: int = getattr(compares.compare(axis), row.attribute)
     return value
 
 
-def write_setting(compares: Compares, row: Row, axis: int, value: int) -> None:
+def write_setting(compares: Compares, row: Keyword, axis: int, value: int) -> None:
     """COMPAREMODE and COMPAREOUTPUT; a compare at work begins anew."""
     compares.compare(axis).set(row.attribute, value)
 
@@ -148,19 +149,39 @@ def write_enable(compares: Compares, output: int, enabled: int) -> None:
         each.enable(bool(enabled))
 
 
-_SETTING = {"read": of_word(Compares, read_setting), "write": of_word(Compares, write_setting)}
-OPERATIONS = {
-    "latches.position_compare.mode": _SETTING,
-    "latches.position_compare.output": _SETTING,
-    "latches.position_compare.position": {
-        "read": of(Compares, read_position),
-        "write": of(Compares, write_position),
-    },
-    "latches.position_compare.enable": {
-        "read": of(Compares, read_enable),
-        "write": unchecked(of(Compares, write_enable)),
-    },
-    "latches.position_compare.passed": {
-        "read": of(Compares, lambda compares, axis: int(compares.compare(axis).passed))
-    },
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+
+def _setting_of(attribute: str) -> Actions:
+    return Actions(
+        read=of_word(Compares, read_setting), write=of_word(Compares, write_setting), attribute=attribute
+    )
+
+
+_PASSED = Actions(read=of(Compares, lambda compares, axis: int(compares.compare(axis).passed)))
+
+
+def _compare(name: str, sets: str, help: str, low: float, high: float, default: float) -> Keyword:
+    return Keyword(name, "", "setting", "RW", "axis", "integer", _setting_of(sets), help,
+                   f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, group="latches")  # fmt: skip
+
+
+ROWS = (
+    _compare("COMPAREMODE", "mode",
+             "0: the output comes on at position 0 and stays on; 1: it is on between positions 0 and 1.", 0, 1, 0.0),
+    _compare("COMPAREOUTPUT", "output",
+             "The output that the position compare of the axis switches; -1 for none.", -1, 999, -1.0),
+    Keyword("COMPAREPOS", "", "setting", "RW", "axis, register", "uu",
+            Actions(read=of(Compares, read_position), write=of(Compares, write_position)),
+            "The positions with which the axis is compared: registers 0 and 1.",
+            "COMPAREPOS(0, 1) = 25\nPRINT COMPAREPOS(0, 1)",
+            default=0.0, low=-8388607.0, high=8388607.0, group="latches"),
+    Keyword("COMPAREENABLE", "", "setting", "RW", "output", "bool",
+            Actions(read=of(Compares, read_enable), write=unchecked(of(Compares, write_enable))),
+            "Whether the position compare switches an output.",
+            "COMPAREOUTPUT(0) = 2\nCOMPAREENABLE(2) = 1\nPRINT COMPAREENABLE(2)",
+            default=0.0, low=0, high=1, group="latches"),
+    Keyword("COMPARELATCH", "", "reading", "R", "axis", "bool", _PASSED,
+            "1 when the axis has been at a compare position since the compare was enabled.", "PRINT COMPARELATCH(0)",
+            default=0.0, group="latches"),
+)  # fmt: skip

@@ -1,33 +1,212 @@
-"""Limits, errors of an axis, the inputs given to an axis, and what clears them."""
+"""Errors of an axis: what brings them about, what the axis does about each, and how they are cleared.
+
+The modes are the same for every error: 0 nothing, 1 a crash stop, 2 a crash stop and the drive off, 3 a stop at
+ERRORDECEL, 4 the same and then the drive off, 5 only the event ONERROR. Their numbers are from memory, and so are the
+defaults (docs/fidelity.md).
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
-from motionlang.mint.keywords.defaults import MODES, STOP_INPUT_MODE
+from motionlang.controller.faults import (
+    ABORT,
+    ANALOGUE_LIMIT,
+    ERROR_INPUT,
+    FOLLOWING_ERROR,
+    LIMIT_FORWARD,
+    LIMIT_REVERSE,
+    SOFT_LIMIT_FORWARD,
+    SOFT_LIMIT_REVERSE,
+)
+from motionlang.controller.triggers.conditions import Undirected
+from motionlang.controller.triggers.limit import Limit
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.defaults import MODES
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.binding import Maker, Operation
+
+
+ACTIONS = ("ignore", "abort", "off", "error-stop", "error-stop", "event")
+STOP_THEN_OFF = 4
+# Keyword -> the errors it is about.
+ERRORS: dict[str, tuple[int, ...]] = {
+    "LIMITMODE": (LIMIT_FORWARD, LIMIT_REVERSE),
+    "SOFTLIMITMODE": (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE),
+    "FOLERRORMODE": (FOLLOWING_ERROR,),
+    "ERRORINPUTMODE": (ERROR_INPUT,),
+    "ABORTMODE": (ABORT,),
+    "ADCERRORMODE": (ANALOGUE_LIMIT,),
+}
+SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
+
+
+class AxisErrors(Settings):
+    """The modes of every axis, its software limits, and the switches that keywords assign to it."""
+
+    defaults = MODES
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self._world = environment.machine.world
+        self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
+        self._inputs: dict[tuple[int, int, int], Undirected] = {}
+        self._going_off: set[int] = set()
+        self.controller.listeners.append(self._heard, "fault", "idle")
+
+    # ---------------------------------------------------------------------------------------------- modes
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        """Say what an axis does about a kind of error."""
+        super().set(name, axis, value)
+        mode = int(value)
+        for bit in ERRORS[name]:
+            if self._world is not None:
+                self._world.actions[axis, bit] = ACTIONS[mode]
+            self.controller.set_limit_action(axis, bit, ACTIONS[mode])
+            for (number, about, _), condition in self._inputs.items():
+                if (number, about) == (axis, bit):
+                    condition.action = ACTIONS[mode]
+
+    def action(self, axis: int, bit: int) -> str:
+        """What an axis does about an error."""
+        return ACTIONS[self._mode_of(axis, bit)]
+
+    def _mode_of(self, axis: int, bit: int) -> int:
+        return next(int(self.setting(name, axis)) for name, bits in ERRORS.items() if bit in bits)
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "fault":
+            bits = self.controller.faults(axis)
+            found = [name for name, group in ERRORS.items() if any(bits & bit for bit in group)]
+            if any(self.setting(name, axis) == STOP_THEN_OFF for name in found):
+                self._off_at_rest(axis)
+        elif what == "idle" and axis in self._going_off:
+            self._going_off.discard(axis)
+            self.controller.disable(axis)
+
+    def _off_at_rest(self, axis: int) -> None:
+        if self.controller.is_idle(axis):
+            self.controller.disable(axis)
+        else:
+            self._going_off.add(axis)
+
+    # --------------------------------------------------------------------------------------------- limits
+
+    def limit(self, axis: int, bit: int) -> Limit:
+        """The limit of an axis for an error: the machine's own switch, or one that is made now."""
+        for limit in self.controller.axes[axis].limits:
+            if limit.bit == bit:
+                return limit
+        physical = bit in (LIMIT_FORWARD, LIMIT_REVERSE)
+        return self.controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
+
+    def set_input(self, axis: int, bit: int, active: bool, channel: int = 0) -> None:
+        """An input of an axis that is an error in every direction has come to be so, or is so no longer.
+
+        `channel` tells apart several inputs that are the same error, each of which is one by itself.
+        """
+        found = self._inputs.get((axis, bit, channel))
+        if found is None:
+            if not active:
+                return
+            found = Undirected(self.controller, axis, 0, bit, self.action(axis, bit))
+            self._inputs[axis, bit, channel] = found
+        found.set_active(active)
+
+    def is_active(self, axis: int, bit: int) -> bool:
+        return any(limit.active for limit in self.controller.axes[axis].limits if limit.bit == bit)
+
+    def soft_limit(self, axis: int, bit: int) -> float:
+        """The position of a software limit in counts."""
+        return self._soft[axis, bit][1] if (axis, bit) in self._soft else 0.0
+
+    def set_soft_limit(self, axis: int, bit: int, position: float) -> None:
+        """Set a software limit, counts; two of 0 are none."""
+        self._soft[axis, bit] = (self.limit(axis, bit), position)
+        for each in (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE):
+            limit, where = self._soft.setdefault((axis, each), (self.limit(axis, each), 0.0))
+            none = self.soft_limit(axis, SOFT_LIMIT_FORWARD) == self.soft_limit(axis, SOFT_LIMIT_REVERSE) == 0
+            limit.place(None if none else where)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT: modes and limits as at power-up."""
+        for name in MODES:
+            if (name, axis) in self._settings:
+                self.set(name, axis, MODES[name])
+        if (axis, SOFT_LIMIT_FORWARD) in self._soft:
+            for bit in (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE):
+                self.set_soft_limit(axis, bit, 0.0)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def _soft_bit(row: Keyword) -> int:
+    return SOFT_LIMIT_FORWARD if row.name.endswith("FORWARD") else SOFT_LIMIT_REVERSE
+
+
+def read_soft(errors: AxisErrors, row: Keyword, axis: int) -> float:
+    """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
+    return errors.scale(axis).to_user(errors.soft_limit(axis, _soft_bit(row)))
+
+
+def write_soft(errors: AxisErrors, row: Keyword, axis: int, value: float) -> None:
+    """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
+    errors.set_soft_limit(axis, _soft_bit(row), errors.scale(axis).to_counts(value))
+
+
+def is_at(*bits: int) -> Maker:
+    """What tells whether an axis is at one of some limits."""
+    return of(AxisErrors, lambda errors, axis: int(any(errors.is_active(axis, bit) for bit in bits)))
+
+
+def do_abort(errors: AxisErrors) -> None:
+    """ABORT: every axis does what its ABORTMODE says."""
+    for axis in errors.controller.axes:
+        action = errors.action(axis, ABORT)
+        if action != "ignore":
+            errors.controller.fault(axis, ABORT, action)
+
+
+def do_line(environment: Environment, row: Keyword) -> Operation:
+    """The program has come to a line at which the machine file lets something happen."""
+    world = environment.machine.world
+    assert world is not None
+    return world.reach
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+ERROR_MODE = Actions(read=reading(AxisErrors), write=repeatable(writing(AxisErrors)))
+_SOFT = Actions(read=of_word(AxisErrors, read_soft), write=repeatable(of_word(AxisErrors, write_soft)))
+_ERROR = Actions(
+    read=of(Environment, lambda e, axis: e.controller.faults(axis)),
+    write=of(Environment, lambda e, axis, value: e.controller.clear_faults(axis)),
+)
 
 _CLEAR = "JOG(0) = 100\nWAIT = 100\nABORT\nPRINT AXISERROR(0)\nCANCEL(0)\nPRINT AXISERROR(0)"
 
 
 def _mode(name: str, help: str) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "integer", "limits.mode",
+    return Keyword(name, "", "setting", "RW", "axis", "integer", ERROR_MODE,
                    f"{help}: one of _emIGNORE, _emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, "
                    "_emERROR_DECEL_DISABLE, _emCALL_EVENT.",
                    f"{name}(0) = _emERROR_DECEL\nPRINT {name}(0)", default=float(MODES[name]), low=0, high=5,
                    group="limits")  # fmt: skip
 
 
-def _input(name: str, short: str, help: str) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", "integer", "limits.switches.input", f"{help}; -1 for none.",
-                   f"{name}(0) = 3\nPRINT {name}(0)", default=-1.0, low=-1, high=999, group="limits")  # fmt: skip
-
-
-def _switch(name: str, short: str, verb: str, help: str) -> Keyword:
-    return Keyword(name, short, "reading", "R", "axis", "bool", verb, help, f"PRINT {name}(0)", default=0.0,
+def switch_row(name: str, short: str, actions: Actions, help: str) -> Keyword:
+    return Keyword(name, short, "reading", "R", "axis", "bool", actions, help, f"PRINT {name}(0)", default=0.0,
                    group="limits", driven="input")  # fmt: skip
 
 
 def _soft(name: str, help: str) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "uu", "limits.soft", help,
+    return Keyword(name, "", "setting", "RW", "axis", "uu", _SOFT, help,
                    "SOFTLIMITFORWARD(0) = 250\nSOFTLIMITREVERSE(0) = -5\nPRINT SOFTLIMITFORWARD(0)",
                    default=0.0, low=-8388607.0, high=8388607.0, group="limits")  # fmt: skip
 
@@ -45,32 +224,21 @@ _CONSTANTS = tuple(
             f"PRINT _em{name}", group="constants")
     for value, (name, help) in enumerate(_MODES)
 )  # fmt: skip
+
+
 ROWS = (
     *_CONSTANTS,
     _soft("SOFTLIMITFORWARD", "Software limit of forward travel; two limits of 0 are none."),
     _soft("SOFTLIMITREVERSE", "Software limit of reverse travel; two limits of 0 are none."),
     _mode("SOFTLIMITMODE", "What the axis does at a software limit"),
     _mode("LIMITMODE", "What the axis does at a limit switch"),
-    _input("LIMITFORWARDINPUT", "lfi", "The input that is the forward limit switch of the axis"),
-    _input("LIMITREVERSEINPUT", "lri", "The input that is the reverse limit switch of the axis"),
-    _switch("LIMITFORWARD", "lf", "limits.forward", "1 while the forward limit switch is active."),
-    _switch("LIMITREVERSE", "lr", "limits.reverse", "1 while the reverse limit switch is active."),
-    _switch("LIMIT", "", "limits.either", "1 while one of the two limit switches is active."),
+    switch_row("LIMITFORWARD", "lf", Actions(read=is_at(LIMIT_FORWARD)), "1 while the forward limit switch is active."),
+    switch_row("LIMITREVERSE", "lr", Actions(read=is_at(LIMIT_REVERSE)), "1 while the reverse limit switch is active."),
+    switch_row("LIMIT", "", Actions(read=is_at(LIMIT_FORWARD, LIMIT_REVERSE)),
+            "1 while one of the two limit switches is active."),
     _mode("FOLERRORMODE", "What the axis does when its following error is fatal"),
-    _input("ERRORINPUT", "ei", "The input that tells of an error of the axis"),
     _mode("ERRORINPUTMODE", "What the axis does when its error input becomes active"),
-    _switch("ERRORSWITCH", "es", "limits.switches.switch", "1 while the error input of the axis is active."),
-    _input("STOPINPUT", "", "The input that stops the axis"),
-    Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", "limits.resetting.stop_mode",
-            "What the axis does when its stop input becomes active: _emIGNORE only the event STOP, _emCRASH_STOP "
-            "a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
-            "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
-            default=float(STOP_INPUT_MODE), low=0, high=3, group="limits"),
-    _switch("STOPSWITCH", "", "limits.switches.switch", "1 while the stop input of the axis is active."),
-    _input("SUSPENDINPUT", "", "The input that suspends the axis for as long as it is active"),
-    _switch("SUSPENDSWITCH", "", "limits.switches.switch", "1 while the suspend input of the axis is active."),
-    _input("RESETINPUT", "rsi", "The input that resets the axis when it becomes active"),
-    Keyword("AXISERROR", "", "setting", "RW", "axis", "bits", "limits.error",
+    Keyword("AXISERROR", "", "setting", "RW", "axis", "bits", _ERROR,
             "Errors of the axis: bit 0 abort, 1 error input, 2 forward limit, 3 reverse limit, 4 forward soft limit, "
             "5 reverse soft limit, 6 following error, 7 analogue limit, 8 drive. Writing 0 clears them; until then the "
             "axis takes no motion.",
@@ -79,29 +247,11 @@ ROWS = (
             "Deceleration of stops because of an error or of the stop input.",
             "ERRORDECEL(0) = 5000\nPRINT ERRORDECEL(0)", default=100000.0, low=0.0, high=1e12, group="limits"),
     _mode("ABORTMODE", "What the axis does at ABORT"),
-    Keyword("ABORT", "", "command", "C", "none", "", "limits.abort",
+    Keyword("ABORT", "", "command", "C", "none", "", Actions(do=of(AxisErrors, do_abort)),
             "Stop every axis as its ABORTMODE says, and note the error on it.",
             _CLEAR, group="stopping", effect="stop abrupt all"),
-    Keyword("STOP", "ST", "command", "C", "axes", "", "limits.resetting.stop",
-            "Decelerate the axes to rest as their STOPMODE says, and empty their buffers.",
-            "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", group="stopping", effect="stop"),
-    Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", "limits.resetting.stop_mode",
-            "How STOP ends motion: 0 at DECEL, 1 at ERRORDECEL, 2 at once.",
-            "STOPMODE(0) = 1\nPRINT STOPMODE(0)", default=0.0, low=0, high=2, group="stopping"),
-    Keyword("RESET", "", "command", "C", "axes", "", "limits.resetting.reset",
-            "Stop the axis at once, empty its buffer, clear its errors, make its position 0 and switch its drive on.",
-            "POS(0) = 5\nRESET(0)\nPRINT POS(0)", group="stopping", effect="stop abrupt datum"),
-    Keyword("RESETALL", "", "command", "C", "none", "", "limits.resetting.reset_all",
-            "RESET for every axis.",
-            "POS(0) = 5\nRESETALL\nPRINT POS(0)", group="stopping", effect="stop abrupt all datum"),
-    Keyword("DEFAULT", "", "command", "C", "axes", "", "limits.resetting.default",
-            "Give every setting of an axis at rest its default again.",
-            "SPEED(0) = 5\nDEFAULT(0)\nPRINT SPEED(0)", group="axis", effect="stop abrupt datum"),
-    Keyword("DEFAULTALL", "", "command", "C", "none", "", "limits.resetting.default_all",
-            "DEFAULT for every axis.",
-            "SPEED(1) = 5\nDEFAULTALL\nPRINT SPEED(1)", group="axis", effect="stop abrupt all datum"),
 )  # fmt: skip
-# What `motionlang.mint.compile.line_triggers` puts before a line at which the machine file lets a fault happen.
 HIDDEN = (
-    Keyword("(line)", "", "command", "C", "line", "", "limits.line", "The program has come to a line.", group="limits"),
+    Keyword("(line)", "", "command", "C", "line", "", Actions(do=do_line),
+            "The program has come to a line.", group="limits"),
 )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.runtime.binding import axis_of, of, on_axes, on_every_axis
@@ -12,6 +13,7 @@ from motionlang.mint.runtime.environment import Environment, mint_settings
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+
 
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
@@ -80,14 +82,34 @@ def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) 
     ]
 
 
-OPERATIONS = {
-    "limits.resetting.stop": {
-        "do": repeatable(of(Environment, do_stop)),
-        "held": of(Environment, held_by_stop),
-    },
-    "limits.resetting.stop_mode": {"read": reading(StopModes), "write": writing(StopModes)},
-    "limits.resetting.reset": {"do": on_axes(reset)},
-    "limits.resetting.reset_all": {"do": on_every_axis(reset)},
-    "limits.resetting.default": {"do": on_axes(default)},
-    "limits.resetting.default_all": {"do": on_every_axis(default)},
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_STOP_MODE = Actions(read=reading(StopModes), write=writing(StopModes))
+
+
+ROWS = (
+    Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", _STOP_MODE,
+            "What the axis does when its stop input becomes active: _emIGNORE only the event STOP, _emCRASH_STOP "
+            "a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
+            "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
+            default=float(STOP_INPUT_MODE), low=0, high=3, group="limits"),
+    Keyword("STOP", "ST", "command", "C", "axes", "",
+            Actions(do=repeatable(of(Environment, do_stop)), held=of(Environment, held_by_stop)),
+            "Decelerate the axes to rest as their STOPMODE says, and empty their buffers.",
+            "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", group="stopping", effect="stop"),
+    Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", _STOP_MODE,
+            "How STOP ends motion: 0 at DECEL, 1 at ERRORDECEL, 2 at once.",
+            "STOPMODE(0) = 1\nPRINT STOPMODE(0)", default=0.0, low=0, high=2, group="stopping"),
+    Keyword("RESET", "", "command", "C", "axes", "", Actions(do=on_axes(reset)),
+            "Stop the axis at once, empty its buffer, clear its errors, make its position 0 and switch its drive on.",
+            "POS(0) = 5\nRESET(0)\nPRINT POS(0)", group="stopping", effect="stop abrupt datum"),
+    Keyword("RESETALL", "", "command", "C", "none", "", Actions(do=on_every_axis(reset)),
+            "RESET for every axis.",
+            "POS(0) = 5\nRESETALL\nPRINT POS(0)", group="stopping", effect="stop abrupt all datum"),
+    Keyword("DEFAULT", "", "command", "C", "axes", "", Actions(do=on_axes(default)),
+            "Give every setting of an axis at rest its default again.",
+            "SPEED(0) = 5\nDEFAULT(0)\nPRINT SPEED(0)", group="axis", effect="stop abrupt datum"),
+    Keyword("DEFAULTALL", "", "command", "C", "none", "", Actions(do=on_every_axis(default)),
+            "DEFAULT for every axis.",
+            "SPEED(1) = 5\nDEFAULTALL\nPRINT SPEED(1)", group="axis", effect="stop abrupt all datum"),
+)  # fmt: skip

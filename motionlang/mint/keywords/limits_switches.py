@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from motionlang.controller.axis import BY_INPUT
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_inputs import Inputs
-from motionlang.mint.keywords.limits_operations import ACTIONS, AxisErrors
+from motionlang.mint.keywords.limits import ACTIONS, AxisErrors, switch_row
 from motionlang.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, StopModes, reset, stop
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.environment import Environment
@@ -17,6 +18,7 @@ from motionlang.mint.runtime.environment import Environment
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+
 
 NONE = -1
 
@@ -102,14 +104,30 @@ _MEANINGS: dict[str, Callable[[Switches, int, bool], None]] = {
 SHOWN = {"ERRORSWITCH": "ERRORINPUT", "STOPSWITCH": "STOPINPUT", "SUSPENDSWITCH": "SUSPENDINPUT"}
 
 
-OPERATIONS = {
-    "limits.switches.input": {"read": reading(Switches), "write": writing(Switches)},
-    "limits.switches.switch": {
-        "read": of_word(Switches, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
-    },
-    "limits.switches.home_switch": {
-        "read": of(Environment, lambda e, axis: int(e.controller.axes[axis].home))
-    },
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+SWITCH_INPUT = Actions(read=reading(Switches), write=writing(Switches))
+_SWITCH = Actions(
+    read=of_word(Switches, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
+)
+HOME_SWITCH = Actions(read=of(Environment, lambda e, axis: int(e.controller.axes[axis].home)))
+
+
+def _input(name: str, short: str, help: str) -> Keyword:
+    return Keyword(name, short, "setting", "RW", "axis", "integer", SWITCH_INPUT, f"{help}; -1 for none.",
+                   f"{name}(0) = 3\nPRINT {name}(0)", default=-1.0, low=-1, high=999, group="limits")  # fmt: skip
+
+
+ROWS = (
+    _input("LIMITFORWARDINPUT", "lfi", "The input that is the forward limit switch of the axis"),
+    _input("LIMITREVERSEINPUT", "lri", "The input that is the reverse limit switch of the axis"),
+    _input("ERRORINPUT", "ei", "The input that tells of an error of the axis"),
+    switch_row("ERRORSWITCH", "es", _SWITCH, "1 while the error input of the axis is active."),
+    _input("STOPINPUT", "", "The input that stops the axis"),
+    switch_row("STOPSWITCH", "", _SWITCH, "1 while the stop input of the axis is active."),
+    _input("SUSPENDINPUT", "", "The input that suspends the axis for as long as it is active"),
+    switch_row("SUSPENDSWITCH", "", _SWITCH, "1 while the suspend input of the axis is active."),
+    _input("RESETINPUT", "rsi", "The input that resets the axis when it becomes active"),
+)  # fmt: skip
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"stop": Switches}

@@ -1,76 +1,290 @@
-"""Analogue inputs with limits, warnings, drives and enable inputs, and masks of errors."""
+"""What is watched beside motion: analogue inputs, following errors that warn, drives; and masks of errors."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import ANALOGUE_LIMIT
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import FATAL_ERROR, MODES
+from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
+from motionlang.mint.keywords.limits import ERROR_MODE, AxisErrors
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS, Error, Errors
+
+LIMITS = {"ADCMIN": -100.0, "ADCMAX": 100.0}
+MONITORED = 32  # the analogue inputs that a bit pattern can name
+FOLLOWING_WARNING = 1
+ALL_BITS = -1
+
+# ------------------------------------------------------------------------------------------ analogue inputs
+
+
+class Monitors:
+    """The limits of analogue inputs, and which inputs each axis minds; an input beyond its limits is its error."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._controller = environment.controller
+        self._analogue = environment.part(Analogue)
+        self._errors = environment.part(AxisErrors)
+        self._limits: dict[tuple[str, int], float] = {}
+        self.minded: dict[int, int] = {}
+        self._controller.analogue_inputs.listeners.append(lambda channel, value: self._look())
+
+    def limit(self, name: str, channel: int) -> float:
+        return self._limits.get((name, channel), LIMITS[name])
+
+    def set_limit(self, name: str, channel: int, value: float) -> None:
+        self._limits[name, channel] = value
+        self._look()
+
+    def mind(self, axis: int, pattern: int) -> None:
+        """Say which inputs the axis minds from now on; one that is beyond its limits already counts at once."""
+        before, self.minded[axis] = self.minded.get(axis, 0), pattern
+        self._look_at(axis, before | pattern)
+
+    def beyond(self, axis: int) -> int:
+        """The inputs that an axis minds and that are beyond their limits."""
+        pattern = self.minded.get(axis, 0)
+        return sum(1 << k for k in range(MONITORED) if pattern >> k & 1 and self._is_beyond(k))
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        self._look_at(axis, self.minded.pop(axis, 0))
+
+    def _is_beyond(self, channel: int) -> bool:
+        return (
+            not self.limit("ADCMIN", channel) <= self._analogue.read(channel) <= self.limit("ADCMAX", channel)
+        )
+
+    def _look(self) -> None:
+        """A value or a limit has changed."""
+        for axis, pattern in self.minded.items():
+            self._look_at(axis, pattern)
+
+    def _look_at(self, axis: int, pattern: int) -> None:
+        """Let the axis know of the inputs of a pattern, each of which is an error of its own while it is beyond."""
+        beyond = self.beyond(axis)
+        for k in range(MONITORED):
+            if pattern >> k & 1:
+                self._errors.set_input(axis, ANALOGUE_LIMIT, bool(beyond >> k & 1), k)
+
+
+def do_trim(environment: Environment, channel: int) -> None:
+    """ADCOFFSETTRIM: what the input shows now is its zero."""
+    inputs = environment.part(Analogue)
+    gain = inputs.setting("ADCGAIN", analogue_input(channel)) / 100.0
+    inputs.set("ADCOFFSET", channel, -float(environment.controller.analogue_inputs[channel]) * gain)
+
+
+# ------------------------------------------------------------------------------------------------- warnings
+
+
+class Warnings(Settings):
+    """The warnings of axes: bit 0, the following error was beyond FOLERRORWARNING. They stay until they are cleared."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.bits: dict[int, int] = {}
+        self.levels: dict[int, float] = {}
+
+    def set_level(self, axis: int, level: float) -> None:
+        """The following error, counts, beyond which an axis warns."""
+        self.levels[axis] = level
+        self._watch(axis, level)
+
+    def clear(self, axis: int) -> None:
+        """Forget the warnings of an axis; what is beyond its level still, or again, warns anew."""
+        self.bits.pop(axis, None)
+        self._watch(axis, self.levels.get(axis, float("inf")))
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        super().default(axis)
+        if self.levels.pop(axis, None) is not None:
+            self._watch(axis, float("inf"))
+
+    def _watch(self, axis: int, level: float) -> None:
+        self.controller.warn_of_error(axis, level, lambda: self._warn(axis))
+
+    def _warn(self, axis: int) -> None:
+        if not int(self.setting("AXISWARNINGDISABLE", axis)) & FOLLOWING_WARNING:
+            self.bits[axis] = self.bits.get(axis, 0) | FOLLOWING_WARNING
+
+
+def read_level(environment: Environment, axis: int) -> float:
+    """FOLERRORWARNING, user units."""
+    levels = environment.part(Warnings).levels
+    return (
+        environment.controller.axes[axis].scale.to_user(levels[axis], "uu") if axis in levels else FATAL_ERROR
+    )
+
+
+def write_level(environment: Environment, row: Keyword, axis: int, value: float) -> None:
+    """FOLERRORWARNING, user units; without a motor it has no effect, which the report tells."""
+    level = abs(environment.controller.axes[axis].scale.to_counts(value, "uu"))
+    environment.part(Warnings).set_level(axis, level)
+    if not environment.controller.has_motor(axis):
+        environment.machine.without_effect.setdefault(row.name, [])
+
+
+# ---------------------------------------------------------------------------------------------------- masks
+
+
+class Masks(Settings):
+    """The errors that call no ONERROR: by the bits of an axis, and by their numbers."""
+
+    otherwise = ALL_BITS
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.codes: set[tuple[int, int]] = set()
+        self.misc_disabled = 0
+        environment.errors.masked = self.is_masked
+
+    def is_masked(self, error: Error) -> bool:
+        """Whether an error calls no ONERROR: its code, its bit of the axis or of MISCERROR is masked."""
+        first = error.data[0] if error.data else 0
+        if (error.number, first) in self.codes:
+            return True
+        if error.group == MISC:
+            return not first & ~self.misc_disabled
+        return error.group == AXIS and not error.data[1] & int(self.setting("ERRORMASK", error.data[0]))
+
+
+def write_code_mask(masks: Masks, code: int, data: int, masked: int) -> None:
+    """ERRORMASKCODE: one code, with its first datum, calls ONERROR no more or again."""
+    (masks.codes.add if masked else masks.codes.discard)((code, data))
+
+
+def write_misc_disable(masks: Masks, pattern: int) -> None:
+    masks.misc_disabled = pattern
+
+
+# --------------------------------------------------------------------- the drive and the controller itself
+
+
+def drive_errors(environment: Environment, axis: int) -> int:
+    """DRIVEERROR."""
+    world = environment.machine.world
+    return 0 if world is None else world.drive_errors.get(axis, 0)
+
+
+def read_misc(environment: Environment) -> int:
+    """MISCERROR."""
+    world, disabled = environment.machine.world, environment.part(Masks).misc_disabled
+    return 0 if world is None else world.misc & ~disabled
+
+
+def write_misc(environment: Environment, value: int) -> None:
+    """MISCERROR: clears the errors of the controller."""
+    if environment.machine.world is not None:
+        environment.machine.world.misc = 0
+
+
+_CLEAR = of(Environment, lambda e, axis, value: e.controller.clear_faults(axis))
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_LIMIT = Actions(
+    read=of_word(Monitors, lambda part, row, channel: part.limit(row.name, analogue_input(channel))),
+    write=repeatable(
+        of_word(
+            Monitors,
+            lambda part, row, channel, value: part.set_limit(row.name, analogue_input(channel), value),
+        )
+    ),
+)
+_MINDED = Actions(
+    read=of(Monitors, lambda monitors, axis: monitors.minded.get(axis, 0)), write=of(Monitors, Monitors.mind)
+)
+_WARNING = Actions(
+    read=of(Warnings, lambda warnings, axis: warnings.bits.get(axis, 0)),
+    write=of(Warnings, lambda warnings, axis, value: warnings.clear(axis)),
+)
+_CODE_MASK = Actions(
+    read=of(Masks, lambda masks, code, data: int((code, data) in masks.codes)),
+    write=of(Masks, write_code_mask),
+)
+_ASYNCHRONOUS = Actions(
+    read=of(Errors, lambda errors: int(any(error.group != SYNCHRONOUS for error in errors.found)))
+)
+_ENABLE_SWITCH = Actions(read=of(Environment, lambda e, axis: int(e.controller.may_enable(axis))))
+_DRIVE_FAULT = Actions(read=of(Environment, lambda e, axis: int(drive_errors(e, axis) != 0)), write=_CLEAR)
+_MISC_DISABLE = Actions(
+    read=of(Masks, lambda masks: masks.misc_disabled), write=of(Masks, write_misc_disable)
+)
 
 _ADC = "ADCMIN(2) = 10\nADCMAX(2) = 90\nADCMONITOR(0) = 4\nPRINT {}"
 _FAIL = "{}SPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPRINT IDLE(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
 
 
 def _word(
-    name: str, short: str, access: str, index: str, unit: str, verb: str, help: str, example: str,
+    name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
     default: float = 0.0, low: float | None = None, high: float | None = None, group: str = "errors",
 ) -> Keyword:  # fmt: skip
     kind = "reading" if access == "R" else "setting"
-    return Keyword(name, short, kind, access, index, unit, verb, help, example, default=default, low=low, high=high,
+    return Keyword(name, short, kind, access, index, unit, actions, help, example, default=default, low=low, high=high,
                    group=group)  # fmt: skip
 
 
 ROWS = (
-    _word("ADCMAX", "", "RW", "channel", "%", "monitoring.limit",
+    _word("ADCMAX", "", "RW", "channel", "%", _LIMIT,
           "The highest value of an analogue input without error.",
           _ADC.format("ADCMAX(2)"), 100.0, -100.0, 100.0, "io"),
-    _word("ADCMIN", "", "RW", "channel", "%", "monitoring.limit",
+    _word("ADCMIN", "", "RW", "channel", "%", _LIMIT,
           "The lowest value of an analogue input without error.",
           _ADC.format("ADCMIN(2)"), -100.0, -100.0, 100.0, "io"),
-    _word("ADCMONITOR", "", "RW", "axis", "bits", "monitoring.minded",
+    _word("ADCMONITOR", "", "RW", "axis", "bits", _MINDED,
           "Bit pattern of the analogue inputs that the axis minds: beyond ADCMIN and ADCMAX they are an error of it.",
           _ADC.format("ADCMONITOR(0)"), group="io"),
-    _word("ADCERROR", "", "R", "axis", "bits", "monitoring.beyond",
+    _word("ADCERROR", "", "R", "axis", "bits", Actions(read=of(Monitors, Monitors.beyond)),
           "Bit pattern of the analogue inputs that the axis minds and that are beyond their limits now.",
           _ADC.format("ADCERROR(0)"), group="io"),
-    _word("ADCERRORMODE", "", "RW", "axis", "integer", "limits.mode",
+    _word("ADCERRORMODE", "", "RW", "axis", "integer", ERROR_MODE,
           "What the axis does when an analogue input that it minds goes beyond its limits: one of _emIGNORE, "
           "_emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, _emERROR_DECEL_DISABLE, _emCALL_EVENT.",
           "ADCERRORMODE(0) = _emERROR_DECEL\nPRINT ADCERRORMODE(0)", float(MODES["ADCERRORMODE"]), 0, 5, "limits"),
-    Keyword("ADCOFFSETTRIM", "", "command", "C", "channel", "", "monitoring.trim",
+    Keyword("ADCOFFSETTRIM", "", "command", "C", "channel", "", Actions(do=of(Environment, do_trim)),
             "Make what an analogue input shows now its zero, by its ADCOFFSET.",
             "ADCOFFSETTRIM(0)\nPRINT ADC(0)", group="io"),
-    _word("FOLERRORWARNING", "", "RW", "axis", "uu", "monitoring.following_warning",
+    _word("FOLERRORWARNING", "", "RW", "axis", "uu",
+          Actions(read=of(Environment, read_level), write=of_word(Environment, write_level)),
           "The following error beyond which the axis warns, in AXISWARNING; only a simulated motor has one.",
           "FOLERRORWARNING(0) = 2\nPRINT FOLERRORWARNING(0)", FATAL_ERROR, 0.0, 8388607.0, "servo"),
-    _word("AXISWARNING", "", "RW", "axis", "bits", "monitoring.warning",
+    _word("AXISWARNING", "", "RW", "axis", "bits", _WARNING,
           "Warnings of the axis: bit 0, its following error was beyond FOLERRORWARNING. Writing 0 clears them.",
           "AXISWARNING(0) = 0\nPRINT AXISWARNING(0)", 0.0, 0, 0),
-    _word("AXISWARNINGDISABLE", "", "RW", "axis", "bits", "monitoring.warning_disable",
+    _word("AXISWARNINGDISABLE", "", "RW", "axis", "bits", Actions(read=reading(Warnings), write=writing(Warnings)),
           "Bit pattern of the warnings that the axis does not give.",
           "AXISWARNINGDISABLE(0) = 1\nPRINT AXISWARNINGDISABLE(0)"),
-    _word("ERRORMASK", "", "RW", "axis", "bits", "monitoring.mask",
+    _word("ERRORMASK", "", "RW", "axis", "bits", Actions(read=reading(Masks), write=writing(Masks)),
           "Bit pattern of the errors of the axis, as in AXISERROR, that call ONERROR; the axis stops as ever.",
           "ERRORMASK(0) = 0x7E\nABORT\nPRINT AXISERROR(0), AXISERROR(1)\nEnd\nEvent ONERROR\n"
           "  While ERRORREADNEXT(_egAXIS, 1)\n    PRINT ERRSTRING\n  End While\nEnd Event", -1.0),
-    _word("ERRORMASKCODE", "", "RW", "code, data", "bool", "monitoring.code_mask",
+    _word("ERRORMASKCODE", "", "RW", "code, data", "bool", _CODE_MASK,
           "1: the error of that number, of an axis the one that data names, does not call ONERROR.",
           _FAIL.format("ERRORMASKCODE(3, 0) = _TRUE\n"), 0.0, 0, 1),
-    _word("ASYNCERRORPRESENT", "", "R", "none", "bool", "monitoring.asynchronous",
+    _word("ASYNCERRORPRESENT", "", "R", "none", "bool", _ASYNCHRONOUS,
           "1 while the list of errors has one that no statement has made: of an axis or of the controller.",
           "PRINT ASYNCERRORPRESENT"),
-    _word("DRIVEENABLESWITCH", "des", "R", "axis", "bool", "monitoring.enable_switch",
+    _word("DRIVEENABLESWITCH", "des", "R", "axis", "bool", _ENABLE_SWITCH,
           "1 while the hardware enable input of the drive is on, or where the machine file gives it none.",
           "PRINT DRIVEENABLESWITCH(0)", 1.0),
-    _word("ENABLESWITCH", "", "R", "axis", "bool", "monitoring.enable_switch",
+    _word("ENABLESWITCH", "", "R", "axis", "bool", _ENABLE_SWITCH,
           "The same as DRIVEENABLESWITCH.", "PRINT ENABLESWITCH(0)", 1.0),
-    _word("DRIVEERROR", "dre", "RW", "axis", "bits", "monitoring.drive_error",
+    _word("DRIVEERROR", "dre", "RW", "axis", "bits", Actions(read=of(Environment, drive_errors), write=_CLEAR),
           "Errors of the drive, which only the machine file brings about. Writing 0 clears the errors of the axis.",
           "DRIVEERROR(0) = 0\nPRINT DRIVEERROR(0)", 0.0, 0, 0),
-    _word("DRIVEFAULT", "", "R", "axis", "integer", "monitoring.drive_fault", "1 while the drive has an error.",
+    _word("DRIVEFAULT", "", "R", "axis", "integer", _DRIVE_FAULT, "1 while the drive has an error.",
           "PRINT DRIVEFAULT(0)"),
-    _word("MISCERROR", "", "RW", "none", "bits", "monitoring.misc",
+    _word("MISCERROR", "", "RW", "none", "bits",
+          Actions(read=of(Environment, read_misc), write=of(Environment, write_misc)),
           "Errors of the controller itself, which only the machine file brings about. Writing 0 clears them.",
           "MISCERROR = 0\nPRINT MISCERROR", 0.0, 0, 0),
-    _word("MISCERRORDISABLE", "", "RW", "none", "bits", "monitoring.misc_disable",
+    _word("MISCERRORDISABLE", "", "RW", "none", "bits", _MISC_DISABLE,
           "Bit pattern of the errors of the controller that MISCERROR does not show and that call no ONERROR.",
           "MISCERRORDISABLE = 1\nPRINT MISCERRORDISABLE"),
 )  # fmt: skip

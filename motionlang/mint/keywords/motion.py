@@ -1,28 +1,102 @@
-"""Moves, and what starts and ends them."""
+"""Loading moves, starting them, and giving them up."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.runtime.binding import Each, axis_of, no_axis, on_axes, on_every_axis, scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.mint.runtime.binding import Maker, Operation
+    from motionlang.mint.runtime.environment import Environment
+
+
+def load_move(relative: bool) -> Maker:
+    """What loads a move by a distance, or to a place: true while the buffer is full."""
+
+    def made(environment: Environment, row: Keyword) -> Operation:
+        controller, name = environment.controller, row.name
+
+        def load(axis: int, value: float, line: int) -> bool:
+            scale = scale_of(environment, axis)
+            finite(row, value)
+            refuse_stopping(environment, axis)
+            if controller.room(axis) <= 0:
+                return True
+            if relative:
+                controller.load_by(axis, value * scale.counts, name, line)
+            else:
+                place = scale.position_to_counts(value + environment.turn(axis))
+                controller.load_to(axis, place, name, line)
+            if environment.loaded is not None:
+                environment.loaded(axis)
+            return False
+
+        load.plain = _plain(environment, relative, name)  # type: ignore[attr-defined]
+        return load
+
+    return made
+
+
+def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, Callable[[float, int], bool]]:
+    """What loads a move about which nothing is special, by axis; it answers false where anything is."""
+    loader = environment.controller.loader
+    return Each(lambda axis: loader(axis_of(environment, axis), relative, name))
+
+
+def refuse_stopping(environment: Environment, axis: int) -> None:
+    """An axis that is coming to rest takes no move: Mint's error 236."""
+    move = environment.controller.axes[axis].move
+    if move is not None and move.ended in ("stop", "fault"):
+        raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it stands")
+
+
+def finite(row: Keyword, value: float) -> None:
+    """Refuse a distance without an end."""
+    if not -1e300 < value < 1e300:
+        raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
+
+
+def do_go(environment: Environment, row: Keyword) -> Operation:
+    """GO: an axis that there is not starts none."""
+
+    known, start = environment.controller.axes, environment.controller.go
+
+    def go(axes: tuple[int, ...], line: int) -> None:
+        for axis in axes:
+            if axis not in known:
+                raise no_axis(environment, axis)
+        start(axes)
+
+    return go
+
+
+def cancel(environment: Environment, axis: int) -> None:
+    """Motion and buffer are given up, errors forgotten."""
+    environment.controller.abort(axis)
+    environment.controller.clear_faults(axis)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
 
 ROWS = (
-    Keyword("MOVER", "MR", "move", "W", "axis", "uu", "load_by",
+    Keyword("MOVER", "MR", "move", "W", "axis", "uu", Actions(load=load_move(True)),
             "Load a move by a distance, counted from the end of the move before it; GO starts it.",
             "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)", group="motion", effect="move relative"),
-    Keyword("MOVEA", "MA", "move", "W", "axis", "uu", "load_to",
+    Keyword("MOVEA", "MA", "move", "W", "axis", "uu", Actions(load=load_move(False)),
             "Load a move to a position; GO starts it.",
             "MOVEA(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)", group="motion", effect="move"),
-    Keyword("GO", "", "command", "C", "axes", "", "go",
+    Keyword("GO", "", "command", "C", "axes", "", Actions(do=do_go),
             "Start all moves in the buffers of the axes, together.",
             "MOVER(0, 1) = 10, 20\nGO(0, 1)\nPAUSE IDLE(0) And IDLE(1)\nPRINT POS(1)", group="motion", effect="go"),
-    Keyword("JOG", "JG", "setting", "RW", "axis", "uu/s", "jogging.velocity",
-            "Run at a constant speed, its sign the direction, until stopped or told another speed; 0 brings the axis "
-            "to rest and ends it.",
-            "JOG(0) = 100\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)\nPAUSE IDLE(0)",
-            default=0.0, low=-8388607.0, high=8388607.0, group="motion", effect="act endless"),
-    Keyword("CANCEL", "CN", "command", "C", "axes", "", "cancel",
+    Keyword("CANCEL", "CN", "command", "C", "axes", "", Actions(do=on_axes(cancel)),
             "Stop the axes at once, empty their buffers and clear their errors.",
             "JOG(0) = 100\nWAIT = 500\nCANCEL(0)\nPRINT IDLE(0)", group="motion", effect="stop abrupt"),
-    Keyword("CANCELALL", "CNA", "command", "C", "none", "", "cancel_all",
+    Keyword("CANCELALL", "CNA", "command", "C", "none", "", Actions(do=on_every_axis(cancel)),
             "CANCEL for every axis.",
             "JOG(0) = 100\nWAIT = 500\nCANCELALL\nPRINT IDLE(0)", group="motion", effect="stop abrupt all"),
 )  # fmt: skip

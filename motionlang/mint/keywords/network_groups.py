@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.network_operations import write_real
-from motionlang.mint.keywords.remote_operations import LAST_NODE, Nodes, checked_bus
+from motionlang.mint.keywords.network import network_row, write_real
+from motionlang.mint.keywords.remote import LAST_NODE, Nodes, checked_bus
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.environment import Environment
 
@@ -88,23 +89,44 @@ def read_is_member(groups: Groups, bus: int, group: int) -> int:
     return int(_place(bus, group, groups.own.get(bus, 0)) in groups.members)
 
 
-OPERATIONS = {
-    "network.groups.own_node": {
-        "read": of(Groups, lambda groups, bus: groups.own.get(checked_bus(bus), 0)),
-        "write": of(Groups, write_own_node),
-    },
-    "network.groups.connection": {
-        "read": of(Groups, read_connection),
-        "write": of(Groups, write_connection),
-    },
-    "network.groups.connections": {"read": of(Groups, read_connections)},
-    "network.groups.member": {
-        "read": of(Groups, lambda groups, bus, group, node: int(_place(bus, group, node) in groups.members)),
-        "write": of(Groups, write_member),
-    },
-    "network.groups.comms": {"write": of(Groups, write_comms)},
-    "network.groups.info": {"read": of(Groups, read_info)},
-    "network.groups.master": {"read": of(Groups, read_master), "write": of(Groups, write_master)},
-    "network.groups.is_master": {"read": of(Groups, read_is_master)},
-    "network.groups.is_member": {"read": of(Groups, read_is_member)},
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_OWN_NODE = Actions(
+    read=of(Groups, lambda groups, bus: groups.own.get(checked_bus(bus), 0)), write=of(Groups, write_own_node)
+)
+_MEMBER = Actions(
+    read=of(Groups, lambda groups, bus, group, node: int(_place(bus, group, node) in groups.members)),
+    write=of(Groups, write_member),
+)
+
+
+ROWS = (
+    network_row("BUSNODE", "RW", "bus", "integer", _OWN_NODE, "The controller's own node number on a bus.",
+          "BUSNODE(1) = 5\nPRINT BUSNODE(1)", low=0, high=255),
+    network_row("CONNECT", "RW", "bus, from, to", "bool",
+          Actions(read=of(Groups, read_connection), write=of(Groups, write_connection)),
+          "The connection of two nodes: 1 makes it, 0 breaks it; both must answer.",
+          "CONNECT(1, 2, 7) = 1\nPRINT CONNECT(1, 2, 7)"),
+    network_row("CONNECTSTATUS", "R", "bus, from", "integer", Actions(read=of(Groups, read_connections)),
+          "How many nodes a node is connected to.",
+          "CONNECT(1, 2, 7) = 1\nPRINT CONNECTSTATUS(1, 2)"),
+    network_row("GROUP", "RW", "bus, group, node", "bool", _MEMBER,
+          "Whether a node belongs to a group, 0 to 31.",
+          "GROUP(1, 3, 7) = 1\nPRINT GROUP(1, 3, 7)"),
+    network_row("GROUPCOMMS", "W", "bus, group, element", "number", Actions(write=of(Groups, write_comms)),
+          "Write an element of the comms array of every node of a group.",
+          "GROUP(1, 3, 7) = 1\nGROUPCOMMS(1, 3, 5) = 2.5\nPRINT REMOTECOMMS(1, 7, 5)"),
+    network_row("GROUPINFO", "R", "bus, node", "bits", Actions(read=of(Groups, read_info)),
+          "The groups that a node belongs to, as bits.",
+          "GROUP(1, 3, 7) = 1\nPRINT GROUPINFO(1, 7)"),
+    network_row("GROUPMASTER", "RW", "bus, group", "integer",
+          Actions(read=of(Groups, read_master), write=of(Groups, write_master)),
+          "The node that is the master of a group.",
+          "GROUPMASTER(1, 3) = 7\nPRINT GROUPMASTER(1, 3)"),
+    network_row("GROUPMASTERSTATUS", "R", "bus, group", "bool", Actions(read=of(Groups, read_is_master)),
+          "1 while the controller itself is the master of a group.",
+          "BUSNODE(1) = 7\nGROUPMASTER(1, 3) = 7\nPRINT GROUPMASTERSTATUS(1, 3)"),
+    network_row("GROUPSTATUS", "R", "bus, group", "bool", Actions(read=of(Groups, read_is_member)),
+          "1 while the controller itself belongs to a group.",
+          "BUSNODE(1) = 7\nGROUP(1, 3, 7) = 1\nPRINT GROUPSTATUS(1, 3)"),
+)  # fmt: skip

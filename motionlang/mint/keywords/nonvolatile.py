@@ -2,13 +2,43 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.machine.nonvolatile import LAST_WORD
+from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+
+
+def _address(address: int) -> int:
+    return checked(address, LAST_WORD, "address in non-volatile memory,")
+
+
+def write_word(environment: Environment, address: int, value: int) -> None:
+    environment.machine.kept.set_word(_address(address), value)
+
+
+def write_real(environment: Environment, address: int, value: float) -> None:
+    environment.machine.kept.set_real(_address(address), value)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_WORD = Actions(
+    read=of(Environment, lambda e, address: e.machine.kept.word(_address(address))),
+    write=repeatable(of(Environment, write_word)),
+)
+_REAL = Actions(
+    read=of(Environment, lambda e, address: e.machine.kept.real(_address(address))),
+    write=repeatable(of(Environment, write_real)),
+)
+
 
 ROWS = (
-    Keyword("NVLONG", "", "setting", "RW", "address", "integer", "nonvolatile.word",
+    Keyword("NVLONG", "", "setting", "RW", "address", "integer", _WORD,
             "A whole number in non-volatile memory, addresses 0 to 1023; `run --nv FILE` keeps it from run to run.",
             "NVLONG(5) = NVLONG(5) + 1\nPRINT NVLONG(5)", default=0.0, group="control"),
-    Keyword("NVFLOAT", "", "setting", "RW", "address", "number", "nonvolatile.real",
+    Keyword("NVFLOAT", "", "setting", "RW", "address", "number", _REAL,
             "The same memory as single-precision numbers: NVLONG and NVFLOAT of one address share their bits.",
             "NVFLOAT(7) = 2.5\nPRINT NVFLOAT(7)", default=0.0, group="control"),
 )  # fmt: skip

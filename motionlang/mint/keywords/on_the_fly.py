@@ -1,17 +1,49 @@
-"""What changes motion while it goes on: another end, a hold."""
+"""INCA, INCR and SUSPEND: what changes the motion in progress."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.motion import finite
+from motionlang.mint.runtime.binding import of, of_word, scale_of
+from motionlang.mint.runtime.environment import Environment
+
+
+def write_by(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
+    """INCR: the target moves by user units, of a move under way too."""
+    finite(row, value)
+    counts = scale_of(environment, axis).to_counts(value)
+    environment.controller.retarget_by(axis, counts, row.name, line)
+
+
+def write_to(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
+    """INCA: a new target, user units, of a move under way too."""
+    finite(row, value)
+    counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
+    environment.controller.retarget_to(axis, counts, row.name, line)
+
+
+def write_suspend(environment: Environment, axis: int, value: int, line: int) -> None:
+    """SUSPEND: 1 rests, 0 goes on."""
+    controller = environment.controller
+    (controller.suspend if value else controller.resume)(axis)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_SUSPEND = Actions(
+    read=of(Environment, lambda e, axis: int(e.controller.is_suspended(axis))),
+    write=of(Environment, write_suspend),
+)
+
 
 ROWS = (
-    Keyword("INCR", "", "setting", "W", "axis", "uu", "on_the_fly.by",
+    Keyword("INCR", "", "setting", "W", "axis", "uu", Actions(write=of_word(Environment, write_by)),
             "Let the move in progress end some distance further on; an axis at rest begins a move. No GO is needed.",
             "INCR(0) = 10\nINCR(0) = 5\nPAUSE IDLE(0)\nPRINT POS(0)", group="motion", effect="act"),
-    Keyword("INCA", "", "setting", "W", "axis", "uu", "on_the_fly.to",
+    Keyword("INCA", "", "setting", "W", "axis", "uu", Actions(write=of_word(Environment, write_to)),
             "Let the move in progress end at a position; an axis at rest begins a move. No GO is needed.",
             "INCA(0) = 10\nINCA(0) = 5\nPAUSE IDLE(0)\nPRINT POS(0)", group="motion", effect="act"),
-    Keyword("SUSPEND", "", "setting", "RW", "axis", "bool", "on_the_fly.suspend",
+    Keyword("SUSPEND", "", "setting", "RW", "axis", "bool", _SUSPEND,
             "1 ramps the axis to rest and keeps its moves, 0 goes on with them.",
             "MOVER(0) = 100\nGO(0)\nWAIT = 1\nSUSPEND(0) = 1\nWAIT = 100\nPRINT VEL(0)\nSUSPEND(0) = 0\n"
             "PAUSE IDLE(0)\nPRINT POS(0)", default=0.0, low=0, high=1, group="motion", effect="switch"),

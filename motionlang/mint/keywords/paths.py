@@ -2,7 +2,102 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.motion import refuse_stopping
+from motionlang.mint.runtime.binding import axis_of, of, of_word, on_axes, scale_of
+from motionlang.mint.runtime.changes import moving, repeatable
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.mint.runtime.binding import Maker, Operation
+
+
+def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float]) -> bool:
+    """Whether all axes have room; refuses what the row does not take, such as with axes that AXES named."""
+    units = row.unit.split(", ")
+    wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
+    if len(axes) != wanted or len(values) != count:
+        words = f"{row.name} is given {len(axes)} axes and {len(values)} values"
+        raise Refusal("values", words, f"it takes {wanted} axes and {count} values")
+    for axis in axes:
+        scale_of(environment, axis)
+        refuse_stopping(environment, axis)
+    return all(environment.controller.room(axis) > 0 for axis in axes)
+
+
+def loads(put: Callable[..., None]) -> Maker:
+    """What loads a path: true while a buffer of its axes is full; `put` is given the row, axes, values and line."""
+
+    def made(environment: Environment, row: Keyword) -> Operation:
+        def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
+            if not _ready(environment, row, axes, values):
+                return True
+            put(environment, row, axes, values, line)
+            if environment.loaded is not None:
+                environment.loaded(axes[0])
+            return False
+
+        return load
+
+    return made
+
+
+def put_line(
+    environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float], line: int
+) -> None:
+    """VECTORA and VECTORR: a line, user units of each axis."""
+    controller, counts = environment.controller, []
+    relative = row.name.endswith("R")
+    for axis, value in zip(axes, values, strict=True):
+        scale = scale_of(environment, axis)
+        place = (
+            scale.to_counts(value) if relative else scale.position_to_counts(value + environment.turn(axis))
+        )
+        counts.append(place)
+    (controller.load_line_by if relative else controller.load_line)(axes, counts, row.name, line)
+
+
+def put_arc(
+    environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float], line: int
+) -> None:
+    """CIRCLEA, CIRCLER, HELIXA and HELIXR: the centre in user units, the angle in degrees."""
+    relative, counts = row.name.endswith("R"), []
+    x, y, angle, *rest = values
+    if environment.machine.readings.get("mint.circle-sense") == "clockwise":
+        angle = -angle
+    for axis, value in zip(axes, (x, y, *rest), strict=True):
+        scale = scale_of(environment, axis)
+        counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))
+    environment.controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
+
+
+_MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
+
+
+def set_mode(environment: Environment, name: str, axis: int, on: bool) -> None:
+    """A path is either run through or blended: Mint's error 158."""
+    controller, other = environment.controller, next(each for each in _MODES if each != name)
+    if on and controller.setting(axis, _MODES[other]):
+        raise Refusal("contour-and-blend", f"{name} cannot be set while {other} is",
+                      f"write {other}({axis}) = 0 first")  # fmt: skip
+    controller.configure(axis, _MODES[name], on)
+
+
+def read_angle(environment: Environment, x: int, y: int) -> float:
+    return environment.controller.vector_angle(x, axis_of(environment, y))
+
+
+_MODE = repeatable(of_word(Environment, lambda e, row, axis, mode: set_mode(e, row.name, axis, bool(mode))))
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_LINE = Actions(load=loads(put_line))
+_ARC = Actions(load=loads(put_arc))
 
 _LARGEST = 8388607.0
 _READY = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
@@ -12,16 +107,18 @@ _TWO = "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE IDLE(0)\nPRIN
 
 def _path(name: str, unit: str, help: str, example: str, effect: str = "path") -> Keyword:
     short = "".join(name[at] for at in (0, -1)) if name[:5] != "HELIX" else ""  # VA, VR, CA, CR
-    return Keyword(name, short, "move", "W", "axes", unit, "paths.arc" if "degrees" in unit else "paths.line", help,
+    return Keyword(name, short, "move", "W", "axes", unit, _ARC if "degrees" in unit else _LINE, help,
                    example + _END, group="motion", effect=effect)  # fmt: skip
 
 
-def _setting(name: str, unit: str, verb: str, help: str, example: str, high: float) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", unit, verb, help, _READY + example, default=0.0, low=0.0,
+def _setting(name: str, unit: str, actions: str | Actions, help: str, example: str, high: float) -> Keyword:
+    return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, _READY + example, default=0.0, low=0.0,
                    high=high, group="paths")  # fmt: skip
 
 
 _RULE = "SPEED, ACCEL and DECEL of the first axis are those along the path, and GO of it starts all"
+
+
 ROWS = (
     _path("VECTORA", "uu", f"Load a straight line of several axes to a position; {_RULE}.",
           "VECTORA(0, 1) = 30, 40", effect="path line"),
@@ -39,26 +136,27 @@ ROWS = (
     _path("HELIXR", "uu, uu, degrees, uu",
           f"Load a helix of three axes: centre counted from its start, angle, and the third axis's distance; {_RULE}.",
           "HELIXR(0, 1, 2) = 50, 0, 720, 20"),
-    _setting("CONTOURMODE", "integer", "contour_mode",
+    _setting("CONTOURMODE", "integer", Actions("contour_mode", write=_MODE),
              "1: paths of the same axes are run through without slowing down, where their directions differ by no more "
              "than CONTOURANGLE.", "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n" + _TWO, 1),
     _setting("CONTOURANGLE", "number", "contour_angle",
              "Degrees by which the direction may change between two paths that are run through.",
              "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n" + _TWO, 180),
-    _setting("BLENDMODE", "integer", "blend_mode",
+    _setting("BLENDMODE", "integer", Actions("blend_mode", write=_MODE),
              "1: a path begins when BLENDDISTANCE is left of the one before it, on top of the rest of that one.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, 1),
     _setting("BLENDDISTANCE", "number", "blend_distance",
              "What is left of a path when the next one begins, in user units along it; up to half of the path.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _LARGEST),
-    Keyword("BLEND", "", "command", "C", "axes", "", "paths.blend",
+    Keyword("BLEND", "", "command", "C", "axes", "", Actions(do=on_axes(lambda e, axis: e.controller.blend(axis))),
             "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",
             _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"
             "PAUSE IDLE(0)\nPRINT POS(1)", group="motion"),
     Keyword("VELDEMANDPATH", "", "reading", "R", "axis", "number", "path_speed",
             "Speed along the path that the axis is on, in user units a second.",
             _READY + "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 200\nPRINT VELDEMANDPATH(0)", default=0.0, group="paths"),
-    Keyword("VECTORANGLE", "", "reading", "R", "axis, axis", "number", "paths.angle",
+    Keyword("VECTORANGLE", "", "reading", "R", "axis, axis", "number",
+            Actions(read=moving(of(Environment, read_angle))),
             "The direction, in degrees, in which two axes move in their plane; 0 at rest.",
             _READY + "VECTORR(0, 1) = 30, 30\nGO(0)\nWAIT = 100\nPRINT VECTORANGLE(0, 1)", default=0.0, group="paths"),
 )  # fmt: skip

@@ -1,8 +1,169 @@
-"""Preset moves of drives: the table of presets, which one is selected, and what starts it."""
+"""Preset moves: a table of motions of which an input, or the program, starts the one that is selected."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.axis_settings import Settings, reading
+from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
+from motionlang.mint.keywords.presets_moves import begin
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.environment import Environment
+
+LAST_PRESET = 63
+STAYS, STEPS, GOES_ON = range(3)
+BY_PROGRAM, BY_INPUTS = range(2)
+# What an axis's settings are until they are written; the others are 0.
+DEFAULTS = {"PRESETTRIGGERINPUT": -1, "PRESETSELECTORINPUT": -1, "PRESETINPUTSMAX": 4}
+# The shortest rest, seconds, between two presets that follow each other by themselves.
+_SHORTEST = 1e-3
+
+
+class Presets(Settings):
+    """The table, by keyword, preset and format, in user units; and what starts them, by keyword and axis."""
+
+    defaults = DEFAULTS
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.table: dict[tuple[str, int, int], float] = {}
+        self._lines: dict[int, int] = {}
+        # The axes whose next preset follows by itself, with the number of the start it follows: a rest that
+        # began for another one, before the presets were disabled and enabled again, ends nothing.
+        self._going_on: dict[int, int] = {}
+        self._starts = 0
+        environment.part(Inputs).listeners.append(self._changed)
+        self.controller.listeners.append(self._heard, "idle")
+
+    def entry(self, name: str, preset: int, format: int = 0) -> float:
+        return self.table.get((name, preset, format), 0.0)
+
+    def choose(self, row: Keyword, axis: int, value: int, line: int) -> None:
+        """Set what starts presets; without a trigger input it is the enabling, or the choice of another preset."""
+        name = row.name
+        if name.endswith("INPUT") and value >= 0:
+            checked(value, LAST_CHANNEL)
+        before = self.setting(name, axis)
+        self.set(name, axis, int(value))
+        enabled = self.setting("PRESETMOVEENABLE", axis)
+        if name == "PRESETMOVEENABLE":
+            if value == before:
+                return
+            self._going_on.pop(axis, None)
+        if name in ("PRESETMOVEENABLE", "PRESETINDEX"):
+            self._lines[axis] = line
+            if enabled and self.setting("PRESETTRIGGERINPUT", axis) < 0:
+                self.start(axis)
+
+    def inputs(self, axis: int) -> int:
+        """The number that the selector inputs say."""
+        first, count = (int(self.setting(name, axis)) for name in ("PRESETSELECTORINPUT", "PRESETINPUTSMAX"))
+        if first < 0:
+            return 0
+        is_on = self.environment.part(Inputs).is_on
+        return sum(1 << k for k in range(count) if is_on(first + k))
+
+    def selected(self, axis: int) -> int:
+        """The preset that is next."""
+        by_inputs = self.setting("PRESETINDEXSOURCE", axis) == BY_INPUTS
+        return self.inputs(axis) if by_inputs else int(self.setting("PRESETINDEX", axis))
+
+    def start(self, axis: int) -> None:
+        """Start the preset that is selected, and select the one after it where the mode says so."""
+        preset, mode = self.selected(axis), self.setting("PRESETINDEXMODE", axis)
+        self._going_on.pop(axis, None)
+        begin(self, axis, preset, self._lines.get(axis, 0))
+        if mode != STAYS:
+            self._settings["PRESETINDEX", axis] = self._after(preset)
+        if mode == GOES_ON:
+            self._starts += 1
+            self._going_on[axis] = self._starts
+            if self.controller.is_idle(axis):
+                self._rest(axis)
+
+    def _after(self, preset: int) -> int:
+        """The next preset of the table that is anything, behind the last one the first."""
+        known = sorted(
+            number for (name, number, _), kind in self.table.items() if name == "PRESETMOVETYPE" and kind
+        )
+        return next((number for number in known if number > preset), known[0] if known else preset)
+
+    def _changed(self, channel: int, on: bool) -> None:
+        for name, axis in list(self._settings):
+            enabled = name == "PRESETMOVEENABLE" and self._settings[name, axis]
+            if on and enabled and self.setting("PRESETTRIGGERINPUT", axis) == channel:
+                self._start(axis)
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "idle" and axis in self._going_on:
+            self._rest(axis)
+
+    def _rest(self, axis: int) -> None:
+        """Rest for PRESETDWELLTIME, then go on."""
+        clock = self.environment.clock
+        seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _SHORTEST)
+        follows = self._going_on[axis]
+        clock.at(clock.now + seconds, lambda: self._go_on(axis, follows))
+
+    def _go_on(self, axis: int, follows: int) -> None:
+        if self._going_on.get(axis) == follows and self.controller.is_idle(axis):
+            self._start(axis)
+
+    def _start(self, axis: int) -> None:
+        """Start a preset while the program does something else: what goes wrong is told to ONERROR."""
+        try:
+            self.start(axis)
+        except Refusal as refusal:
+            refusal.line = refusal.line or self._lines.get(axis, 0)
+            self.controller.mishap(refusal)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def _preset(preset: int) -> int:
+    return checked(preset, LAST_PRESET, "preset")
+
+
+def read_entry(presets: Presets, row: Keyword, preset: int, number: int = 0) -> float:
+    """A field of a preset in the table, user units; 0 until it is written."""
+    value = presets.entry(row.name, _preset(preset), _second(row, number))
+    return int(value) if row.unit == "integer" else value
+
+
+def write_entry(presets: Presets, row: Keyword, preset: int, value: float) -> None:
+    """A field of a preset in the table, user units."""
+    presets.table[row.name, _preset(preset), 0] = value
+
+
+# What stands behind the preset in the brackets of words that have two numbers there: the last one, and what it is.
+_SECOND = {
+    "PRESETMOVETYPE": (0, "0 is the type"),
+    "PRESETMOVEPARAMETER": (0, "0 is the percent of a torque reference"),
+    "PRESETACCEL": (1, "0 is a rate, 1 a time in milliseconds"),
+    "PRESETDECEL": (1, "0 is a rate, 1 a time in milliseconds"),
+}
+
+
+def _second(row: Keyword, number: int) -> int:
+    last, hint = _SECOND.get(row.name, (0, ""))
+    if not 0 <= number <= last:
+        raise Refusal("range", f"{row.name} has no number {number} behind the preset", hint)
+    return number
+
+
+def write_format(presets: Presets, row: Keyword, preset: int, number: int, value: float) -> None:
+    """A field with a format or a parameter of its own; a rate and the time for it replace each other."""
+    presets.table[row.name, _preset(preset), _second(row, number)] = value
+    if row.name in ("PRESETACCEL", "PRESETDECEL"):
+        presets.table.pop((row.name, preset, 1 - number), None)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_FORMAT = Actions(read=of_word(Presets, read_entry), write=of_word(Presets, write_format))
+_ENTRY = Actions(read=of_word(Presets, read_entry), write=of_word(Presets, write_entry))
+_SETTING = Actions(read=reading(Presets), write=of_word(Presets, Presets.choose))
 
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
@@ -10,21 +171,21 @@ _TWO = "PRESETMOVETYPE(1, 0) = 4 : PRESETMOVEPOSITION(1) = 10\nPRESETMOVETYPE(2,
 _RUN = _TWO + "PRESETINDEX(0) = 1\n{}PRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRINT POS(0)"
 
 
-def _row(name: str, index: str, unit: str, verb: str, help: str, example: str, low: float, high: float,
+def _row(name: str, index: str, unit: str, actions: Actions, help: str, example: str, low: float, high: float,
          default: float = 0.0, group: str = "axis", effect: str = "") -> Keyword:  # fmt: skip
-    return Keyword(name, "", "setting", "RW", index, unit, f"presets.{verb}", help, example, default=default, low=low,
+    return Keyword(name, "", "setting", "RW", index, unit, actions, help, example, default=default, low=low,
                    high=high, group=group, effect=effect)  # fmt: skip
 
 
 def _entry(name: str, unit: str, help: str, low: float, high: float) -> Keyword:
-    return _row(name, "preset", unit, "entry", help, f"{name}(1) = 1\nPRINT {name}(1)", low, high)
+    return _row(name, "preset", unit, _ENTRY, help, f"{name}(1) = 1\nPRINT {name}(1)", low, high)
 
 
 def _format(
     name: str, unit: str, help: str, high: float, second: str = "format", low: float = 0.0
 ) -> Keyword:
     return _row(
-        name, f"preset, {second}", unit, "format", help, f"{name}(1, 0) = 3\nPRINT {name}(1, 0)", low, high
+        name, f"preset, {second}", unit, _FORMAT, help, f"{name}(1, 0) = 3\nPRINT {name}(1, 0)", low, high
     )
 
 
@@ -32,7 +193,7 @@ def _setting(
     name: str, help: str, low: float, high: float, default: float = 0.0, example: str = ""
 ) -> Keyword:
     example = example or f"{name}(0) = 1\nPRINT {name}(0)"
-    return _row(name, "axis", "integer", "setting", help, example, low, high, default, "motion")
+    return _row(name, "axis", "integer", _SETTING, help, example, low, high, default, "motion")
 
 
 ROWS = (
@@ -52,7 +213,8 @@ ROWS = (
     _entry("PRESETMOVEHOMETYPE", "integer", "The type of HOME of a preset that homes.", 0, 9),
     _format("PRESETMOVEPARAMETER", "number", "The percent of a preset that is a torque reference (number 0 behind it).",
             100, "parameter", -100),
-    _row("PRESETINDEX", "axis", "integer", "index",
+    _row("PRESETINDEX", "axis", "integer",
+         Actions(read=of(Presets, Presets.selected), write=of_word(Presets, Presets.choose)),
          "The preset that is next; without a trigger input writing it starts it, while PRESETMOVEENABLE is 1.",
          _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion", effect="act"),
     _setting("PRESETINDEXMODE",
@@ -65,12 +227,12 @@ ROWS = (
     _setting("PRESETSELECTORINPUT", "The first of the inputs that select a preset, the lowest bit of its number; -1 "
                                     "for none.", -1, 999, -1.0),
     _setting("PRESETINPUTSMAX", "How many inputs select a preset.", 0, 6, 4.0),
-    Keyword("PRESETINPUTSTATE", "", "reading", "R", "axis", "integer", "presets.inputs",
+    Keyword("PRESETINPUTSTATE", "", "reading", "R", "axis", "integer", Actions(read=of(Presets, Presets.inputs)),
             "The preset that the inputs select now.", "PRESETSELECTORINPUT(0) = 4\nPRINT PRESETINPUTSTATE(0)",
             default=0.0, group="state"),
     _setting("PRESETTRIGGERINPUT", "The input whose becoming active starts the preset that is selected; -1 for none.",
              -1, 999, -1.0),
-    _row("PRESETMOVEENABLE", "axis", "bool", "setting",
+    _row("PRESETMOVEENABLE", "axis", "bool", _SETTING,
          "Whether presets start; without a trigger input 1 starts the one that is selected.", _RUN.format(""), 0, 1,
          group="motion", effect="hands-over"),
 )  # fmt: skip

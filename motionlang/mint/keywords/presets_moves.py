@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.homing_operations import Homes
+from motionlang.mint.keywords.homing import Homes
 from motionlang.mint.keywords.limits_resetting import StopModes, stop
-from motionlang.mint.keywords.torque_operations import TorqueReferences
+from motionlang.mint.keywords.torque import TorqueReferences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mint.keywords.presets_operations import Presets
+    from motionlang.mint.keywords.presets import Presets
 
     Way = Callable[["Preset"], None]
 

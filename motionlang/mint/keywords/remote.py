@@ -1,35 +1,342 @@
-"""Remote nodes on a bus."""
+"""Buses and the nodes on them: what the machine file lets become of them, and what the program sets."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from functools import partial
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.io.host_memory import HostMemory
+from motionlang.controller.io.inputs import Channels
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.io_inputs import BANK, bits_of, checked
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.changes import repeatable
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+    from typing import Any
+
+    from motionlang.mint.runtime.environment import Environment
+
+    Entry = Mapping[str, Any]
 
 
-def _word(name: str, access: str, index: str, unit: str, verb: str, help: str, example: str,
+# Powerlink counts its nodes beyond CAN's 127: its manager is 240.
+LAST_BUS, LAST_NODE, LAST_CHANNEL = 2, 255, 255
+# Inputs first, then what the program sets.
+KINDS = ("inputs", "analogue_inputs", "outputs", "analogue_outputs")
+# What the report calls those that the program sets.
+_WRITTEN = {"outputs": "output", "analogue_outputs": "analogue-output"}
+# Events of a bus that nobody reads are forgotten, the oldest first.
+LONGEST_QUEUE = 64
+# Codes of events (MN1274 p. 113); the first three are states of a bus, too.
+OPERATIONAL, PASSIVE, OFF = 1, 2, 3
+BUS_CODES = {
+    "operational": OPERATIONAL,
+    "passive": PASSIVE,
+    "off": OFF,
+    "receive-overrun": 4,
+    "transmit-overrun": 13,
+}
+NODE_CODES = {"dead": 5, "live": 6, "emergency": 11}
+ERROR_REGISTER = 0x1001
+
+
+class Bus:
+    """One bus: its `state`, the events that nobody has read yet, and the process data that came last.
+
+    `taken` is the event that was read last: its code and what it is about.
+    """
+
+    def __init__(self, number: int, happened: Callable[[str, int], None]) -> None:
+        self._number, self._happened = number, happened
+        self.state = OPERATIONAL
+        self.queue: list[tuple[int, int]] = []
+        self.taken = 0, 0
+        self.process_data: dict[tuple[int, int], int] = {}
+
+    def tell(self, code: int, info: int = 0) -> None:
+        """An event of the bus; BUSEVENT will tell of it."""
+        if code in (OPERATIONAL, PASSIVE, OFF):
+            self.state = code
+        self.queue = [*self.queue[1 - LONGEST_QUEUE :], (code, info)]
+        self._happened("bus", self._number)
+
+    def take(self) -> int:
+        """The code of the next event, 0 where there is none."""
+        self.taken = self.queue.pop(0) if self.queue else (0, 0)
+        return self.taken[0]
+
+    def reset(self) -> None:
+        self.queue.clear()
+        self.tell(OPERATIONAL)
+
+
+class Node:
+    """What one node holds beyond its channels, and what the program has `written` there, by kind and number."""
+
+    def __init__(self) -> None:
+        self.live = True
+        self.memory = HostMemory()
+        self.encoders: dict[int, int] = {}
+        self.objects: dict[tuple[int, int], float | str] = {}
+        self.emergency = 0
+        self.written: dict[tuple[str | int, ...], float | str] = {}
+
+    def write_object(self, where: tuple[int, int], value: float | str) -> None:
+        self.objects[where] = value
+        self.written["object", *where] = value
+
+
+class Nodes:
+    """Every bus and every node on it, from the first use on; `named` are the nodes that the machine file speaks of."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment, self._clock = environment, environment.clock
+        self._happened = environment.events.raise_
+        self._channels: dict[tuple[int, int, str], Channels] = {}
+        self._nodes: dict[tuple[int, int], Node] = {}
+        self._buses: dict[int, Bus] = {}
+        self.named: set[tuple[int, int]] = set()
+        settings = environment.machine.settings
+        entries: Sequence[Entry] = settings.get("remote", ())  # type: ignore[assignment]
+        self._begin(entries)
+        for entry in entries:
+            self._wire(entry)
+        for entry in settings.get("bus", ()):  # type: ignore[attr-defined]
+            self._at(entry, partial(self.bus(entry.get("bus", 1)).tell, BUS_CODES[entry["event"]]))
+        for entry in settings.get("pdo", ()):  # type: ignore[attr-defined]
+            place = entry["cobid"], entry.get("bank", 0)
+            put = self.bus(entry.get("bus", 1)).process_data.__setitem__
+            self._at(entry, partial(put, place, _signed(int(entry["value"]))))
+        environment.machine.written.append(self.written)
+
+    def bus(self, bus: int) -> Bus:
+        """A bus, or the refusal of one that does not exist."""
+        found = self._buses.get(bus)
+        if found is None:
+            found = self._buses[bus] = Bus(checked_bus(bus), self._happened)
+        return found
+
+    def node(self, bus: int, node: int, silent: bool = False) -> Node:
+        """A node, or the refusal of one that does not answer; `silent`: whether it answers or not."""
+        if not (silent or self.answers(bus, node)):
+            raise Refusal(
+                "no-connection", f"node {node} of bus {bus} does not answer", f"NODELIVE({bus}, {node}) tells"
+            )
+        key = checked_bus(bus), checked(node, LAST_NODE, "node")
+        found = self._nodes.get(key)
+        if found is None:
+            found = self._nodes[key] = Node()
+        return found
+
+    def answers(self, bus: int, node: int) -> bool:
+        """Whether a node lives and its bus is not off."""
+        return self.bus(bus).state != OFF and ((bus, node) not in self._nodes or self._nodes[bus, node].live)
+
+    def channels(self, bus: int, node: int, kind: str) -> Channels:
+        """The channels of one kind of a node that answers."""
+        self.node(bus, node)
+        return self._put_into(bus, node, kind)
+
+    def _put_into(self, bus: int, node: int, kind: str) -> Channels:
+        key = checked_bus(bus), node, kind
+        if key not in self._channels:
+            self._channels[key] = Channels(self._clock)
+        return self._channels[key]
+
+    def scan(self, bus: int, node: int) -> None:
+        """NODESCAN: whether the node lives comes as an event."""
+        checked(node, LAST_NODE, "node")
+        self.bus(bus).tell(NODE_CODES["live" if self.answers(bus, node) else "dead"], node)
+
+    def reset(self, bus: int, node: int) -> None:
+        """REMOTERESET."""
+        found = self.node(bus, node)
+        found.emergency = 0
+        found.objects[ERROR_REGISTER, 0] = 0
+        for kind in KINDS[2:]:
+            self._put_into(bus, node, kind).clear()
+        self.bus(bus).tell(NODE_CODES["live"], node)
+
+    def written(self) -> list[dict[str, object]]:
+        """What the program has written into nodes, as rows of the report."""
+        rows: list[dict[str, object]] = []
+        for (bus, node, kind), channels in sorted(self._channels.items()):
+            what = _WRITTEN.get(kind)
+            told = channels.touched if what else ()
+            rows += [_row(bus, node, (str(what), each), channels[each]) for each in told]
+        for (bus, node), found in sorted(self._nodes.items()):
+            rows += [_row(bus, node, place, value) for place, value in sorted(found.written.items())]
+        return rows
+
+    # ---------------------------------------------------------------------------------------- the machine file
+
+    def _begin(self, entries: Sequence[Entry]) -> None:
+        """A node whose first event is that it comes alive is dead before."""
+        first: dict[tuple[int, int], Entry] = {}
+        for entry in sorted(entries, key=lambda each: each.get("at", 0.0)):
+            key = entry.get("bus", 1), entry["node"]
+            self.named.add(key)
+            self._nodes[key] = self._nodes.get(key) or Node()
+            if entry.get("event") in ("live", "dead"):
+                first.setdefault(key, entry)
+        for key, entry in first.items():
+            self._nodes[key].live = entry["event"] == "dead"
+
+    def _at(self, entry: Entry, call: Callable[[], None]) -> None:
+        self._clock.at(max(float(entry.get("at", 0.0)), self._clock.now), call)
+
+    def _wire(self, entry: Entry) -> None:
+        bus, node, value = entry.get("bus", 1), entry["node"], entry.get("value", 1)
+        found = self._nodes[bus, node]
+        if "event" in entry:
+            self._at(entry, partial(self._become, bus, node, entry["event"], int(value)))
+        elif "encoder" in entry:
+            self._at(entry, partial(found.encoders.__setitem__, entry["encoder"], int(value)))
+        elif "element" in entry:
+            self._at(entry, partial(found.memory.set_real, "comms", entry["element"], float(value)))
+        elif "object" in entry:
+            place = entry["object"], entry.get("sub", 0)
+            self._at(entry, partial(found.objects.__setitem__, place, value))
+        else:
+            self._wire_input(entry, bus, node, value)
+
+    def _wire_input(self, entry: Entry, bus: int, node: int, value: float) -> None:
+        kind = "analogue_inputs" if "analogue" in entry else "inputs"
+        put = partial(
+            self._put_into(bus, node, kind).__setitem__, entry.get("analogue", entry.get("channel", 0))
+        )
+        self._at(entry, partial(put, value))
+        if "for" in entry:
+            at = max(float(entry.get("at", 0.0)), self._clock.now)
+            self._clock.at(at + entry["for"], partial(put, 0))
+
+    def _become(self, bus: int, node: int, event: str, value: int) -> None:
+        """What the machine file lets become of a node."""
+        found = self._nodes[bus, node]
+        if event == "emergency":
+            found.emergency = value
+            found.objects[ERROR_REGISTER, 0] = 1
+        else:
+            found.live = event == "live"
+        self.bus(bus).tell(NODE_CODES[event], node)
+
+
+def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) -> dict[str, object]:
+    """What one place of a node holds: "estop", "output" and a number, "object" with its index and sub-index."""
+    return {
+        "bus": bus,
+        "node": node,
+        **dict(zip(("what", "number", "sub"), place, strict=False)),
+        "value": value,
+    }
+
+
+def checked_bus(bus: int) -> int:
+    """The number of a bus, or its refusal."""
+    if not 1 <= bus <= LAST_BUS:
+        raise Refusal("channel", f"there is no bus {bus}", f"they are numbered 1 to {LAST_BUS}")
+    return bus
+
+
+def _signed(word: int) -> int:
+    word &= 0xFFFFFFFF
+    return word - (1 << 32) if word >> 31 else word
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_bits(nodes: Nodes, row: Keyword, bus: int, node: int, bank: int = 0) -> int:
+    """REMOTEIN, REMOTEOUT and, with the number of a bank, REMOTEINBANK, REMOTEOUTBANK."""
+    kind = row.attribute
+    channels = nodes.channels(bus, node, kind)
+    return bits_of(bank, channels.inverted if kind == "inputs" else channels.__getitem__)
+
+
+def write_bits(nodes: Nodes, row: Keyword, bus: int, node: int, *rest: int) -> None:
+    """REMOTEOUT and, with the number of a bank, REMOTEOUTBANK."""
+    bank = rest[0] if len(rest) > 1 else 0
+    checked(bank, LAST_CHANNEL // BANK, "bank")
+    nodes.channels(bus, node, row.attribute).set_bank(bank * BANK, BANK, rest[-1])
+
+
+def read_bit(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int) -> int:
+    """REMOTEINX and REMOTEOUTX; inputs in terms of their active level."""
+    kind = row.attribute
+    channels = nodes.channels(bus, node, kind)
+    checked(channel, LAST_CHANNEL, "channel")
+    return int(channels.inverted(channel) if kind == "inputs" else channels[channel] != 0)
+
+
+def write_bit(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int, value: int) -> None:
+    """REMOTEOUTX."""
+    write_percent(nodes, row, bus, node, channel, int(value != 0))
+
+
+def read_percent(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int) -> float:
+    """REMOTEADC and REMOTEDAC, percent."""
+    return float(nodes.channels(bus, node, row.attribute)[checked(channel, LAST_CHANNEL, "channel")])
+
+
+def write_percent(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int, value: float) -> None:
+    """REMOTEDAC, percent."""
+    nodes.channels(bus, node, row.attribute)[checked(channel, LAST_CHANNEL, "channel")] = value
+
+
+def read_live(nodes: Nodes, bus: int, node: int) -> int:
+    """NODELIVE."""
+    return int((bus, node) in nodes.named and nodes.answers(bus, node))
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+
+def _percent(kind: str) -> Actions:
+    return Actions(
+        read=of_word(Nodes, read_percent), write=repeatable(of_word(Nodes, write_percent)), attribute=kind
+    )
+
+
+def _bit(kind: str) -> Actions:
+    return Actions(read=of_word(Nodes, read_bit), write=repeatable(of_word(Nodes, write_bit)), attribute=kind)
+
+
+def _bits(kind: str) -> Actions:
+    return Actions(
+        read=of_word(Nodes, read_bits), write=repeatable(of_word(Nodes, write_bits)), attribute=kind
+    )
+
+
+def _word(name: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
           driven: str = "") -> Keyword:  # fmt: skip
     kind = "setting" if "W" in access else "reading"
     low, high = (-100.0, 100.0) if unit == "%" and "W" in access else (None, None)
-    return Keyword(name, "", kind, access, index, unit, verb, help, example, default=0.0, low=low, high=high,
+    return Keyword(name, "", kind, access, index, unit, actions, help, example, default=0.0, low=low, high=high,
                    group="remote", driven=driven)  # fmt: skip
 
 
 ROWS = (
-    _word("REMOTEIN", "R", "bus, node", "bits", "remote.bits.inputs", "The inputs of a remote node as bits.",
+    _word("REMOTEIN", "R", "bus, node", "bits", _bits("inputs"), "The inputs of a remote node as bits.",
           "PRINT REMOTEIN(1, 2)", "remote"),
-    _word("REMOTEINX", "R", "bus, node, input", "bool", "remote.bit.inputs", "One input of a remote node.",
+    _word("REMOTEINX", "R", "bus, node, input", "bool", _bit("inputs"), "One input of a remote node.",
           "PRINT REMOTEINX(1, 2, 0)", "remote"),
-    _word("REMOTEINBANK", "R", "bus, node, bank", "bits", "remote.bits.inputs", "A bank of inputs of a remote node.",
+    _word("REMOTEINBANK", "R", "bus, node, bank", "bits", _bits("inputs"), "A bank of inputs of a remote node.",
           "PRINT REMOTEINBANK(1, 2, 0)", "remote"),
-    _word("REMOTEOUT", "RW", "bus, node", "bits", "remote.bits.outputs", "The outputs of a remote node as bits.",
+    _word("REMOTEOUT", "RW", "bus, node", "bits", _bits("outputs"), "The outputs of a remote node as bits.",
           "REMOTEOUT(1, 2) = 255\nPRINT REMOTEOUT(1, 2)"),
-    _word("REMOTEOUTX", "RW", "bus, node, output", "bool", "remote.bit.outputs", "One output of a remote node.",
+    _word("REMOTEOUTX", "RW", "bus, node, output", "bool", _bit("outputs"), "One output of a remote node.",
           "REMOTEOUTX(1, 2, 3) = 1\nPRINT REMOTEOUTX(1, 2, 3)"),
-    _word("REMOTEOUTBANK", "RW", "bus, node, bank", "bits", "remote.bits.outputs",
+    _word("REMOTEOUTBANK", "RW", "bus, node, bank", "bits", _bits("outputs"),
           "A bank of outputs of a remote node.", "REMOTEOUTBANK(1, 2, 0) = 7\nPRINT REMOTEOUTBANK(1, 2, 0)"),
-    _word("REMOTEADC", "R", "bus, node, channel", "%", "remote.percent.analogue_inputs",
+    _word("REMOTEADC", "R", "bus, node, channel", "%", _percent("analogue_inputs"),
           "An analogue input of a remote node in percent.", "PRINT REMOTEADC(1, 2, 0)", "remote"),
-    _word("REMOTEDAC", "RW", "bus, node, channel", "%", "remote.percent.analogue_outputs",
+    _word("REMOTEDAC", "RW", "bus, node, channel", "%", _percent("analogue_outputs"),
           "An analogue output of a remote node in percent.", "REMOTEDAC(1, 2, 3) = 100\nPRINT REMOTEDAC(1, 2, 3)"),
-    _word("NODELIVE", "R", "bus, node", "bool", "remote.live",
+    _word("NODELIVE", "R", "bus, node", "bool", Actions(read=of(Nodes, read_live)),
           "1 for a node that the machine file speaks of, while it lives.", "PRINT NODELIVE(1, 2)"),
 )  # fmt: skip
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"bus": Nodes}

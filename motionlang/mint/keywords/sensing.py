@@ -1,44 +1,346 @@
-"""What an axis and its encoder tell beyond position and speed."""
+"""What an axis and its encoder tell: kind of motion, demands, targets, idle windows, encoder counts, wraps."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from math import floor
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.moves import buffer
+from motionlang.controller.readers import passing_within
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.task import INFINITY
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import IDLE
+from motionlang.mint.keywords.state import IS_IDLE, place
+from motionlang.mint.keywords.unsimulated import write_jump
+from motionlang.mint.runtime.binding import of, of_word, scale_of, unchecked
+from motionlang.mint.runtime.changes import always, end_of_motion, heard, moving, repeatable
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.keywords.compensation import Compensation
+    from motionlang.mint.runtime.binding import Maker, Operation
+
+
+# AXISMODE: the bit of each kind of motion, by the keyword that began it. 0 is idle; the bits are our own.
+KINDS: dict[int, tuple[str, ...]] = {
+    1: ("MOVEA", "MOVER", "INCA", "INCR", "MOVEDWELL"),
+    2: ("JOG", "JOGCOMMAND", "FREQ"),
+    4: ("HOME", "DATUM"),
+    8: ("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"),
+    16: ("FOLLOW",),
+    32: ("CAM",),
+    64: ("FLY",),
+    128: ("SPLINE",),
+    256: ("OFFSET",),
+}
+OTHER, SUSPENDED = 512, 1024
+_BITS = {word: bit for bit, words in KINDS.items() for word in words}
+
+
+def read_axis_mode(environment: Environment, axis: int) -> int:
+    """AXISMODE: a bit for the kind of motion, 0 at rest, and one more while it is suspended."""
+    a = environment.controller.axes[axis]
+    if a.move is None:
+        return 0
+    return _BITS.get(a.move.command, OTHER) | (SUSPENDED if a.suspended else 0)
+
+
+def read_acceleration(environment: Environment, axis: int) -> float:
+    """ACCELDEMAND, user units a second squared."""
+    a = environment.controller.axes[axis]
+    return a.scale.to_user(a.at(environment.clock.now).acceleration, "uu/s2")
+
+
+def _shown(environment: Environment, axis: int, target: float) -> float:
+    """An end in user units, within POSWRAP, as POSROLLOVERTARGET tells the turn; the position where there is none."""
+    counts = target if abs(target) < 1e300 else environment.controller.position(axis)
+    return environment.place(axis, counts)
+
+
+# --------------------------------------------------------------------------------------------- idle windows
+
+AT_POSITION, AT_SPEED = 1, 2
+
+
+class IdleWindows(Settings):
+    """What IDLE asks for beyond the end of the move, by keyword and axis, in counts."""
+
+    defaults = IDLE
+    in_counts = True
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self._since: dict[int, float] = {}
+        self.controller.listeners.append(self._heard, "idle")
+        environment.settled = self.settled
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        super().set(name, axis, value)
+        self._tell_motor(axis)
+
+    def _tell_motor(self, axis: int) -> None:
+        """Let a simulated motor know what settling means."""
+        mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
+        self.controller.settle_within(
+            axis,
+            self.setting("IDLEPOS", axis) if mode & AT_POSITION else far,
+            self.setting("IDLEVEL", axis) if mode & AT_SPEED else far,
+            self.setting("IDLETIME", axis) / 1000.0,
+        )
+
+    def settled(self, axis: int) -> bool:
+        """Whether an axis whose move is over is inside its windows, and has been for IDLETIME."""
+        mode = int(self.setting("IDLEMODE", axis))
+        if not mode:
+            return True
+        controller = self.controller
+        if controller.is_open(axis):
+            return True  # nothing holds the motor: there is no error to settle
+        if controller.has_motor(axis) and controller.settled_time(axis) > controller.clock.now:
+            return False
+        if mode & AT_POSITION and abs(controller.following_error(axis)) > self.setting("IDLEPOS", axis):
+            return False
+        if mode & AT_SPEED and abs(controller.velocity(axis)) > self.setting("IDLEVEL", axis):
+            return False
+        # The sum by which it is looked again: a difference would be less than the whole by its rounding.
+        return controller.clock.now >= self._since.get(axis, -1e300) + self.setting("IDLETIME", axis) / 1000.0
+
+    def settling_time(self, axis: int) -> int:
+        """Milliseconds from the end of the move to IDLE: IDLETIME, and what a simulated motor needed before it."""
+        if not self.setting("IDLEMODE", axis):
+            return 0
+        late = 0.0
+        if self.controller.has_motor(axis) and axis in self._since:
+            late = min(max(self.controller.settled_since(axis) - self._since[axis], 0.0), 1e6)
+        return round(late * 1000.0) + int(self.setting("IDLETIME", axis))
+
+    def _heard(self, what: str, axis: int) -> None:
+        """The move is over: IDLETIME later whoever waits for IDLE must look again."""
+        if what == "idle":
+            clock = self.controller.clock
+            self._since[axis] = clock.now
+            clock.at(clock.now + self.setting("IDLETIME", axis) / 1000.0, lambda: None)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        super().default(axis)
+        self._tell_motor(axis)
+
+
+# ------------------------------------------------------------------------------------------------- encoders
+
+
+class Encoders:
+    """The encoders of the axes, which count on whatever zero the program gives to an axis, and those of the machine
+    file, which take the place of an axis's where they have the same number.
+
+    What an encoder shows is its counts / ENCODERPRESCALE / ENCODERSCALE, from the value it was given, within
+    ENCODERWRAP.
+    """
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment, self._controller = environment, environment.controller
+        self._end_of_motion = end_of_motion(environment)
+        self._settings: dict[tuple[str, int], float] = {}
+        # What the motors do on top of what POS shows, where the program compensates.
+        self.compensation: Compensation | None = None
+
+    def setting(self, name: str, channel: int) -> float:
+        return self._settings.get((name, channel), 0.0 if name in ("ENCODERWRAP", "zero") else 1.0)
+
+    def set(self, name: str, channel: int, value: float) -> None:
+        self._settings[name, channel] = value
+
+    def counts(self, channel: int) -> float:
+        if channel in self._controller.encoders:
+            return self._controller.encoder_position(channel)
+        shift = self.compensation.shift(channel) if self.compensation is not None else 0.0
+        return self._controller.position(channel) + shift - self._controller.axes[channel].datum
+
+    def read(self, channel: int) -> float:
+        return self.shown(channel, self.counts(channel))
+
+    def until(self, channel: int, level: float | None = None) -> float:
+        """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
+        track = self.track(channel)
+        if level == INFINITY:
+            return self._controller.clock.now
+        if level is None or track not in self._controller.encoders:
+            return self._end_of_motion()
+        zero, per_unit = self.setting("zero", channel), self.per_unit(channel)
+        crossing_time = self._controller.encoder_crossing_time
+        return passing_within(
+            self.setting("ENCODERWRAP", channel),
+            self.counts(channel) / per_unit + zero,
+            level,
+            lambda place: crossing_time(track, (place - zero) * per_unit),
+        )
+
+    def checked(self, channel: int) -> int:
+        """The channel, or the refusal of one that does not exist: those of the axes and of the machine file."""
+        return channel_of(self._environment, channel)
+
+    def track(self, channel: int) -> int:
+        """The number under which the controller has an encoder that the world turns."""
+        return channel
+
+    def shown(self, channel: int, counts: float) -> float:
+        """What an encoder shows at a count."""
+        shown = counts / self.per_unit(channel) + self.setting("zero", channel)
+        wrap = self.setting("ENCODERWRAP", channel)
+        return shown % wrap if wrap else shown
+
+    def write(self, channel: int, value: float) -> None:
+        self.set("zero", channel, value - self.counts(channel) / self.per_unit(channel))
+
+    def speed(self, channel: int) -> float:
+        return self.velocity(channel) / self.per_unit(channel)
+
+    def velocity(self, channel: int) -> float:
+        """In counts a second."""
+        if channel in self._controller.encoders:
+            return self._controller.encoder_velocity(channel)
+        shift = self.compensation.rate(channel) if self.compensation is not None else 0.0
+        return self._controller.velocity(channel) + shift
+
+    def per_unit(self, channel: int) -> float:
+        """Counts in one unit of what the encoder shows."""
+        return self.setting("ENCODERSCALE", channel) * self.setting("ENCODERPRESCALE", channel)
+
+
+def channel_of(environment: Environment, channel: int) -> int:
+    """The encoder channel, or the refusal of one that does not exist: those of the axes and of the machine file."""
+    if channel not in environment.controller.axes and channel not in environment.controller.encoders:
+        axes = list(environment.controller.axes)
+        hint = f"the encoders are those of axes {axes[0]} to {axes[-1]}"
+        raise Refusal("channel", f"there is no encoder {channel}", hint)
+    return channel
+
+
+def compared(kind: type[Encoders]) -> Maker:
+    """What reads an encoder of a family; it tells when that passes what it is compared with."""
+
+    def made(environment: Environment, row: Keyword) -> Operation:
+        encoders = environment.part(kind)
+        read = lambda channel, level=None: encoders.read(encoders.checked(channel))  # noqa: E731
+        return heard(environment, read, encoders.until)
+
+    return made
+
+
+def write_encoder(encoders: Encoders, channel: int, value: float) -> None:
+    encoders.write(encoders.checked(channel), value)
+
+
+def read_speed(encoders: Encoders, channel: int) -> float:
+    return encoders.speed(encoders.checked(channel))
+
+
+def _name(row: Keyword) -> str:
+    """The word of any family as that of the encoders of axes."""
+    return row.name.removeprefix("AUX").replace("STEPPER", "ENCODER")
+
+
+def read_setting(encoders: Encoders, row: Keyword, channel: int) -> float:
+    """The scale, the prescale and the wrap of an encoder."""
+    value = encoders.setting(_name(row), encoders.checked(channel))
+    return int(value) if row.unit == "integer" else value
+
+
+def write_setting(encoders: Encoders, row: Keyword, channel: int, value: float) -> None:
+    """The scale, the prescale and the wrap of an encoder."""
+    encoders.set(_name(row), encoders.checked(channel), value)
+
+
+# ---------------------------------------------------------------------------------------------------- wraps
+
+
+class Wraps:
+    """POSWRAP of every axis in counts: another scale shows it, as any setting that was made before, in other units."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._counts: dict[int, float] = {}
+        environment.controller.listeners.append(self._heard, "scale")
+
+    def set(self, axis: int, value: float) -> None:
+        self._environment.wraps[axis] = value
+        self._counts[axis] = value * abs(scale_of(self._environment, axis).counts)
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "scale" and axis in self._counts:
+            self._environment.wraps[axis] = self._counts[axis] / abs(scale_of(self._environment, axis).counts)
+
+
+def read_turns(environment: Environment, axis: int) -> int:
+    """POSROLLOVER: how many times POS has wrapped."""
+    controller, wrap = environment.controller, environment.wraps.get(axis)
+    position = controller.axes[axis].scale.position_to_user(controller.position(axis))
+    return floor(position / wrap) if wrap else 0
+
+
+def write_turns(environment: Environment, axis: int, value: int) -> None:
+    """POSROLLOVER: the position grows by the turns that are more, POS stays."""
+    controller, wrap = environment.controller, environment.wraps.get(axis, 0.0)
+    more = (value - read_turns(environment, axis)) * wrap
+    counts = controller.axes[axis].scale.to_counts(more)
+    controller.define_position(axis, controller.position(axis) + counts)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+AXIS_MODE = Actions(read=of(Environment, read_axis_mode))
+_TARGET = Actions(read=moving(of(Environment, lambda e, axis: _shown(e, axis, e.controller.target(axis)))))
+_LAST_TARGET = Actions(
+    read=moving(of(Environment, lambda e, axis: _shown(e, axis, buffer.end(e.controller.axes[axis]))))
+)
+_WINDOW = Actions(read=reading(IdleWindows), write=repeatable(writing(IdleWindows)))
+_ENCODER_COUNT = Actions(
+    read=moving(
+        of(Encoders, lambda encoders, channel: floor(encoders.counts(encoders.checked(channel)) + 0.5))
+    )
+)
+_ENCODER_SETTING = Actions(read=of_word(Encoders, read_setting), write=of_word(Encoders, write_setting))
+_WRAP = Actions(read=of(Environment, lambda e, axis: e.wraps.get(axis, 0.0)), write=of(Wraps, Wraps.set))
+_TURNS = Actions(read=moving(of(Environment, read_turns)), write=unchecked(of(Environment, write_turns)))
 
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"
 
 
-def _reading(name: str, short: str, unit: str, verb: str, help: str,
+def _reading(name: str, short: str, unit: str, actions: str | Actions, help: str,
              changes: str = "", solved: bool = False) -> Keyword:  # fmt: skip
-    return Keyword(name, short, "reading", "R", "axis", unit, verb, help, _MOVE.format(name),
+    return Keyword(name, short, "reading", "R", "axis", unit, actions, help, _MOVE.format(name),
                    group="state", changes=changes, solved=solved)  # fmt: skip
 
 
 def _window(name: str, unit: str, help: str, high: float) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", unit, "sensing.window", help,
+    return Keyword(name, "", "setting", "RW", "axis", unit, _WINDOW, help,
                    f"{name}(0) = 3\nPRINT {name}(0)", default=float(IDLE[name]), low=0, high=high,
                    group="state")  # fmt: skip
 
 
 def _encoder(name: str, unit: str, help: str, low: float, default: float) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "channel", unit, "sensing.encoder_setting", help,
+    return Keyword(name, "", "setting", "RW", "channel", unit, _ENCODER_SETTING, help,
                    f"{name}(0) = 4\nPRINT {name}(0)", default=default, low=low, high=8388607.0,
                    group="encoders")  # fmt: skip
 
 
 ROWS = (
-    _reading("AXISMODE", "amd", "bits", "sensing.axis_mode",
+    _reading("AXISMODE", "amd", "bits", AXIS_MODE,
              "Kind of motion: 0 idle, 1 a move, 2 JOG, 4 HOME, 8 a path, 16 FOLLOW, 32 CAM, 64 FLY, 128 SPLINE, "
              "256 OFFSET, 512 another one; 1024 is added while the axis is suspended."),
-    Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu", "demand",
+    Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu", Actions("demand", read=place("demand"), write=write_jump),
             "The position that the profiler demands: POS, where no motor is simulated. Writing it, which makes the "
             "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), group="state", changes="motion", solved=True),
     _reading("VELDEMAND", "", "uu/s", "demand_velocity", "The velocity that the profiler demands.",
              changes="motion", solved=True),
-    _reading("ACCELDEMAND", "", "uu/s2", "sensing.acceleration", "The acceleration that the profiler demands."),
-    _reading("POSTARGET", "", "uu", "sensing.target", "Where the move that is executing ends."),
-    _reading("POSTARGETLAST", "", "uu", "sensing.last_target", "Where the last move of the buffer ends."),
-    _reading("POSACHIEVED", "", "bool", "is_idle", "1 when the axis has come to the end of its moves, as IDLE is."),
+    _reading("ACCELDEMAND", "", "uu/s2", Actions(read=moving(of(Environment, read_acceleration))),
+             "The acceleration that the profiler demands."),
+    _reading("POSTARGET", "", "uu", _TARGET, "Where the move that is executing ends."),
+    _reading("POSTARGETLAST", "", "uu", _LAST_TARGET, "Where the last move of the buffer ends."),
+    _reading("POSACHIEVED", "", "bool", IS_IDLE, "1 when the axis has come to the end of its moves, as IDLE is."),
     _window("IDLEMODE", "integer",
             "What IDLE asks for beyond the end of the move: bit 0 following error within IDLEPOS, bit 1 speed within "
             "IDLEVEL, either for IDLETIME; 0 nothing.", 3),
@@ -46,26 +348,28 @@ ROWS = (
     _window("IDLEVEL", "uu/s", "Speed up to which an axis counts as idle.", 8388607.0),
     _window("IDLETIME", "integer", "How many milliseconds an axis must have been inside its windows to be idle.",
             60000),
-    _reading("IDLESETTLINGTIME", "", "integer", "sensing.settling_time",
+    _reading("IDLESETTLINGTIME", "", "integer", Actions(read=of(IdleWindows, IdleWindows.settling_time)),
              "How many milliseconds after the end of its move the axis was idle."),
-    Keyword("SYSTEMSECONDS", "", "reading", "R", "none", "number", "sensing.seconds",
+    Keyword("SYSTEMSECONDS", "", "reading", "R", "none", "number",
+            Actions(read=always(of(Environment, lambda e: float(e.clock.now)))),
             "Seconds since power-up.", "PRINT SYSTEMSECONDS", default=0.0, group="control"),
-    Keyword("ENCODER", "", "setting", "RW", "channel", "number", "sensing.encoder",
+    Keyword("ENCODER", "", "setting", "RW", "channel", "number",
+            Actions(read=compared(Encoders), write=of(Encoders, write_encoder)),
             "What the encoder of an axis shows, in units of ENCODERSCALE; POS = 0 does not change it.",
             "ENCODER(0) = 100\nPRINT ENCODER(0)", default=0.0, group="encoders", driven="encoder", solved=True),
-    Keyword("ENCODERVEL", "", "reading", "R", "channel", "number", "sensing.encoder_speed",
+    Keyword("ENCODERVEL", "", "reading", "R", "channel", "number", Actions(read=moving(of(Encoders, read_speed))),
             "Speed of an encoder, in units of ENCODERSCALE a second.",
             "JOG(0) = 100\nWAIT = 10\nPRINT ENCODERVEL(0)\nCANCEL(0)", default=0.0, group="encoders"),
-    Keyword("ENCODERCOUNT", "", "reading", "R", "channel", "integer", "sensing.encoder_count",
+    Keyword("ENCODERCOUNT", "", "reading", "R", "channel", "integer", _ENCODER_COUNT,
             "Counts of the encoder of an axis since power-up.",
             "PRINT ENCODERCOUNT(0)", default=0.0, group="encoders"),
     _encoder("ENCODERSCALE", "number", "Counts of an encoder in one of its units.", 1e-6, 1.0),
     _encoder("ENCODERPRESCALE", "integer", "What the counts of an encoder are divided by first.", 1, 1.0),
     _encoder("ENCODERWRAP", "number", "The range in which ENCODER counts, from 0 on; 0 for no end.", 0, 0.0),
-    Keyword("POSWRAP", "", "setting", "RW", "axis", "number", "sensing.wrap",
+    Keyword("POSWRAP", "", "setting", "RW", "axis", "number", _WRAP,
             "The range in which POS counts, from 0 on, in user units; 0 for no end. MOVEA stays within the turn.",
             "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POS(0)", default=0.0, low=0, high=8388607.0, group="state"),
-    Keyword("POSROLLOVER", "", "setting", "RW", "axis", "integer", "sensing.turns",
+    Keyword("POSROLLOVER", "", "setting", "RW", "axis", "integer", _TURNS,
             "How many times POS has wrapped.",
             "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POSROLLOVER(0)",
             default=0.0, low=-2147483648.0, high=2147483647.0, group="state"),

@@ -6,12 +6,109 @@ that they had no effect.
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
-from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME, PERIOD
+from motionlang.mint.keywords.torque import TorqueReferences
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+
+# Volts of one percent of full scale.
+_PERCENT = 0.1
+# What the verb of a gain begins with; the rest is the quantity that it sets.
+
+
+class Loops:
+    """The limits of following errors, counts by axis, and torques in force, percent."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        self.fatal: dict[int, float] = {}
+        self.torque: dict[int, float] = {}
+
+    @property
+    def references(self) -> TorqueReferences:
+        return self.environment.part(TorqueReferences)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        self.fatal.pop(axis, None)
+        self.environment.controller.set_error_limit(axis, float("inf"))
+        self.environment.controller.set_gains(axis, {})
+
+
+def _tell(environment: Environment, row: Keyword, axes: tuple[int, ...]) -> None:
+    """Note a word that nothing in this machine goes by."""
+    if not any(environment.controller.has_motor(axis) for axis in axes):
+        environment.machine.without_effect.setdefault(row.name, [])
+
+
+def _quantity(row: Keyword) -> str:
+    return row.tunes
+
+
+def read_gain(environment: Environment, row: Keyword, axis: int) -> float:
+    """A gain of the axis's servo loop, in the units of its word."""
+    quantity = _quantity(row)
+    value = environment.controller.gain(axis, quantity, GAINS[quantity])
+    return int(value) if row.unit == "integer" else value
+
+
+def write_gain(loops: Loops, row: Keyword, axis: int, value: float) -> None:
+    """A gain of the axis's servo loop; without a motor it has no effect, which the report tells."""
+    loops.environment.controller.set_gain(axis, _quantity(row), float(value), row.name)
+    _tell(loops.environment, row, (axis,))
+
+
+def read_loop_time(environment: Environment) -> int:
+    controller = environment.controller
+    return int(controller.gain(next(iter(controller.axes)), PERIOD, LOOP_TIME))
+
+
+def write_loop_time(environment: Environment, row: Keyword, value: int) -> None:
+    """LOOPTIME, µs, of all axes."""
+    controller = environment.controller
+    for axis in controller.axes:
+        controller.set_gain(axis, PERIOD, float(value), row.name)
+    _tell(environment, row, tuple(controller.axes))
+
+
+def read_fatal_error(loops: Loops, axis: int) -> float:
+    """FOLERRORFATAL, user units."""
+    scale, fatal = loops.environment.controller.axes[axis].scale, loops.fatal
+    return scale.to_user(fatal[axis], "uu") if axis in fatal else FATAL_ERROR
+
+
+def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> None:
+    """FOLERRORFATAL, user units; without a motor it has no effect, which the report tells."""
+    controller = loops.environment.controller
+    loops.fatal[axis] = abs(controller.axes[axis].scale.to_counts(value, "uu"))
+    controller.set_error_limit(axis, loops.fatal[axis])
+    _tell(loops.environment, row, (axis,))
+
+
+def read_torque(loops: Loops, axis: int) -> float:
+    """TORQUE, percent of full scale; 0 while the loop is closed, or TORQUEREF has the output."""
+    in_force = loops.environment.controller.is_open(axis) and not loops.references.has(axis)
+    return loops.torque.get(axis, 0.0) if in_force else 0.0
+
+
+def write_torque(loops: Loops, axis: int, value: float) -> None:
+    """TORQUE: open the loop and put out percent of full scale."""
+    loops.references.end(axis)
+    loops.environment.controller.open_loop(axis, value * _PERCENT)
+    loops.torque[axis] = value
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_GAIN = Actions(read=of_word(Environment, read_gain), write=repeatable(of_word(Loops, write_gain)))
+_LOOP_TIME = Actions(read=of(Environment, read_loop_time), write=of_word(Environment, write_loop_time))
+_FATAL_ERROR = Actions(read=of(Loops, read_fatal_error), write=repeatable(of_word(Loops, write_fatal_error)))
 
 
 def _gain(name: str, short: str, tunes: str, help: str, high: float, unit: str = "number") -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, f"servo.gain.{tunes}", help,
+    return Keyword(name, short, "setting", "RW", "axis", unit, _GAIN, help,
                    f"{name}(0) = 2\nPRINT {name}(0)", default=GAINS[tunes], low=0.0, high=high, group="servo",
                    tunes=tunes)  # fmt: skip
 
@@ -35,15 +132,16 @@ ROWS = (
     _gain("KACCEL", "", "accel_ff",
           "Acceleration feed-forward: DAC steps for each count by which that changes in a servo loop.",
           1e9),
-    Keyword("LOOPTIME", "lt", "setting", "RW", "none", "integer", "servo.loop_time",
+    Keyword("LOOPTIME", "lt", "setting", "RW", "none", "integer", _LOOP_TIME,
             "The time of one servo loop in microseconds; it can be set until the first motion.",
             "LOOPTIME = 500\nPRINT LOOPTIME", default=LOOP_TIME, low=50.0, high=100000.0, group="servo",
             tunes="period"),
-    Keyword("FOLERRORFATAL", "", "setting", "RW", "axis", "uu", "servo.fatal_error",
+    Keyword("FOLERRORFATAL", "", "setting", "RW", "axis", "uu", _FATAL_ERROR,
             "The following error beyond which the axis does what FOLERRORMODE says.",
             "FOLERRORFATAL(0) = 2\nPRINT FOLERRORFATAL(0)", default=FATAL_ERROR, low=0.0, high=8388607.0,
             group="servo"),
-    Keyword("TORQUE", "", "setting", "RW", "axis", "%", "servo.torque",
+    Keyword("TORQUE", "", "setting", "RW", "axis", "%",
+            Actions(read=of(Loops, read_torque), write=of(Loops, write_torque)),
             "Give the motor a constant output, percent of full scale, in place of its servo loop, until CANCEL, STOP, "
             "RESET or a move closes the loop again. It needs a simulated motor.",
             "PRINT TORQUE(0)", default=0.0, low=-100.0, high=100.0, group="servo", effect="act"),

@@ -1,14 +1,52 @@
-"""What an axis tells about itself."""
+"""What an axis tells about itself: at rest, and where."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.runtime.binding import by_axis, of_word, scale_of
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.binding import Maker, Operation
+
+
+@by_axis
+def read_is_idle(environment: Environment, row: Keyword, axis: int) -> Operation:
+    """IDLE and POSACHIEVED: at rest, and settled where the program asks for that too."""
+    is_idle = environment.controller.reader("is_idle", axis)
+    return lambda: int(is_idle() and (environment.settled is None or environment.settled(axis)))
+
+
+def place(name: str) -> Maker:
+    """What reads POS or POSDEMAND, within the turn where the axis has one."""
+
+    def read(environment: Environment, row: Keyword, axis: int) -> Operation:
+        return environment.controller.reader(name, axis, "place", environment)
+
+    return by_axis(read)
+
+
+def write_position(environment: Environment, row: Keyword, axis: int, value: float) -> None:
+    """POS: the present position gets a new value."""
+    counts = scale_of(environment, axis).position_to_counts(value)
+    if not -1e300 < counts < 1e300:
+        raise Refusal("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")
+    environment.controller.define_position(axis, counts)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+IS_IDLE = Actions("is_idle", read=read_is_idle)
+_POSITION = Actions("position", read=place("position"), write=of_word(Environment, write_position))
+
 
 ROWS = (
-    Keyword("IDLE", "ID", "reading", "R", "axis", "bool", "is_idle",
+    Keyword("IDLE", "ID", "reading", "R", "axis", "bool", IS_IDLE,
             "1 when no move of the axis is executing.",
             "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", default=1.0, group="state"),
-    Keyword("POS", "PS", "setting", "RW", "axis", "uu", "position",
+    Keyword("POS", "PS", "setting", "RW", "axis", "uu", _POSITION,
             "Position of the axis, that of a simulated motor; writing it gives the present position a new value.",
             "POS(0) = 100\nPRINT POS(0)", default=0.0, group="state", effect="zero", changes="motion", solved=True),
     Keyword("VEL", "VL", "reading", "R", "axis", "uu/s", "velocity",

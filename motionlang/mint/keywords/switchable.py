@@ -44,7 +44,7 @@ def with_default() -> list[Keyword]:
     found: dict[str, Keyword] = {}
     for row in table():
         if has_default(row):
-            found.setdefault(row.name if "." in row.verb else row.verb, row)
+            found.setdefault(row.verb or row.name, row)
     return list(found.values())
 
 

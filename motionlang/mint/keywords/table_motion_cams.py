@@ -7,9 +7,10 @@ program's own: what it writes into them counts from the next cycle on.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.buffer_operations import loads
-from motionlang.mint.keywords.following_masters import Masters, distance
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.keywords.buffer import loads
+from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
+from motionlang.mint.runtime.binding import check, of, of_word
 from motionlang.mint.runtime.environment import Environment
 from motionlang.profile.total import total
 
@@ -18,9 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.mint.keywords.table_motion_splines import Splines
-    from motionlang.mint.runtime.binding import Row
 
     Array = list[float]
+
 
 # Bits of CAM and SPLINE.
 ABSOLUTE, TRULY_ABSOLUTE, CONTINUOUS = 1, 2, 4
@@ -125,7 +126,7 @@ class Cams:
 
 
 def do_table(
-    cams: Cams, row: Row, axis: int, positions: Array | None, lengths: Array | None, line: int
+    cams: Cams, row: Keyword, axis: int, positions: Array | None, lengths: Array | None, line: int
 ) -> None:
     """CAMTABLE: the arrays of positions and lengths, user units; without arrays the table is forgotten."""
     cams.phases.pop(axis, None)
@@ -136,9 +137,9 @@ def do_table(
     cams.arrays[axis] = positions, lengths
 
 
-def put_cam(cams: Cams, row: Row, axis: int, mode: int, line: int) -> None:
+def put_cam(cams: Cams, row: Keyword, axis: int, mode: int, line: int) -> None:
     """CAM: follow the table once or for ever, mode by mode; the arrays are read again for each cycle."""
-    row.check(mode)
+    check(row, mode)
     found, checking = cams.masters.of(axis), True
     found.refuse(cams.environment, axis)
     first = int(cams.masters.setting("CAMSTART", axis)) - 1
@@ -154,7 +155,7 @@ def put_cam(cams: Cams, row: Row, axis: int, mode: int, line: int) -> None:
 
 
 def do_segment(
-    part: Cams | Splines, row: Row, axis: int, table: int, start: int, data: Array | None, line: int
+    part: Cams | Splines, row: Keyword, axis: int, table: int, start: int, data: Array | None, line: int
 ) -> None:
     """CAMSEGMENT and SPLINESEGMENT: other values for some segments of a table of the axis."""
     arrays: Sequence[Array | None] = part.arrays.get(axis, ())
@@ -189,14 +190,66 @@ def read_phase_status(cams: Cams, axis: int) -> int:
     return int(not phase.cycle or (phase.cycle == cams.cycles.get(axis) and index < phase.last))
 
 
-OPERATIONS = {
-    "table_motion.cams.table": {"do": of_word(Cams, do_table)},
-    "table_motion.cams.cam": {
-        "read": of(Cams, lambda cams, axis: cams.modes.get(axis, 0)),
-        "load": loads(Cams, put_cam),
-    },
-    "table_motion.cams.index": {"read": of(Environment, lambda e, axis: e.controller.cam_index(axis) + 1)},
-    "table_motion.cams.segment": {"do": of_word(Cams, do_segment)},
-    "table_motion.cams.phase": {"do": of(Cams, do_phase)},
-    "table_motion.cams.phase_status": {"read": of(Cams, read_phase_status)},
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_CAM_ACTIONS = Actions(read=of(Cams, lambda cams, axis: cams.modes.get(axis, 0)), load=loads(Cams, put_cam))
+
+_LARGEST = 8388607.0
+_CAM = (
+    "Dim rise(5) As Float = 4, 1, 2, 2, 1\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+    "CAMTABLE(1, rise)\nMASTERDISTANCE(1) = 10\n{}CAM(1) = 0\nGO(1)\nMOVER(0) = 40\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)"
+)
+
+
+def setting_row(
+    name: str,
+    actions: str | Actions,
+    unit: str,
+    help: str,
+    example: str,
+    default: float,
+    low: float,
+    high: float,
+) -> Keyword:
+    """The row of a setting of a cam or a spline."""
+    return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, example, default=default, low=low,
+                   high=high, group="tables")  # fmt: skip
+
+
+def index_row(name: str, help: str, example: str, actions: Actions) -> Keyword:
+    return Keyword(name, "", "reading", "R", "axis", "integer", actions, help, example, default=0.0,
+                   group="tables")  # fmt: skip
+
+
+def command_row(name: str, index: str, actions: Actions, help: str, example: str) -> Keyword:
+    return Keyword(name, "", "command", "C", index, "", actions, help, example, group="motion")  # fmt: skip
+
+
+ROWS = (
+    command_row("CAMTABLE", "axis, array, array", Actions(do=of_word(Cams, do_table)),
+             "Attach arrays to a cam: positions of each segment, and lengths of the master's way in it, without which "
+             "MASTERDISTANCE is that of each. Element 1 is the number of segments.", _CAM.format("")),
+    Keyword("CAM", "", "move", "RW", "axis", "integer", _CAM_ACTIONS,
+            "Load a cam over the master; GO begins it where both axes then are. Bits: 0 positions count from its begin "
+            "and not from segment to segment, 1 they are those of the axis, 2 again and again.",
+            _CAM.format(""), low=0, high=7, group="motion", effect="course follows"),
+    setting_row("CAMSTART", MASTER_SETTING, "integer", "The first segment of a cam that is used.",
+             _CAM.format("CAMSTART(1) = 2\n"), 1.0, 1, 16777215),
+    setting_row("CAMEND", MASTER_SETTING, "integer",
+             "The last segment of a cam that is used; 0 for the table's last.",
+             _CAM.format("CAMEND(1) = 3\n"), 0.0, 0, 16777215),
+    setting_row("CAMAMPLITUDE", MASTER_SETTING, "number", "What the positions of a cam are multiplied by.",
+             _CAM.format("CAMAMPLITUDE(1) = 2\n"), 1.0, -_LARGEST, _LARGEST),
+    index_row("CAMINDEX", "The segment of the cam that is executing, 0 without a cam.",
+           _CAM.format("") + "\nPRINT CAMINDEX(1)",
+           Actions(read=of(Environment, lambda e, axis: e.controller.cam_index(axis) + 1))),
+    command_row("CAMSEGMENT", "axis, table, segment, array", Actions(do=of_word(Cams, do_segment)),
+             "Write other values into a cam's arrays, from a segment on: table 0 positions, 1 lengths. They count from "
+             "the next cycle on.",
+             "Dim more(2) As Float = 1, 5\n" + _CAM.format("CAMSEGMENT(1, 0, 2, more)\n")),
+    command_row("CAMPHASE", "axis, segment, segments, distance", Actions(do=of(Cams, do_phase)),
+             "Let the master go further, or less far, by a distance over some segments in the next cycle.",
+             _CAM.format("CAMPHASE(1, 1, 2, 5)\n")),
+    index_row("CAMPHASESTATUS", "1 while a CAMPHASE waits for its cycle or is under way.",
+           _CAM.format("") + "\nPRINT CAMPHASESTATUS(1)", Actions(read=of(Cams, read_phase_status))),
+)  # fmt: skip

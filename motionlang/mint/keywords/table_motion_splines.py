@@ -11,27 +11,31 @@ from itertools import pairwise
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.profile_playback import Played
+from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
-from motionlang.mint.keywords.buffer_operations import loads
+from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.table_motion_cams import (
     ABSOLUTE,
     CONTINUOUS,
     TRULY_ABSOLUTE,
+    command_row,
     do_segment,
     elements,
+    index_row,
+    setting_row,
     span,
 )
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import check, of, of_word
 from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.profile.table_motion import spline_slopes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.moves.entries import Timed
-    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
     Array = list[float]
+
 
 SECOND = 8
 # Milliseconds: the least and the greatest time of a segment, and the step in which it counts.
@@ -124,7 +128,7 @@ def _seam(points: list[float], times: list[float], smooth: bool) -> float:
 
 def do_table(
     splines: Splines,
-    row: Row,
+    row: Keyword,
     axis: int,
     positions: Array | None,
     velocities: Array | None,
@@ -139,9 +143,9 @@ def do_table(
     splines.arrays[axis] = positions, velocities, times
 
 
-def put_spline(splines: Splines, row: Row, axis: int, mode: int, line: int) -> None:
+def put_spline(splines: Splines, row: Keyword, axis: int, mode: int, line: int) -> None:
     """SPLINE: run through the table once or for ever. Refusal unless the axis is idle, its buffer empty."""
-    row.check(mode)
+    check(row, mode)
     controller = splines.controller
     if not controller.is_idle(axis) or controller.axes[axis].buffer:
         raise Refusal("moving", f"axis {axis} is moving, or its buffer is not empty",
@@ -168,13 +172,54 @@ def read_index(splines: Splines, axis: int) -> int:
     return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
 
 
-OPERATIONS = {
-    "table_motion.splines.table": {"do": of_word(Splines, do_table)},
-    "table_motion.splines.spline": {
-        "read": of(Splines, lambda splines, axis: splines.modes.get(axis, 0)),
-        "load": loads(Splines, put_spline),
-    },
-    "table_motion.splines.setting": {"read": reading(Splines), "write": writing(Splines)},
-    "table_motion.splines.index": {"read": of(Splines, read_index)},
-    "table_motion.splines.segment": {"do": of_word(Splines, do_segment)},
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_SPLINE_ACTIONS = Actions(
+    read=of(Splines, lambda splines, axis: splines.modes.get(axis, 0)), load=loads(Splines, put_spline)
+)
+_SETTING = Actions(read=reading(Splines), write=writing(Splines))
+
+_SPLINE = (
+    "Dim way(4) As Float = 3, 10, 20, 10\nSPLINETABLE(0, way, NULL, NULL)\n{}SPLINE(0) = 0\nGO(0)\nPAUSE IDLE(0)\n"
+    'PRINT POS(0), " ", TIME'
+)
+_SPLINE_BITS = (
+    ("SPLINE_1", 0, "velocities are the means of the segments at each point"),
+    ("ABSOLUTE", 1, "positions count from the begin of each cycle"),
+    ("T_ABSOLUTE", 2, "positions are those of the axis"),
+    ("CONTINUOUS", 4, "again and again until it is stopped"),
+    ("SPLINE_2", 8, "the acceleration is continuous"),
+)
+
+
+ROWS = (
+    *(
+        Keyword(f"_sp{name}", "", "constant", "R", "none", "integer", str(value), f"SPLINE, and CAM: {help}.",
+                f"PRINT _sp{name}", group="constants")
+        for name, value, help in _SPLINE_BITS
+    ),
+    command_row("SPLINETABLE", "axis, array, array, array", Actions(do=of_word(Splines, do_table)),
+             "Attach arrays to a spline: positions, velocities (NULL: chosen) and times of the segments in ms (NULL: "
+             "SPLINETIME). Element 1 is the number of segments.", _SPLINE.format("")),
+    Keyword("SPLINE", "SPL", "move", "RW", "axis", "integer", _SPLINE_ACTIONS,
+            "Load a spline through the positions of SPLINETABLE; GO begins it. The bits are the _sp constants; "
+            "the axis must be idle.",
+            _SPLINE.format(""), low=0, high=15, group="motion", effect="course", family="splines"),
+    setting_row("SPLINESTART", _SETTING, "integer", "The first segment of a spline that is used.",
+             _SPLINE.format("SPLINESTART(0) = 2\n"), 1.0, 1, 16777215),
+    setting_row("SPLINEEND", _SETTING, "integer",
+             "The last segment of a spline that is used; 0 for the table's last.",
+             _SPLINE.format("SPLINEEND(0) = 2\n"), 0.0, 0, 16777215),
+    setting_row("SPLINETIME", _SETTING, "ms",
+             "Milliseconds of each segment of a spline, of which whole steps of 2 count.",
+             _SPLINE.format("SPLINETIME(0) = 250\n"), 100.0, 4, 60000),
+    setting_row("SPLINESUSPENDTIME", "suspend_time", "ms",
+             "Milliseconds in which SUSPEND and STOP bring a spline to rest on its path, and in which it does the rest "
+             "of its segment when it goes on.",
+             _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),
+    index_row("SPLINEINDEX", "The segment of the spline that is executing, 0 without one.",
+           _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=of(Splines, read_index))),
+    command_row("SPLINESEGMENT", "axis, table, segment, array", Actions(do=of_word(Splines, do_segment)),
+             "Write other values into a spline's arrays, from a segment on: table 0 positions, 1 velocities, 2 times.",
+             "Dim more(2) As Float = 1, 5\n" + _SPLINE.format("SPLINESEGMENT(0, 0, 2, more)\n")),
+)  # fmt: skip

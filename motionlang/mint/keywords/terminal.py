@@ -1,11 +1,132 @@
-"""The terminal: where it prints, and what the operator types."""
+"""Terminals: where the program prints, and the keys and lines that come from there.
+
+A terminal is a bit: 1, 2, 4 … 128. TERMINAL is a pattern of them, which each task has for itself; event handlers share
+that of the parent task. Terminal 1 is the console.
+"""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.controller.faults import Refusal
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.machine.machine import CONSOLE
+from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.input_values import take, wait_for_answer
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mint.runtime.binding import Maker, Operation
+
+
+# All terminals that there can be, and what stands for those of TERMINAL.
+ALL = 255
+CURRENT = -1
+
+
+class Terminals:
+    """Which terminals each task prints to."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment, self._machine = environment, environment.machine
+        # By what counts the TIME of a task: handlers share it with the parent, and with it the terminals.
+        self._chosen: dict[int, tuple[object, int]] = {}
+
+    @property
+    def current(self) -> int:
+        """TERMINAL of the task that runs."""
+        return self._chosen.get(id(self._environment.task.timer), (None, CONSOLE))[1]
+
+    def choose(self, pattern: int) -> None:
+        """TERMINAL: the terminals that PRINT speaks to, a bit each."""
+        timer = self._environment.task.timer
+        self._chosen[id(timer)] = timer, pattern
+
+    def bits(self, pattern: int) -> list[int]:
+        """The terminals of a pattern."""
+        if pattern == CURRENT:
+            pattern = self.current
+        elif not 1 <= pattern <= ALL:
+            raise Refusal(
+                "terminal", f"there is no terminal {pattern}", "they are 1, 2, 4 and so on up to 128"
+            )
+        return [1 << k for k in range(8) if pattern >> k & 1]
+
+    def one(self, pattern: int) -> int:
+        """The only terminal of a pattern."""
+        found = self.bits(pattern)
+        if len(found) != 1:
+            known = " and ".join(map(str, found)) or "none"
+            raise Refusal("one-terminal", f"the program asks at one terminal, not at {known}", "TERMINAL = 1")
+        return found[0]
+
+    def write(self, text: str, pattern: int = CURRENT) -> None:
+        """Print on the terminals of a pattern, or on those that TERMINAL has chosen."""
+        self._environment.acts += 1
+        if not self._chosen and pattern == CURRENT:
+            self._machine.terminal.write(text)
+            return
+        for number in self.bits(pattern):
+            self._machine.terminal_at(number).write(text)
+
+
+def _pattern(number: int) -> int:
+    """What a word means by the number of a terminal: 0, as where none is given, those of TERMINAL."""
+    return number or CURRENT
+
+
+def writing(text: str) -> Maker:
+    """What writes a text to a terminal."""
+    return of(Terminals, lambda terminals, number: terminals.write(text, _pattern(number)))
+
+
+def do_locate(terminals: Terminals, column: int, row: int) -> None:
+    terminals.write(f"\x1b[{max(row, 1)};{max(column, 1)}H")
+
+
+# ------------------------------------------------------------------------------------------------------- keys
+
+
+def read_key(environment: Environment, row: Keyword) -> Operation:
+    """INKEY."""
+    terminals, operator_at = environment.part(Terminals), environment.machine.operator_at
+    for entry in environment.machine.settings.get("key", ()):  # type: ignore[attr-defined]
+        operator_at(entry.get("terminal", CONSOLE))  # keys are pressed also while the program asks elsewhere
+
+    def read(number: int) -> int:
+        for each in terminals.bits(_pattern(number)):
+            key = operator_at(each).next_key()
+            if key:
+                environment.acts += 1
+                return key
+        return 0
+
+    return read
+
+
+def ask(environment: Environment, count: float, number: int) -> Wait:
+    """The wait for an answer at a terminal."""
+    environment.acts += 1
+    return wait_for_answer(environment, environment.statements.leave(count), number)
+
+
+def read_held_key(environment: Environment, row: Keyword) -> Operation:
+    """READKEY."""
+    return environment.machine.operator.held_key
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_TERMINAL = Actions(
+    "terminal.terminal",
+    read=of(Terminals, lambda terminals: terminals.current),
+    write=repeatable(of(Terminals, Terminals.choose)),
+)
+
 
 ROWS = (
-    Keyword("TERMINAL", "tm", "setting", "RW", "none", "bits", "terminal.terminal",
+    Keyword("TERMINAL", "tm", "setting", "RW", "none", "bits", _TERMINAL,
             "The terminals that PRINT and its like mean in this task: 1, 2, 4 and so on up to 128, or several as bits; "
             "0 none. Terminal 1 is the console; the lines of the others are shown with a label.",
             'TERMINAL = _Term2\nPRINT "there"\nTERMINAL = _Term1\nPRINT "here"',
@@ -15,26 +136,39 @@ ROWS = (
                 f"TERMINAL: terminal {1 << n - 1}.", f"PRINT _Term{n}", group="constants")
         for n in (1, 2, 3)
     ),
-    Keyword("INKEY", "ik", "reading", "R", "terminal", "integer", "terminal.key",
+    Keyword("INKEY", "ik", "reading", "R", "terminal", "integer", Actions(read=read_key),
             "Code of the next key that the operator has pressed, 0 when there is none; at the terminal in brackets, "
             "or at that of TERMINAL.",
             "PRINT INKEY", default=0.0, group="terminal", driven="key"),
-    Keyword("READKEY", "rk", "reading", "R", "none", "integer", "terminal.held_key",
+    Keyword("READKEY", "rk", "reading", "R", "none", "integer", Actions(read=read_held_key),
             "Code of the key that the operator holds down, 0 when there is none.",
             "PRINT READKEY", default=0.0, group="terminal", driven="key"),
-    Keyword("CLS", "", "command", "C", "terminal", "", "terminal.clear_screen",
+    Keyword("CLS", "", "command", "C", "terminal", "", Actions(do=writing("\x1b[2J\x1b[H")),
             "Clear the terminal's screen (as the ANSI codes that do so).",
             "CLS", group="terminal"),
-    Keyword("LOCATE", "", "command", "C", "column, row", "", "terminal.locate",
+    Keyword("LOCATE", "", "command", "C", "column, row", "", Actions(do=of(Terminals, do_locate)),
             "Place the cursor (as the ANSI code that does so); the upper left corner is 1, 1.",
             'LOCATE(1, 2)\nPRINT "second row"', group="terminal"),
     Keyword("LINE", "", "command", "C", "row", "", "line",
             "Print values from the begin of a row of the screen on, with signs and USING as in PRINT.",
             'LINE 2, "speed ", 250', group="terminal"),
-    Keyword("BOL", "", "command", "C", "terminal", "", "terminal.line_start",
+    Keyword("BOL", "", "command", "C", "terminal", "", Actions(do=writing("\r")),
             "Go to the begin of the line, as Chr(13) does.",
             'PRINT "old",\nBOL\nPRINT "new"', group="terminal"),
-    Keyword("BEEP", "", "command", "C", "terminal", "", "terminal.beep",
+    Keyword("BEEP", "", "command", "C", "terminal", "", Actions(do=writing("\a")),
             "Sound the terminal's bell.",
             "BEEP", group="terminal"),
+)  # fmt: skip
+
+
+def _hidden(name: str, help: str, read: Maker) -> Keyword:
+    return Keyword(name, "", "reading", "R", "none", "", Actions(read=read), help, group="terminal")
+
+
+HIDDEN = (
+    _hidden("(terminal)", "The one terminal at which an INPUT asks.", of(Terminals, Terminals.one)),
+    _hidden("(question)", "The wait for the answer to an INPUT.", of(Environment, ask)),
+    _hidden("(answer)", "The answer to an INPUT.", of(Environment, take)),
+    _hidden("(printer)", "Print a text on the terminals of TERMINAL, or on those of a pattern.",
+            of(Terminals, Terminals.write)),
 )  # fmt: skip

@@ -1,11 +1,27 @@
-"""Time and waiting."""
+"""The millisecond count of a task."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.runtime.binding import of, unchecked
+from motionlang.mint.runtime.environment import Environment
+
+
+def read_time(environment: Environment, level: float | None = None) -> int:
+    return environment.elapsed(environment.task.timer[0], level)
+
+
+def write_time(environment: Environment, value: int) -> None:
+    environment.task.timer[0] = environment.since(value)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_TIME = Actions("time", read=of(Environment, read_time), write=unchecked(of(Environment, write_time)))
+
 
 ROWS = (
-    Keyword("TIME", "", "setting", "RW", "none", "integer", "time",
+    Keyword("TIME", "", "setting", "RW", "none", "integer", _TIME,
             "Milliseconds that count up by themselves from 0 at the start; each task has its own count.",
             "TIME = 0\nWAIT = 250\nPRINT TIME", default=0.0, low=-2147483648.0, high=2147483647.0,
             group="control", solved=True),

@@ -1,24 +1,59 @@
-"""Units of their own for positions, speeds and accelerations, as newer drives have them."""
+"""The factors of positions, speeds and accelerations; settings made before keep their counts."""
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mint.runtime.binding import of, scale_of
+from motionlang.mint.runtime.environment import Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.binding import Maker
+
+
+POSITION, SPEED, ACCELERATION = range(3)
+
+
+def factor(power: int) -> Maker:
+    """What reads one of the factors."""
+    return of(Environment, lambda e, axis: float(scale_of(e, axis).factors[power][1]))
+
+
+def write_position(environment: Environment, axis: int, value: float) -> None:
+    """POSSCALEFACTOR, counts; the factors of speeds and accelerations stay."""
+    scale = scale_of(environment, axis)
+    speed, acceleration = scale.speed, scale.acceleration
+    environment.controller.set_scale(axis, value)
+    environment.controller.set_units(axis, speed, acceleration)
+
+
+def write_speed(environment: Environment, axis: int, value: float) -> None:
+    """VELSCALEFACTOR, counts in the unit of length of speeds."""
+    environment.controller.set_units(axis, value, scale_of(environment, axis).acceleration)
+
+
+def write_acceleration(environment: Environment, axis: int, value: float) -> None:
+    """ACCELSCALEFACTOR, counts in the unit of length of accelerations and jerks."""
+    environment.controller.set_units(axis, scale_of(environment, axis).speed, value)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
 
 _RPM = "POSSCALEFACTOR(0) = 4000\nVELSCALEFACTOR(0) = 4000 / 60\nACCELSCALEFACTOR(0) = 4000\nPRINT {}(0)"
 
 
-def _factor(name: str, verb: str, help: str, effect: str = "") -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "number", f"units.{verb}", help, _RPM.format(name), default=1.0,
+def _factor(name: str, actions: Actions, help: str, effect: str = "") -> Keyword:
+    return Keyword(name, "", "setting", "RW", "axis", "number", actions, help, _RPM.format(name), default=1.0,
                    low=1e-6, high=1e12, group="axis", effect=effect)  # fmt: skip
 
 
 ROWS = (
-    _factor("POSSCALEFACTOR", "position",
+    _factor("POSSCALEFACTOR", Actions(read=factor(POSITION), write=of(Environment, write_position)),
             "Counts per user unit of positions and distances. SCALEFACTOR writes it too.", "scale"),
-    _factor("VELSCALEFACTOR", "speed",
+    _factor("VELSCALEFACTOR", Actions(read=factor(SPEED), write=of(Environment, write_speed)),
             "Counts a second per user unit of speed: 4000 / 60 makes revolutions a minute of 4000 counts a turn. Goes "
             "by POSSCALEFACTOR until it is set, and again from SCALEFACTOR on."),
-    _factor("ACCELSCALEFACTOR", "acceleration",
+    _factor("ACCELSCALEFACTOR", Actions(read=factor(ACCELERATION), write=of(Environment, write_acceleration)),
             "Counts a second² per user unit of acceleration, and likewise of jerk. Goes by POSSCALEFACTOR until it is "
             "set, and again from SCALEFACTOR on."),
 )  # fmt: skip

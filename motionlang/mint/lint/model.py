@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.controller.io.host_memory import named_product
-from motionlang.mint.keywords.comms_operations import EVENTS
+from motionlang.mint.keywords.comms import EVENTS
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
 from motionlang.mint.syntax import nodes

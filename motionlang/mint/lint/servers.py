@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.mint.keywords.modbus_operations import LAST
+from motionlang.mint.keywords.modbus import LAST
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 

@@ -1,9 +1,8 @@
 """Keyword rows bound to what they do: the mechanism, and what a setting or a reading of the controller does.
 
-A row's `verb` is a setting of the controller or one of its readings, converted by the row's unit, or it stands in the
-dictionary `OPERATIONS` of a module beside the rows, which names what makes the operation: of a value that is read,
-written or put into the move buffer ("load"), and of a command ("do"). `operations_index` says which module that is;
-only programs that use it import it. What the maker returns is called with the indices, then the value, then (moves,
+A row's `actions` are makers of operations: of a value that is read, written or put into the move buffer ("load"), and
+of a command ("do"). Without one, its `verb` is a setting of the controller or one of its readings, converted by the
+row's unit. What the maker returns is called with the indices, then the value, then (moves,
 commands of axes, the whole group "motion") the line of the statement. One for "load" answers true while there is no
 room and the statement must wait. What is read or written of an axis is bound to it when the program starts, or when
 it first names the axis (`bind_to_axis`); a maker with `by_axis` above it makes what is bound, as the controller's
@@ -18,7 +17,7 @@ from functools import partial
 from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Refusal
 from motionlang.lang.task import INFINITY
-from motionlang.mint.keywords.operations_index import VERBS
+from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
 
 # A function with its first arguments given, for makers elsewhere, too.
@@ -26,46 +25,38 @@ with_first: Callable[..., Operation] = partial
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable
     from typing import TypeVar
 
     from motionlang.controller.scale import Scale
+    from motionlang.lang.keyword import Keyword
     from motionlang.mint.runtime.environment import Environment
 
     Operation = Callable[..., object]
-    Maker = Callable[["Environment", "Row"], Operation]
+    Maker = Callable[["Environment", "Keyword"], Operation]
     Made = TypeVar("Made")
     # What binds an operation to an axis.
-    Bound = Callable[["Environment", "Row"], Callable[[int], Operation]]
+    Bound = Callable[["Environment", "Keyword"], Callable[[int], Operation]]
 
 # Units of what is whole.
 _WHOLE = ("integer", "bool", "bits")
 # What a setting of the controller, in seconds or as a share, is multiplied by to be in a unit.
 _TIMES = {"ms": 1000.0, "%": 100.0}
-_MODULES = {verb: name for name, verbs in VERBS.items() for verb in verbs.split()}
 
 
-class Row:
-    """What is left of a keyword's row in a compiled program."""
+def row_of(name: str) -> Keyword:
+    """The row of a keyword of a compiled program."""
+    row = table().get(name)
+    assert row is not None, name
+    return row
 
-    __slots__ = ("high", "index", "low", "name", "unit", "verb")
 
-    def __init__(
-        self, verb: str, name: str, unit: str, index: str, low: float | None, high: float | None
-    ) -> None:
-        self.verb, self.name, self.unit, self.index, self.low, self.high = verb, name, unit, index, low, high
-
-    @property
-    def attribute(self) -> str:
-        """What a verb ends in that is the setting of a thing: "input" of "latches.setting.input"."""
-        return self.verb.rpartition(".")[2]
-
-    def check(self, value: float) -> None:
-        """Refuse a value outside the row's range; NaN is outside every range."""
-        low, high = self.low, self.high
-        if (low is not None and not value >= low) or (high is not None and not value <= high):
-            limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
-            raise Refusal("range", f"{self.name} cannot be {value:g}", limits)
+def check(row: Keyword, value: float) -> None:
+    """Refuse a value outside the row's range; NaN is outside every range."""
+    low, high = row.low, row.high
+    if (low is not None and not value >= low) or (high is not None and not value <= high):
+        limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
+        raise Refusal("range", f"{row.name} cannot be {value:g}", limits)
 
 
 class Each(dict[int, "Made"]):
@@ -79,7 +70,7 @@ class Each(dict[int, "Made"]):
         return made
 
 
-def by_axis(make: Callable[[Environment, Row, int], Operation]) -> Maker:
+def by_axis(make: Callable[[Environment, Keyword, int], Operation]) -> Maker:
     """A maker of what is bound to an axis, as which it is kept and called."""
     return to_each_axis(
         lambda environment, row: lambda axis: make(environment, row, axis_of(environment, axis))
@@ -100,13 +91,13 @@ def of_word(kind: type, function: Operation) -> Maker:
 
 
 def _made(make: Maker) -> Maker:
-    def bound(environment: Environment, row: Row) -> Callable[[int], Operation]:
+    def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
         operation = make(environment, row)
         return lambda axis: partial(operation, axis_of(environment, axis))
 
     to_each = to_each_axis(bound)
 
-    def made(environment: Environment, row: Row) -> Operation:
+    def made(environment: Environment, row: Keyword) -> Operation:
         return (to_each if row.index.startswith("axis") else make)(environment, row)
 
     made.by_axis = bound  # type: ignore[attr-defined]
@@ -116,7 +107,7 @@ def _made(make: Maker) -> Maker:
 def to_each_axis(bound: Bound) -> Maker:
     """A maker of what is bound to each axis by what `bound` answers with."""
 
-    def made(environment: Environment, row: Row) -> Operation:
+    def made(environment: Environment, row: Keyword) -> Operation:
         each = Each(bound(environment, row))
         return lambda axis, *more: each[axis](*more)
 
@@ -127,7 +118,7 @@ def to_each_axis(bound: Bound) -> Maker:
 def on_axes(act: Callable[[Environment, int], None]) -> Maker:
     """What does something to each of some axes, all of which there are."""
 
-    def made(environment: Environment, row: Row) -> Operation:
+    def made(environment: Environment, row: Keyword) -> Operation:
         def do(axes: tuple[int, ...], line: int) -> None:
             for axis in [axis_of(environment, axis) for axis in axes]:
                 act(environment, axis)
@@ -140,7 +131,7 @@ def on_axes(act: Callable[[Environment, int], None]) -> Maker:
 def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
     """What does something to every axis."""
 
-    def made(environment: Environment, row: Row) -> Operation:
+    def made(environment: Environment, row: Keyword) -> Operation:
         def do(*line: int) -> None:
             for axis in environment.controller.axes:
                 act(environment, axis)
@@ -156,51 +147,51 @@ def unchecked(make: Maker) -> Maker:
     return make
 
 
-def bind(environment: Environment, how: str, row: Row) -> Operation:
+def bind(environment: Environment, how: str, row: Keyword) -> Operation:
     """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
-    maker = _maker(how, row)
+    maker = maker_of(how, row)
     operation = maker(environment, row)
     return _in_range(row, operation, _brackets(row)) if _is_checked(how, row, maker) else operation
 
 
-def bind_to_axis(environment: Environment, how: str, row: Row) -> Callable[[int], Operation]:
+def bind_to_axis(environment: Environment, how: str, row: Keyword) -> Callable[[int], Operation]:
     """What makes the operation of a keyword on an axis; it is called without the number of the axis."""
-    maker = _maker(how, row)
+    maker = maker_of(how, row)
     bound = _to_axis(environment, row, maker)
     return (lambda axis: _in_range(row, bound(axis), 0)) if _is_checked(how, row, maker) else bound
 
 
-def _is_checked(how: str, row: Row, maker: Maker) -> bool:
+def _is_checked(how: str, row: Keyword, maker: Maker) -> bool:
     return how == "write" and not (row.low is row.high is None or hasattr(maker, "unchecked"))
 
 
-def _in_range(row: Row, write: Operation, place: int) -> Operation:
+def _in_range(row: Keyword, write: Operation, place: int) -> Operation:
     """A writing that refuses a value outside the row's range; `place` is the value's among all that it is given."""
     low, high = _limits(row)
 
     def checked(*given: float) -> None:
         if not low <= given[place] <= high:
-            row.check(given[place])
+            check(row, given[place])
         write(*given)
 
     return checked
 
 
-def _limits(row: Row) -> tuple[float, float]:
+def _limits(row: Keyword) -> tuple[float, float]:
     return (-INFINITY if row.low is None else row.low), (INFINITY if row.high is None else row.high)
 
 
-def _brackets(row: Row) -> int:
+def _brackets(row: Keyword) -> int:
     """How many indices stand in the brackets of a word."""
     return 0 if row.index == "none" else row.index.count(",") + 1
 
 
-def held(environment: Environment, row: Row) -> Operation:
+def held(environment: Environment, row: Keyword) -> Operation:
     """What a keyword holds where a writing puts its value, called with all that the writing is.
 
-    That is what its reading finds by the indices, unless its verb has an operation "held".
+    That is what its reading finds by the indices, unless it has an action "held".
     """
-    maker = makers(row.verb).get("held")
+    maker: Maker | None = row.actions.held
     if maker is not None:
         return maker(environment, row)
     read = bind(environment, "read", row)
@@ -208,9 +199,9 @@ def held(environment: Environment, row: Row) -> Operation:
     return lambda *given: read(*given[:count])
 
 
-def held_by_axis(environment: Environment, row: Row) -> Callable[[int], Operation]:
+def held_by_axis(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
     """The same of a keyword on an axis."""
-    maker = makers(row.verb).get("held")
+    maker = row.actions.held
     if maker is not None:
         return _to_axis(environment, row, maker)
     to_axis = bind_to_axis(environment, "read", row)
@@ -222,7 +213,7 @@ def held_by_axis(environment: Environment, row: Row) -> Callable[[int], Operatio
     return bound
 
 
-def _to_axis(environment: Environment, row: Row, maker: Maker) -> Callable[[int], Operation]:
+def _to_axis(environment: Environment, row: Keyword, maker: Maker) -> Callable[[int], Operation]:
     bound: Bound | None = getattr(maker, "by_axis", None)
     if bound is not None:
         return bound(environment, row)
@@ -230,8 +221,9 @@ def _to_axis(environment: Environment, row: Row, maker: Maker) -> Callable[[int]
     return lambda axis: partial(operation, axis)
 
 
-def _maker(how: str, row: Row) -> Maker:
-    maker = makers(row.verb).get(how)
+def maker_of(how: str, row: Keyword) -> Maker:
+    """The maker of a keyword's operation: an action of its row, or that of a setting or reading of the controller."""
+    maker: Maker | None = getattr(row.actions, how)
     if maker is not None:
         return maker
     if row.verb in SETTINGS:
@@ -240,23 +232,9 @@ def _maker(how: str, row: Row) -> Maker:
     return _reading
 
 
-def is_repeatable(how: str, row: Row) -> bool:
+def is_repeatable(how: str, row: Keyword) -> bool:
     """Whether a keyword may be written or done and leave everything as it was."""
-    return hasattr(_maker(how, row), "repeatable")
-
-
-def makers(verb: str) -> Mapping[str, Maker]:
-    """What makes the operations of a verb; nothing where the controller's setting or reading is all there is."""
-    name = _MODULES.get(verb)
-    if name is None:
-        return {}
-    found: Mapping[str, Maker] = operations_module(name).OPERATIONS[verb]  # type: ignore[attr-defined]
-    return found
-
-
-def operations_module(name: str) -> object:
-    """A module of operations, imported at its first use."""
-    return __import__(f"motionlang.mint.keywords.{name}", fromlist=["OPERATIONS"])
+    return hasattr(maker_of(how, row), "repeatable")
 
 
 def scale_of(environment: Environment, axis: int) -> Scale:
@@ -281,21 +259,21 @@ def no_axis(environment: Environment, axis: int) -> Refusal:
 @unchecked
 @repeatable
 @by_axis
-def _write_setting(environment: Environment, row: Row, axis: int) -> Operation:
+def _write_setting(environment: Environment, row: Keyword, axis: int) -> Operation:
     write = environment.controller.writer(row.verb, axis, row.unit)
     low, high = _limits(row)
     times = _TIMES.get(row.unit)
 
     def checked(value: float) -> None:
         if not low <= value <= high:
-            row.check(value)
+            check(row, value)
         write(value / times if times else value)
 
     return checked
 
 
 @by_axis
-def _read_setting(environment: Environment, row: Row, axis: int) -> Operation:
+def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operation:
     if row.unit in _WHOLE:
         setting = environment.controller.reader(row.verb, axis)
         return lambda: int(setting())
@@ -306,7 +284,7 @@ def _read_setting(environment: Environment, row: Row, axis: int) -> Operation:
 
 
 @by_axis
-def _reading(environment: Environment, row: Row, axis: int) -> Operation:
+def _reading(environment: Environment, row: Keyword, axis: int) -> Operation:
     """A verb of the controller that takes an axis and answers in counts."""
     if row.unit in _WHOLE:
         verb = environment.controller.reader(row.verb, axis)

@@ -10,10 +10,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.controller.readers import Until
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.lang.keyword import Keyword
     from motionlang.mint.runtime.environment import Environment
 
-    Maker = Callable[[Environment, Row], Callable[..., Any]]
+    Maker = Callable[[Environment, Keyword], Callable[..., Any]]
 
 
 def moving(make: Maker) -> Maker:

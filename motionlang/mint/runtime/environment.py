@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from motionlang.controller.controller import Controller
+    from motionlang.lang.keyword import Keyword
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Steps
-    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
     from motionlang.mint.runtime.loop_log import Begun
@@ -198,12 +198,12 @@ class Environment(Waits):
             return formats.USING[str(details[0])]
         from motionlang.mint.runtime import binding
 
-        row = binding.Row(*details[:6])  # type: ignore[arg-type]
+        row = binding.row_of(str(details[0]))
         repeated = how in ("rewrite", "redo")
         how = how.removeprefix("re") if repeated else how
         repeated = repeated and binding.is_repeatable(how, row)
-        if len(details) > 6:
-            return self._on_axes(how, row, details[6], repeated)
+        if len(details) > 1:
+            return self._on_axes(how, row, details[1], repeated)
         operation = binding.bind(self, how, row)
         if how == "load":
             return self.operations.loading(operation, getattr(operation, "plain", None))
@@ -211,7 +211,7 @@ class Environment(Waits):
             return self.operations.repeated(operation, binding.held(self, row))
         return operation if how == "read" else self.operations.timed(operation)
 
-    def _on_axes(self, how: str, row: Row, axis: object, repeated: bool) -> object:
+    def _on_axes(self, how: str, row: Keyword, axis: object, repeated: bool) -> object:
         """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
         from motionlang.mint.runtime import binding
         from motionlang.mint.runtime.binding import with_first

@@ -8,9 +8,8 @@ time to any task; the run ends with `never` then.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, kind_and_number
-from motionlang.mint.keywords.operations_index import SOURCES
-from motionlang.mint.runtime.binding import operations_module
+from motionlang.mint.keywords import table
+from motionlang.mint.keywords.event_kinds import KINDS, RAISED_BY, SINGLE, kind_and_number
 from motionlang.mint.runtime.task import MintTask
 
 TYPE_CHECKING = False
@@ -175,8 +174,8 @@ def listen(environment: Environment) -> None:
     controller = environment.controller
     kinds -= events.listening
     events.listening |= kinds
-    for kind in kinds & SOURCES.keys():
-        environment.part(operations_module(SOURCES[kind]).SOURCES[kind])  # type: ignore[attr-defined]
+    for kind in kinds & RAISED_BY.keys():
+        environment.part(table().file(RAISED_BY[kind]).SOURCES[kind])
     if "onerror" in kinds:
         _ = environment.errors  # from now on they are noted
     if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:

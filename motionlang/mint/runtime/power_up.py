@@ -6,7 +6,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.switchable import word_of
-from motionlang.mint.runtime.binding import Row, bind
+from motionlang.mint.runtime.binding import bind
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,10 +23,9 @@ class PowerUp:
         for name, value in readings.items():
             row = table().get(word_of(name))
             if row is not None:
-                wanted = Row(row.verb, row.name, row.unit, row.index, row.low, row.high)
                 # A word of the group "motion" is given the number of its line, too.
                 given = (value, 0) if row.group == "motion" else (value,)
-                self._writers.append((name, bind(environment, "write", wanted), given))
+                self._writers.append((name, bind(environment, "write", row), given))
 
     def set(self, axis: int) -> None:
         """Write them all; ProgramError where one cannot be, as when another one forbids it."""

@@ -123,5 +123,5 @@ def test_a_run_without_a_plant_imports_neither_numpy_nor_the_servo(key: str, che
     made = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60
     )
-    gains = {"motionlang.mint.keywords.servo", "motionlang.mint.keywords.servo_operations"}
+    gains = {"motionlang.mint.keywords.servo"}
     assert set(made.stdout.split()) - gains == {f"motionlang.controller.servo{name}" for name in checked}

@@ -10,9 +10,8 @@ from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.lang.keyword import Keyword
 from motionlang.mint import DIALECT
 from motionlang.mint.keywords import indexing, no_effect, table, unsimulated
-from motionlang.mint.keywords.all_words import groups
+from motionlang.mint.keywords.all_words import files
 from motionlang.mint.keywords.vocabulary import Vocabulary
-from motionlang.mint.runtime.binding import makers
 from motionlang.source import Source
 from tests.cases import cases
 from tests.keyword_pages import shown
@@ -72,7 +71,7 @@ def test_nothing_in_the_library_is_shadowed() -> None:
     """A word that becomes simulated leaves the files of the library, and a short form that is taken is not there."""
     lines = [line for file in sorted(LIBRARY.glob("*.txt")) for line in file.read_text("utf-8").splitlines()]
     spellings = [spelling.lower() for line in lines for spelling in line.split("|")[:2] if spelling]
-    own = {spelling.lower() for group in groups() for row in group.ROWS for spelling in (row.name, row.short)}
+    own = {spelling.lower() for file in files() for row in file.ROWS for spelling in (row.name, row.short)}
     assert len(lines) == 508
     assert len(spellings) == len(set(spellings))
     assert own.isdisjoint(spellings)
@@ -161,20 +160,19 @@ def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant
 
 def test_the_index_knows_where_every_word_stands() -> None:
     assert indexing.PLACE.read_text(encoding="utf-8") == indexing.written()
-    assert indexing.OPERATIONS_PLACE.read_text(encoding="utf-8") == indexing.operations_written()
 
 
-# Written by the compiler itself: WAIT and LINE are statements, POSDEMAND = is answered as not simulated.
-COMPILED = {("wait", "W"), ("line", "C"), ("demand", "W")}
+# Written by the compiler itself: WAIT and LINE are statements.
+COMPILED = {("wait", "W"), ("line", "C")}
 
 
 @cases("row", [row for row in table() if row.kind in ("setting", "reading", "move", "command")], ids=str)
-def test_what_a_word_does_is_named_in_a_dictionary_or_is_the_controllers(row: Keyword) -> None:
-    made = makers(row.verb)
+def test_what_a_word_does_is_a_function_of_its_file_or_is_the_controllers(row: Keyword) -> None:
+    made = {how for how in ("read", "write", "load", "do") if getattr(row.actions, how) is not None}
     for access in row.access:
         hows = {"R": {"read"}, "W": {"write", "load", "do"}, "C": {"do", "write"}}[access]
         own = row.verb in SETTINGS or (access == "R" and hasattr(Controller, row.verb))
-        assert made.keys() & hows or own or (row.verb, access) in COMPILED, access
+        assert made & hows or own or (row.verb, access) in COMPILED, access
 
 
 def test_a_word_is_found_whatever_was_looked_for_before() -> None:

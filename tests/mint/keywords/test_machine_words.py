@@ -13,9 +13,14 @@ from motionlang.mint.keywords import (
     captures,
     comms,
     homing,
-    io,
+    io_inputs,
+    io_outputs,
+    io_signals,
     latches,
+    latches_position_compare,
     limits,
+    limits_resetting,
+    limits_switches,
     monitoring,
     relays,
     remote,
@@ -27,8 +32,8 @@ from motionlang.mint.keywords import event_flags as pending
 from motionlang.source import Source
 
 GROUPS = (
-    camboxes, captures, comms, fastaux, homing, io, latches, limits, monitoring, pending, relays, remote,
-    sensing, steppers,
+    camboxes, captures, comms, fastaux, homing, io_inputs, io_outputs, io_signals, latches, latches_position_compare,
+    limits, limits_resetting, limits_switches, monitoring, pending, relays, remote, sensing, steppers,
 )  # fmt: skip
 WORDS = [row for group in GROUPS for row in group.ROWS if row.kind != "constant"]
 MACHINE = {

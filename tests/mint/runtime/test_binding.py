@@ -37,9 +37,8 @@ def bound(row: Keyword, how: str) -> tuple[Any, list[int]]:
     """The operation of a word on a machine that just stands there, and as many indices as it has."""
     environment = Environment(Machine())
     environment.prepare()
-    left = binding.Row(row.verb, row.name, row.unit, row.index, row.low, row.high)
     count = 0 if row.index == "none" else len(row.index.split(", "))
-    return binding.bind(environment, how, left), [0] * count
+    return binding.bind(environment, how, row), [0] * count
 
 
 def beyond(row: Keyword) -> list[float]:
@@ -60,7 +59,7 @@ def test_a_value_outside_the_range_of_its_row_is_refused(row: Keyword) -> None:
 
 
 def test_words_that_take_any_number_are_these() -> None:
-    taking = {row.name for row in RANGED if hasattr(binding.makers(row.verb).get("write"), "unchecked")}
+    taking = {row.name for row in RANGED if hasattr(row.actions.write, "unchecked")}
     assert taking == ANY_NUMBER
 
 
@@ -74,11 +73,11 @@ def test_an_axis_that_there_is_not_is_refused(row: Keyword) -> None:
 def test_what_is_read_of_an_axis_is_made_once() -> None:
     made: list[int] = []
 
-    def make(environment: Environment, row: binding.Row, axis: int) -> Any:
+    def make(environment: Environment, row: Keyword, axis: int) -> Any:
         made.append(axis)
         return lambda: axis
 
     environment = Environment(Machine())
-    read = binding.by_axis(make)(environment, binding.Row("", "", "integer", "axis", None, None))
+    read = binding.by_axis(make)(environment, Keyword("", "", "reading", "R", "axis", "integer", "", ""))
     assert [read(1), read(0), read(1)] == [1, 0, 1]
     assert made == [1, 0]
