@@ -94,10 +94,10 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("interactive", "lint"),
     ),
     "mccl": (
-        ("codes", "keywords", "evidence"),
+        ("codes", "evidence", "vocabulary"),
         ("models", "syntax", "axis"),
         ("motion",),
-        ("operations",),
+        ("keywords",),
         ("resolve",),
         ("runtime",),
         ("hosts", "lint"),
@@ -174,10 +174,6 @@ def inner(package: str, parts: list[str]) -> str:
     """The name that stands in `FLOORS` for a module, by its parts below the package."""
     if parts[0] != "keywords":
         return parts[0]
-    if package == "mccl":  # whose rows and operations are in files of their own
-        name = parts[-1]
-        subject = name.partition("_")[0]
-        return "operations" if name == "operations" or subject != name else "keywords"
     return "vocabulary" if len(parts) == 1 or parts[1] in VOCABULARY else "keywords"
 
 
@@ -354,7 +350,7 @@ def test_what_is_named_here_exists() -> None:
     for name in LEVELS:
         assert not name or (PACKAGE / name).is_dir() or (PACKAGE / f"{name}.py").exists(), name
     for package, floors in FLOORS.items():
-        for name in (each for floor in floors for each in floor if each not in ("vocabulary", "operations")):
+        for name in (each for floor in floors for each in floor if each != "vocabulary"):
             assert (PACKAGE / package / name).is_dir() or (PACKAGE / package / f"{name}.py").exists(), name
         for path in (PACKAGE / package).iterdir():
             assert path.name in ("__init__.py", "__pycache__") or path.stem in {

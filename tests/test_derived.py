@@ -55,11 +55,10 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     insert(mint / "state.py", "def place(", does)
     insert(mint / "state.py", ")  # fmt: skip", row)
     insert(mint / "state.py", "\nTYPE_CHECKING", "from motionlang.mint.runtime.binding import of\n")
-    row = '    _row("HY", "reading", "R", "none", "number", "tell_half", "Tell a half.", "HY"),\n'
-    insert(mccl / "reports.py", ")  # fmt: skip", row)
+    row = '    _row("HY", "reading", "R", "none", "number", tell_half, "Tell a half.", "HY"),\n'
     does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'
-    insert(mccl / "reports_operations.py", "ACTIONS: dict", does)
-    insert(mccl / "reports_operations.py", "}\n", '    "tell_half": tell_half,\n')
+    insert(mccl / "reports.py", "# ---", does)
+    insert(mccl / "reports.py", ")  # fmt: skip", row)
     for language, word, facts in (
         ("mint", "HALFWAY", "meaning short index unit"),
         ("mccl", "HY", "meaning unit"),

@@ -9,14 +9,14 @@ from pathlib import Path
 import motionlang
 from motionlang.controller.servo import gains
 from motionlang.lang.keyword import ROLES, TRAITS
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table as commands
 from motionlang.mccl.models import MODELS
 from motionlang.mint.keywords import table
 from motionlang.mint.models import ABSENT, LARGEST
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}
-MCCL = {row.name for row in TABLE}
+MCCL = {row.name for row in commands()}
 # The words that a module names all the same. A line may leave this list or become shorter; none may grow or come in.
 NAMED = {
     # What PLAN writes, and what the client sends to a board.
@@ -64,7 +64,7 @@ def test_no_module_outside_the_vocabulary_names_a_word_that_is_not_listed() -> N
 
 
 def test_effects_are_said_in_the_words_for_them() -> None:
-    for row in (*table(), *TABLE):
+    for row in (*table(), *commands()):
         effects = row.effect.split()
         assert set(effects) <= ROLES.keys() | TRAITS.keys(), row.name
         assert len(ROLES.keys() & set(effects)) <= 1, row.name
@@ -74,15 +74,15 @@ def test_effects_are_said_in_the_words_for_them() -> None:
 
 
 def test_a_family_that_a_controller_lacks_or_limits_is_one_of_the_rows() -> None:
-    families = {row.family for row in TABLE} - {""}
+    families = {row.family for row in commands()} - {""}
     assert {family for model in MODELS.values() for family in model.lacks} == families
     assert {row.family for row in table()} - {""} == ABSENT.keys() | LARGEST.keys()
 
 
 def test_what_people_mean_by_a_word_of_english_is_no_command() -> None:
-    meant = {word for row in TABLE for word in row.meant.split()}
+    meant = {word for row in commands() for word in row.meant.split()}
     assert meant
-    assert not {word for word in meant if TABLE.get(word)} - {"ON"}
+    assert not {word for word in meant if commands().get(word)} - {"ON"}
 
 
 def test_every_kind_of_effect_is_one_of_some_word() -> None:

@@ -49,9 +49,9 @@ class Mccl(Dialect):
         return SWITCHES
 
     def table(self) -> Table:
-        from motionlang.mccl.keywords import TABLE
+        from motionlang.mccl.keywords import table
 
-        return TABLE
+        return table()
 
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
         from motionlang.mccl.runtime.program import locate

@@ -58,7 +58,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/triggers/next_watches.py: free_way: at < here -> at <= here": (
         "on a watch neither side is free: the move is planned the long way"
     ),
-    "motionlang/mccl/keywords/registers_operations.py: wrapped: value + 2147483648 -> value - 2147483648": (
+    "motionlang/mccl/keywords/registers.py: wrapped: value + 2147483648 -> value - 2147483648": (
         "both are the same in 32 bits"
     ),
     "motionlang/measured/recording.py: _names: True -> False": "both rows are as wide as the numbers",

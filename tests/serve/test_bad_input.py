@@ -12,7 +12,7 @@ import pytest
 
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 from motionlang.serve import Limits
 from tests.serve.conftest import Board, Serve
 
@@ -120,7 +120,7 @@ def test_no_command_reaches_the_file_system() -> None:
     """Every command of the table, plain and with a text: nothing is opened, made, removed, connected or started."""
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
-    lines = [row.example for row in TABLE] + [f'{row.name}"../../etc/passwd"' for row in TABLE]
+    lines = [row.example for row in table()] + [f'{row.name}"../../etc/passwd"' for row in table()]
     watched = ("open", "os.", "subprocess.", "shutil.", "socket.", "import", "exec", "compile")
     seen: list[tuple[str, object]] = []
     watching = False
@@ -164,7 +164,7 @@ def test_an_error_of_our_own_is_told_and_costs_a_line(serve: Serve, monkeypatch:
 def test_hosts_at_random(board: Board, seed: int) -> None:
     """Pieces of lines, control characters, noise, broken connections: the last host is served as the first."""
     rng = random.Random(seed)
-    pieces = [row.example.encode() for row in TABLE]
+    pieces = [row.example.encode() for row in table()]
     pieces += [
         b"\r",
         b"\r\n",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl.axis.axis import GAIN, TORQUE
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import tuning
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -11,8 +11,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.board import Board
 
 INFINITY = float("inf")
-# The gains of the servo loop; and that of its rate, which three commands set.
-_GAINS = [row for row in TABLE if row.tunes]
+# The gain of the loop's rate, which three commands set.
 _RATE = "kept_rate"
 # What an output stage has without its loop.
 _STAGE = ("proportional", "output_limit", "output_deadband", "output_offset", "reversed")
@@ -42,7 +41,7 @@ def tune(board: Board, axis: AxisState) -> None:
     kept = {**axis.kept, "kept_torque": _largest_output(axis)}
     if axis.reversed_phase:
         kept["output_phase"] = 1.0
-    gains = {row.tunes: (kept[row.verb], row.name) for row in _GAINS if row.verb in kept}
+    gains = {row.tunes: (kept[row.verb], row.name) for row in tuning() if row.verb in kept}
     if axis.mode == GAIN:
         gains = {quantity: gain for quantity, gain in gains.items() if quantity in _STAGE}
     if _RATE in kept:

@@ -1,54 +1,46 @@
-"""The vocabulary of MCCL: one row a mnemonic, in one module a group, and nothing that knows a mnemonic elsewhere.
+"""The vocabulary of MCCL: one row a mnemonic, a file a subject, and nothing that knows a mnemonic elsewhere.
 
-`TABLE` is the whole. In the rows of MCCL `index` says what the number in front of a command means: "axes", one axis, or
-all of them when there is none; "axis", one axis that must be named; "none", nothing. `access` "C" takes no parameter,
-"W" takes one (0 when it is left out), "R" reports.
+In the rows of MCCL `index` says what the number in front of a command means: "axes", one axis, or all of them when
+there is none; "axis", one axis that must be named; "none", nothing. `access` "C" takes no parameter, "W" takes one (0
+when it is left out), "R" reports. The function that carries a command out is called with the task and the `Command`.
 """
 
 from __future__ import annotations
 
 from motionlang.lang.keyword import Table
-from motionlang.mccl.keywords import (
-    contour,
-    filter,
-    flow,
-    io,
-    limits,
-    macros,
-    miscellaneous,
-    modes,
-    motion,
-    registers,
-    reports,
-    trajectory,
-    units,
-)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-TABLE = Table(
-    row
-    for group in (
-        trajectory,
-        filter,
-        limits,
-        units,
-        modes,
-        motion,
-        contour,
-        reports,
-        io,
-        macros,
-        registers,
-        flow,
-        miscellaneous,
-    )
-    for row in group.ROWS
-)
+    from motionlang.lang.keyword import Keyword
+
+_FILES = """
+trajectory trajectory_backlash filter filter_stages limits units modes_gearing modes_jog motion motion_auxiliary
+motion_homing motion_points motion_record contour reports io macros registers registers_functions registers_variables
+flow flow_waits miscellaneous miscellaneous_texts
+"""
+_table: Table | None = None
+_tuning: tuple[Keyword, ...] = ()
+
+
+def table() -> Table:
+    """All commands of MCCL."""
+    global _table  # noqa: PLW0603 - one vocabulary a process
+    if _table is None:
+        files = [__import__(f"motionlang.mccl.keywords.{name}", fromlist=["ROWS"]) for name in _FILES.split()]
+        _table = Table(row for file in files for row in file.ROWS)
+    return _table
+
+
+def tuning() -> tuple[Keyword, ...]:
+    """The commands that set a quantity of the servo loop."""
+    global _tuning  # noqa: PLW0603 - as often as a gain is set
+    if not _tuning:
+        _tuning = tuple(row for row in table() if row.tunes)
+    return _tuning
 
 
 def of_families(families: Collection[str]) -> frozenset[str]:
     """The commands of some families."""
-    return frozenset(row.name for row in TABLE if row.family in families)
+    return frozenset(row.name for row in table() if row.family in families)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -65,13 +67,32 @@ def _rate(hertz: float) -> Action:
     return switch
 
 
-ACTIONS: dict[str, Action] = {
-    "output_mode": output_mode,
-    "input_mode": _keep_parameter("input_mode"),
-    "encoder_scaling": _keep_parameter("encoder_scaling"),
-    "full_current": _keep("current", FULL),
-    "half_current": _keep("current", HALF),
-    "high_rate": _rate(4000.0),
-    "medium_rate": _rate(2000.0),
-    "low_rate": _rate(1000.0),
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("servo filter").row
+_trajectory_row = Group("trajectory").row
+
+
+ROWS = (
+    _row("OM", "setting", "W", "axes", "number", output_mode,
+         "Output mode: 0 bipolar, 1 unipolar, 2 and 3 the same as PWM, 4 piezo, 32768 and 49152 sine without and with "
+         "encoder; stepper 0 pulse and direction, 1 CW and CCW. Kept, told as the variable OUTPUTMODE.",
+         '1OM2,LU"OUTPUTMODE",1RL@0,TR0', default=0, low=0, high=0xC000),
+    _row("IM", "setting", "W", "axes", "bool", Actions("input_mode", do=_keep_parameter("input_mode")),
+         "Input mode of a stepper: 0 open loop, 1 closed loop. Kept, told as the variable INPUTMODE; a stepper here "
+         "loses no steps.", '1IM1,LU"INPUTMODE",1RL@0,TR0', default=0, low=0, high=1),
+    _row("ES", "setting", "W", "axes", "number", Actions("encoder_scaling", do=_keep_parameter("encoder_scaling")),
+         "Encoder counts per step of a closed-loop stepper. Kept, told as the variable ENCODERSCALE.",
+         '1ES2.5,LU"ENCODERSCALE",1RV@0,TR0', default=1, low=-1e6, high=1e6),
+    _trajectory_row("HS", "setting", "C", "axes", "", Actions("high_rate", do=_rate(4000.0)),
+                    "High speed: the servo loop of a simulated motor runs at 4 kHz; profiles are exact and "
+                    "have no rate.", "1HS", family="rates"),
+    _trajectory_row("MS", "setting", "C", "axes", "", Actions("medium_rate", do=_rate(2000.0)),
+                    "Medium speed: the servo loop of a simulated motor runs at 2 kHz.", "1MS", family="rates"),
+    _trajectory_row("LS", "setting", "C", "axes", "", Actions("low_rate", do=_rate(1000.0)),
+                    "Low speed: the servo loop of a simulated motor runs at 1 kHz.", "1LS", family="rates"),
+    _trajectory_row("FC", "setting", "C", "axes", "", Actions("full_current", do=_keep("current", FULL)),
+                    "Full motor current (stepper): kept, told as the variable CURRENT.", '1FC,LU"CURRENT",1RV@0,TR0'),
+    _trajectory_row("HC", "setting", "C", "axes", "", Actions("half_current", do=_keep("current", HALF)),
+                    "Half motor current (stepper): kept, told as the variable CURRENT.", '1HC,LU"CURRENT",1RV@0,TR0'),
+)  # fmt: skip

@@ -1,50 +1,123 @@
-"""Repeating, waiting, jumping, deciding."""
+"""Repeating, jumping and deciding inside a line.
+
+The rule of every `I.` command: when the condition holds the next command is carried out, else two are skipped.
+"""
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import Group
+from motionlang.lang.keyword import Actions
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group, pure
 
-_G = Group("flow")
-_row = _G.row
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+    Condition = Callable[[float | int, float | int], bool]
+
+
+@pure
+def repeat(task: CommandTask, command: Command) -> Wait | None:
+    """Carry out the line up to here n more times; for ever without n, or with 0."""
+    count = task.whole(command)
+    if count < 0:
+        raise Fault(
+            codes.NEGATIVE_REPEAT,
+            f"RP cannot repeat {count} times",
+            "RP without a number repeats for ever",
+            "range",
+        )
+    here = task.here
+    if count == 0 and task.board.readings.get("mccl.repeat-for-ever") == "once":
+        count = 1
+    if count == 0:
+        return task.jump(0)
+    left = task.repeats.get(here, count)
+    if left == 0:
+        del task.repeats[here]
+        return None
+    task.repeats[here] = left - 1
+    assert task.line is not None
+    if here != task.loop_log.end or task.loop_log.target:
+        task.loop_log.back(task.line, 0, here)
+    task.pc = 0
+    task.board.effects += 1
+    return None
+
+
+@pure
+def jump(task: CommandTask, command: Command) -> Wait | None:
+    return task.jump(task.whole(command) - task.board.readings.get("mccl.jump-base", 0))  # type: ignore[operator]
+
+
+@pure
+def jump_by(task: CommandTask, command: Command) -> Wait | None:
+    after = task.board.readings.get("mccl.jump-relative") == "next"
+    return task.jump(task.here + task.whole(command) + after)
+
+
+@pure
+def nothing(task: CommandTask, command: Command) -> None:
+    return None
+
+
+def skip(task: CommandTask) -> None:
+    """A condition has failed: what it governs is not carried out."""
+    task.pc += task.board.readings.get("mccl.skipped", 2)  # type: ignore[operator]
+
+
+def _if(condition: Condition) -> Action:
+    @pure
+    def decide(task: CommandTask, command: Command) -> None:
+        if not condition(task.registers[0], task.value(command)):
+            skip(task)
+
+    return decide
+
+
+def _bit(accumulator: float | int, bit: float | int) -> int:
+    return int(accumulator) >> int(bit) & 1
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("flow").row
+
 
 ROWS = (
-    _row("RP", "statement", "W", "none", "number", "repeat",
+    _row("RP", "statement", "W", "none", "number", repeat,
          "Repeat the line, or the macro, up to here n more times; without a number, or with 0, for ever.",
          "AL1,TR0,RP2", meant="REPEAT"),
-    _row("WA", "statement", "W", "none", "s", "wait", "Wait for a time.", "WA0.5", low=0, meant="WAIT"),
-    _row("WS", "statement", "W", "axes", "s", "wait_stop",
-         "Wait for stop: until the trajectory is complete, then for a time.", "1WS0.1", low=0, meant="WAIT IDLE"),
-    _row("WT", "statement", "W", "axes", "s", "wait_target",
-         "Wait for target: until the axis has been in the deadband for DT, then for a time.", "1WT0.1", low=0,
-         meant="WAIT"),
-    _row("WP", "statement", "W", "axis", "uu", "wait_position", "Wait until the axis passes a position.",
-         "1MN,1MR1000,1WP500"),
-    _row("WR", "statement", "W", "axis", "uu", "wait_relative",
-         "Wait until the axis has moved this far from where it is now.", "1MN,1MR1000,1WR500"),
-    _row("WE", "statement", "W", "axis", "bool", "wait_edge",
-         "Wait for the coarse home switch: 0 on, 1 off; completes EL.", "1WE1", low=0, high=1),
-    _row("WI", "statement", "C", "axis", "", "wait_index", "Wait for the index mark; completes IA. "
-         "The machine file says where marks are (index_every).",
-         "1MN,1MR5000,1IA,1WI"),
-    _row("JP", "statement", "W", "none", "number", "jump", "Jump to command n of the line or macro; the first is 0.",
+    _row("JP", "statement", "W", "none", "number", jump, "Jump to command n of the line or macro; the first is 0.",
          "AL5,JP3,AL6,TR0", low=0),
-    _row("JR", "statement", "W", "none", "number", "jump_by", "Jump n commands on from this one, or back.",
+    _row("JR", "statement", "W", "none", "number", jump_by, "Jump n commands on from this one, or back.",
          "AL5,JR2,AL6,TR0"),
-    _row("IB", "statement", "W", "none", "number", "if_below",
+    _row("IB", "statement", "W", "none", "number",
+         Actions("if_below", do=_if(lambda accumulator, value: accumulator < value)),
          "If the accumulator is below n carry out the next two commands, else skip them.", "AL5,IB6,AL7,NO,TR0"),
-    _row("IE", "statement", "W", "none", "number", "if_equal",
+    _row("IE", "statement", "W", "none", "number",
+         Actions("if_equal", do=_if(lambda accumulator, value: accumulator == value)),
          "If the accumulator equals n carry out the next two commands, else skip them.", "AL5,IE5,AL7,NO,TR0"),
-    _row("IG", "statement", "W", "none", "number", "if_greater",
+    _row("IG", "statement", "W", "none", "number",
+         Actions("if_greater", do=_if(lambda accumulator, value: accumulator > value)),
          "If the accumulator is greater than n carry out the next two commands, else skip them.", "AL5,IG4,AL7,NO,TR0"),
-    _row("IU", "statement", "W", "none", "number", "if_unequal",
+    _row("IU", "statement", "W", "none", "number",
+         Actions("if_unequal", do=_if(lambda accumulator, value: accumulator != value)),
          "If the accumulator does not equal n carry out the next two commands, else skip them.", "AL5,IU4,AL7,NO,TR0"),
-    _row("IS", "statement", "W", "none", "number", "if_set",
+    _row("IS", "statement", "W", "none", "number",
+         Actions("if_set", do=_if(lambda accumulator, bit: _bit(accumulator, bit) == 1)),
          "If bit n of the accumulator is set carry out the next two commands, else skip them.", "AL5,IS2,AL7,NO,TR0",
          low=0, high=31),
-    _row("IC", "statement", "W", "none", "number", "if_clear",
+    _row("IC", "statement", "W", "none", "number",
+         Actions("if_clear", do=_if(lambda accumulator, bit: _bit(accumulator, bit) == 0)),
          "If bit n of the accumulator is clear carry out the next two commands, else skip them.", "AL5,IC1,AL7,NO,TR0",
          low=0, high=31),
-    _row("NO", "statement", "C", "none", "", "nothing",
+    _row("NO", "statement", "C", "none", "", nothing,
          "No operation; what fills up the two commands that a condition governs.",
          "NO"),
 )  # fmt: skip

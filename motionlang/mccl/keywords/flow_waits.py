@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.task import Wait, wait_idle, wait_until
 from motionlang.mccl.axis.motion_phase import at_target_time
+from motionlang.mccl.keywords.row import Group, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.board import Board
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
 BEFORE_NEVER = 1e300
@@ -20,6 +21,7 @@ BEFORE_NEVER = 1e300
 _REACHED = 1e-6
 
 
+@pure
 def wait(task: CommandTask, command: Command) -> Wait | None:
     return _dwell(task, command, task.board.controller.clock.now)
 
@@ -146,13 +148,25 @@ def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
     board.breakpoints[number] = controller.watch(number, position, reach)
 
 
-PURE = frozenset({"wait"})
-ACTIONS: dict[str, Action] = {
-    "wait": wait,
-    "wait_stop": wait_stop,
-    "wait_target": wait_target,
-    "wait_position": wait_position,
-    "wait_relative": wait_relative,
-    "break_at": break_at,
-    "break_after": break_after,
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("flow").row
+_motion_row = Group("motion").row
+
+
+ROWS = (
+    _row("WA", "statement", "W", "none", "s", wait, "Wait for a time.", "WA0.5", low=0, meant="WAIT"),
+    _row("WS", "statement", "W", "axes", "s", wait_stop,
+         "Wait for stop: until the trajectory is complete, then for a time.", "1WS0.1", low=0, meant="WAIT IDLE"),
+    _row("WT", "statement", "W", "axes", "s", wait_target,
+         "Wait for target: until the axis has been in the deadband for DT, then for a time.", "1WT0.1", low=0,
+         meant="WAIT"),
+    _row("WP", "statement", "W", "axis", "uu", wait_position, "Wait until the axis passes a position.",
+         "1MN,1MR1000,1WP500"),
+    _row("WR", "statement", "W", "axis", "uu", wait_relative,
+         "Wait until the axis has moved this far from where it is now.", "1MN,1MR1000,1WR500"),
+    _motion_row("IP", "command", "W", "axes", "uu", break_at, "Set a breakpoint at a position: status bit 10 shows it.",
+                "1IP500"),
+    _motion_row("IR", "command", "W", "axes", "uu", break_after,
+                "Set a breakpoint at a distance from the present position.", "1IR500"),
+)  # fmt: skip

@@ -1,39 +1,178 @@
-"""Digital and analogue channels."""
+"""Digital and analogue channels, in terms of logic: a low-true channel is on when its level is low."""
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import Group
+from motionlang.lang.task import Wait
+from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import real
+from motionlang.mccl.axis.volts import percent, volts
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.flow import skip
+from motionlang.mccl.keywords.row import Group, pure
 
-_G = Group("input and output")
-_row = _G.row
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.board import Board
+    from motionlang.mccl.runtime.task import CommandTask
+
+INFINITY = float("inf")
+
+
+def is_on(board: Board, channel: int) -> bool:
+    """Whether a channel is on: an output as it was set, an input as the world has it."""
+    controller = board.controller
+    level = controller.output(channel) if channel in board.outputs else controller.input(channel)
+    return (level != 0) is not (channel in board.low_true)
+
+
+def channel_on(task: CommandTask, command: Command) -> None:
+    _switch(task, command, True)
+
+
+def channel_off(task: CommandTask, command: Command) -> None:
+    _switch(task, command, False)
+
+
+def channel_input(task: CommandTask, command: Command) -> None:
+    task.board.outputs.discard(task.whole(command))
+
+
+def channel_output(task: CommandTask, command: Command) -> None:
+    task.board.outputs.add(task.whole(command))
+
+
+def channel_high(task: CommandTask, command: Command) -> None:
+    channel = task.whole(command)
+    task.board.low_true.discard(channel)
+    task.board.inputs.look_at(channel)
+
+
+def channel_low(task: CommandTask, command: Command) -> None:
+    channel = task.whole(command)
+    task.board.low_true.add(channel)
+    task.board.inputs.look_at(channel)
+
+
+def tell_channel(task: CommandTask, command: Command) -> None:
+    channel = task.whole(command)
+    on = is_on(task.board, channel)
+    words = task.board.readings.get("mccl.channel-form") == "ON"
+    task.tell(channel, ("ON" if on else "OFF") if words else str(int(on)))
+
+
+def tell_analog(task: CommandTask, command: Command) -> None:
+    channel = task.whole(command)
+    task.tell(channel, real(volts(task.board.controller.analogue_input(channel))))
+
+
+@pure
+def get_analog(task: CommandTask, command: Command) -> None:
+    task.registers[0] = volts(task.board.controller.analogue_input(task.whole(command)))
+
+
+def set_analog(task: CommandTask, command: Command) -> None:
+    """The accumulator as volts; the output stops at 10 V either way."""
+    task.board.controller.set_analogue_output(task.whole(command), percent(float(task.registers[0])))
+
+
+@pure
+def do_if_on(task: CommandTask, command: Command) -> None:
+    _do_rest(task, is_on(task.board, task.whole(command)))
+
+
+@pure
+def do_if_off(task: CommandTask, command: Command) -> None:
+    _do_rest(task, not is_on(task.board, task.whole(command)))
+
+
+@pure
+def if_on(task: CommandTask, command: Command) -> None:
+    if not is_on(task.board, task.whole(command)):
+        skip(task)
+
+
+@pure
+def if_off(task: CommandTask, command: Command) -> None:
+    if is_on(task.board, task.whole(command)):
+        skip(task)
+
+
+def wait_on(task: CommandTask, command: Command) -> Wait | None:
+    return _wait(task, command, True)
+
+
+def wait_off(task: CommandTask, command: Command) -> Wait | None:
+    return _wait(task, command, False)
+
+
+def _switch(task: CommandTask, command: Command, on: bool) -> None:
+    board, channel = task.board, task.whole(command)
+    if channel not in board.outputs:
+        raise Fault(
+            codes.PARAMETER, f"channel {channel} is an input", f"CT{channel} makes it an output", "read-only"
+        )
+    board.controller.set_output(channel, int(on is not (channel in board.low_true)))
+
+
+def _do_rest(task: CommandTask, yes: bool) -> None:
+    if not yes:
+        assert task.line is not None
+        task.pc = len(task.line.commands)
+
+
+def _wait(task: CommandTask, command: Command, on: bool) -> Wait | None:
+    board, channel = task.board, task.whole(command)
+    if is_on(board, channel) is on:
+        return None
+    state = "on" if on else "off"
+    return Wait(
+        board.controller.clock.now,
+        lambda: is_on(board, channel) is on,
+        lambda: INFINITY,
+        f"for channel {channel} to be {state}",
+        "input",
+        (channel,),
+    )
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("input and output").row
+_reports_row = Group("reports").row
+
 
 ROWS = (
-    _row("CN", "command", "W", "none", "number", "channel_on", "Switch an output channel on.", "CT9,CN9", low=1,
+    _row("CN", "command", "W", "none", "number", channel_on, "Switch an output channel on.", "CT9,CN9", low=1,
          high=255),
-    _row("CF", "command", "W", "none", "number", "channel_off", "Switch an output channel off.", "CT9,CF9", low=1,
+    _row("CF", "command", "W", "none", "number", channel_off, "Switch an output channel off.", "CT9,CF9", low=1,
          high=255),
-    _row("CI", "command", "W", "none", "number", "channel_input", "Make the channel an input.", "CI1", low=1,
+    _row("CI", "command", "W", "none", "number", channel_input, "Make the channel an input.", "CI1", low=1,
          high=255),
-    _row("CT", "command", "W", "none", "number", "channel_output", "Make the channel an output.", "CT9", low=1,
+    _row("CT", "command", "W", "none", "number", channel_output, "Make the channel an output.", "CT9", low=1,
          high=255),
-    _row("CH", "command", "W", "none", "number", "channel_high", "High level means on.", "CH1", low=1, high=255),
-    _row("CL", "command", "W", "none", "number", "channel_low", "Low level means on.", "CL1", low=1, high=255),
-    _row("DN", "command", "W", "none", "number", "do_if_on",
+    _row("CH", "command", "W", "none", "number", channel_high, "High level means on.", "CH1", low=1, high=255),
+    _row("CL", "command", "W", "none", "number", channel_low, "Low level means on.", "CL1", low=1, high=255),
+    _row("DN", "command", "W", "none", "number", do_if_on,
          "Carry out the rest of the line only if the channel is on.",
          "DN1,1TP", low=1, high=255),
-    _row("DF", "command", "W", "none", "number", "do_if_off",
+    _row("DF", "command", "W", "none", "number", do_if_off,
          "Carry out the rest of the line only if the channel is off.", "DF1,1TP", low=1, high=255),
-    _row("IN", "command", "W", "none", "number", "if_on",
+    _row("IN", "command", "W", "none", "number", if_on,
          "If the channel is on carry out the next two commands, else skip them.", "IN1,AL1,NO", low=1, high=255),
-    _row("IF", "command", "W", "none", "number", "if_off",
+    _row("IF", "command", "W", "none", "number", if_off,
          "If the channel is off carry out the next two commands, else skip them.", "IF1,AL1,NO", low=1, high=255),
-    _row("WN", "command", "W", "none", "number", "wait_on", "Wait until the channel is on.", "CT9,CN9,WN9",
+    _row("WN", "command", "W", "none", "number", wait_on, "Wait until the channel is on.", "CT9,CN9,WN9",
          low=1, high=255),
-    _row("WF", "command", "W", "none", "number", "wait_off", "Wait until the channel is off.", "WF1", low=1,
+    _row("WF", "command", "W", "none", "number", wait_off, "Wait until the channel is off.", "WF1", low=1,
          high=255),
-    _row("GA", "command", "W", "none", "number", "get_analog", "Get an analogue input into the accumulator, volts.",
+    _row("GA", "command", "W", "none", "number", get_analog, "Get an analogue input into the accumulator, volts.",
          "GA1,TR0", low=1, high=255),
-    _row("OA", "command", "W", "none", "number", "set_analog",
+    _row("OA", "command", "W", "none", "number", set_analog,
          "Put the accumulator out on an analogue channel, volts.",
          "AL5,OA1", low=1, high=255),
+    _reports_row("TC", "reading", "R", "none", "number", tell_channel, "Tell a digital channel: 1 on, 0 off.", "TC1",
+                 low=1, high=255),
+    _reports_row("TA", "reading", "R", "none", "number", tell_analog, "Tell an analogue input, volts.", "TA1",
+                 low=1, high=255),
 )  # fmt: skip

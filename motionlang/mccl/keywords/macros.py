@@ -2,23 +2,134 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import Group
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group, pure
 
-_G = Group("macros and tasks")
-_row = _G.row
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.task import CommandTask
+
+# Background tasks at one time.
+MOST_TASKS = 32
+
+
+def define_macro(task: CommandTask, command: Command) -> None:
+    """The rest of the line becomes the macro; an old one of that number is replaced."""
+    if task.here:
+        raise Fault(
+            codes.DEFINE_NOT_FIRST,
+            "MD must be the first command of its line",
+            "put it on a line of its own",
+            "syntax",
+        )
+    assert task.line is not None
+    task.board.macros[_number(task, command)] = task.line.rest(1)
+    task.pc = len(task.line.commands)
+
+
+@pure
+def call_macro(task: CommandTask, command: Command) -> None:
+    task.call(_macro(task, command))
+
+
+@pure
+def jump_macro(task: CommandTask, command: Command) -> Wait | None:
+    """Carry out a macro and do not come back; one that jumps to itself is a loop."""
+    macro = _macro(task, command)
+    log = task.loop_log
+    if task.line is not macro:
+        log.left()
+        task.enter(macro)
+        return task.poll.again()
+    if task.here != log.end or log.target:
+        log.back(macro, 0, task.here)
+    task.pc, task.repeats = 0, {}
+    return task.poll.again()
+
+
+def reset_macros(task: CommandTask, command: Command) -> None:
+    task.board.macros.clear()
+
+
+@pure
+def leave(task: CommandTask, command: Command) -> None:
+    assert task.line is not None
+    task.pc = len(task.line.commands)
+
+
+def start_task(task: CommandTask, command: Command) -> None:
+    """A background task with registers 0 to 9 of its own; its number comes into the accumulator."""
+    board = task.board
+    macro = _macro(task, command)
+    if len(board.background) >= MOST_TASKS:
+        raise Fault(
+            codes.PARAMETER, f"there are {MOST_TASKS} background tasks already", "end one with ET", "limit"
+        )
+    task.registers[0] = board.start_task(macro, task)
+
+
+def end_task(task: CommandTask, command: Command) -> None:
+    """End a background task; a number that no task has is a parameter error."""
+    number = task.whole(command)
+    if not task.board.end_task(number):
+        raise Fault(
+            codes.PARAMETER,
+            f"there is no background task {number}",
+            "GT leaves its number in the accumulator",
+            "range",
+        )
+
+
+def tell_macro(task: CommandTask, command: Command) -> None:
+    """List one macro as the line that defines it, or all of them."""
+    board, number = task.board, task.whole(command)
+    if number != -1:
+        task.reply(f"MD{number},{_macro(task, command).text}")
+        return
+    for each in sorted(board.macros):
+        task.reply(f"MD{each},{board.macros[each].text}")
+
+
+def _number(task: CommandTask, command: Command) -> int:
+    number, last = task.whole(command), task.board.model.macros
+    if not 0 <= number <= last:
+        raise Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
+    return number
+
+
+def _macro(task: CommandTask, command: Command) -> Line:
+    number = _number(task, command)
+    macro = task.board.macros.get(number)
+    if macro is None:
+        raise Fault(
+            codes.NO_MACRO, f"macro {number} does not exist", f"MD{number},... defines it", "unknown-word"
+        )
+    return macro
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("macros and tasks").row
+_reports_row = Group("reports").row
+
 
 ROWS = (
-    _row("MD", "statement", "W", "none", "number", "define_macro",
+    _row("MD", "statement", "W", "none", "number", define_macro,
          "Define macro n as the rest of the line; must come first in its line.", "MD1,1MN,1MR1000"),
-    _row("MC", "statement", "W", "none", "number", "call_macro", "Call macro n and come back.",
+    _row("MC", "statement", "W", "none", "number", call_macro, "Call macro n and come back.",
          "MD1,AL5\nMC1,TR0"),
-    _row("MJ", "statement", "W", "none", "number", "jump_macro", "Jump to macro n and do not come back.",
+    _row("MJ", "statement", "W", "none", "number", jump_macro, "Jump to macro n and do not come back.",
          "MD1,AL5,TR0\nMJ1"),
-    _row("RM", "command", "C", "none", "", "reset_macros", "Forget all macros.", "RM"),
-    _row("GT", "statement", "W", "none", "number", "start_task",
+    _row("RM", "command", "C", "none", "", reset_macros, "Forget all macros.", "RM"),
+    _row("GT", "statement", "W", "none", "number", start_task,
          "Run macro n as a background task; its number is then in the accumulator.", "MD1,WA0.1\nGT1,TR0",
          family="tasks"),
-    _row("ET", "statement", "W", "none", "number", "end_task", "End a background task.", "MD1,WA9\nGT1,ET@0", low=0,
+    _row("ET", "statement", "W", "none", "number", end_task, "End a background task.", "MD1,WA9\nGT1,ET@0", low=0,
          family="tasks"),
-    _row("BK", "statement", "C", "none", "", "leave", "Leave the macro, or the line.", "AL5,BK,AL6"),
+    _row("BK", "statement", "C", "none", "", leave, "Leave the macro, or the line.", "AL5,BK,AL6"),
+    _reports_row("TM", "reading", "R", "none", "number", tell_macro, "List a macro; -1 lists all.", "TM-1", low=-1),
 )  # fmt: skip

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 _ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "\\": "\\"}
 _FLAGS = "-+ 0"
@@ -84,4 +85,18 @@ def _is_small(digits: str, most: int) -> bool:
     return not digits or (digits.isdecimal() and len(digits) <= 2 and int(digits) <= most)
 
 
-ACTIONS: dict[str, Action] = {"put_text": put_text, "put_whole": put_whole, "put_real": put_real}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("miscellaneous").row
+
+
+ROWS = (
+    _row("OT", "command", "W", "none", "text", put_text, "Put out a line of text; the form of the text is ours.",
+         'OT"ready"'),
+    _row("FT", "command", "W", "none", "text", put_whole,
+         "Put out a line of text with the accumulator as a whole number in it (%d, %x); the form is ours.",
+         'AL12,FT"parts: %4d"'),
+    _row("FD", "command", "W", "none", "text", put_real,
+         "Put out a line of text with the accumulator as a real number in it (%f, %e, %g); the form is ours.",
+         'AL1,AD3.0,FD"%.3f mm"'),
+)  # fmt: skip

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def slave(task: CommandTask, command: Command) -> None:
@@ -45,4 +46,14 @@ def check_unslaved(task: CommandTask, axis: AxisState) -> None:
         raise Fault(codes.INVALID, words, f"{axis.number}SM0 frees it", "moving")
 
 
-ACTIONS: dict[str, Action] = {"slave": slave, "slave_ratio": slave_ratio}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("modes").row
+
+
+ROWS = (
+    _row("SM", "command", "W", "axis", "number", slave, "Slave the axis to master axis n; 0 ends it.",
+         "1MN,2MN,2SM1", low=0),
+    _row("SS", "setting", "W", "axis", "number", slave_ratio, "Set the ratio of slave counts to master counts.",
+         "2SS0.5", default=1),
+)  # fmt: skip

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from motionlang.mccl.keywords.row import Group
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def jog_on(task: CommandTask, command: Command) -> None:
@@ -43,12 +45,22 @@ def jog_offset(task: CommandTask, command: Command) -> None:
         axis.jog.offset = float(task.value(command))
 
 
-ACTIONS: dict[str, Action] = {
-    "jog_on": jog_on,
-    "jog_off": jog_off,
-    "jog_accel": jog_accel,
-    "jog_minimum": jog_minimum,
-    "jog_gain": jog_gain,
-    "jog_deadband": jog_deadband,
-    "jog_offset": jog_offset,
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("modes").row
+
+
+ROWS = (
+    _row("JN", "command", "C", "axes", "", jog_on, "Jogging on: the axis follows its joystick input.", "1MN,1JN"),
+    _row("JF", "command", "C", "axes", "", jog_off, "Jogging off: the axis stops.", "1JF"),
+    _row("JA", "setting", "W", "axes", "uu/s2", jog_accel, "Set the acceleration of jogging.",
+         "1JA50000", default=100000, low=0),
+    _row("JV", "setting", "W", "axes", "uu/s", jog_minimum, "Set the least velocity of jogging.",
+         "1JV100", default=0, low=0),
+    _row("JB", "setting", "W", "axes", "number", jog_deadband,
+         "Set the deadband of the joystick, volts either side of its offset.", "1JB0.2", default=0.1, low=0),
+    _row("JG", "setting", "W", "axes", "uu/s", jog_gain, "Set the velocity of jogging per volt.",
+         "1JG2000", default=1000),
+    _row("JO", "setting", "W", "axes", "number", jog_offset, "Set the voltage of the joystick at rest.",
+         "1JO2.5", default=0, low=-10, high=10),
+)  # fmt: skip

@@ -1,60 +1,283 @@
-"""Switching on, moving, stopping, homing, points and recording."""
+"""Switching axes on and off, moving and stopping them.
+
+No queue of single-axis moves exists: a move command replaces the target. With the trapezoidal profile that happens in
+motion, unless the axis must turn round: then the interpreter stalls until it has stopped (DCX-PCI firmware 1.0a). With
+the other profiles the interpreter stalls until the axis is at rest; one that runs on in velocity mode refuses the move.
+"""
 
 from __future__ import annotations
 
+from motionlang.controller.faults import Refusal
+from motionlang.lang.task import wait_idle
+from motionlang.mccl import codes
+from motionlang.mccl.axis import motor
+from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis.flags import MOTOR_ERROR
+from motionlang.mccl.axis.launch import aim, launch
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.modes_gearing import check_unslaved
 from motionlang.mccl.keywords.row import Group
 
-_G = Group("motion")
-_row = _G.row
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
+
+
+INFINITY = float("inf")
+
+
+def motor_on(task: CommandTask, command: Command) -> None:
+    """MN: the units that wait come into force, faults are forgotten, and the axes are on."""
+    controller = task.board.controller
+    for axis in task.axes(command):
+        axis.apply_units()
+        axis.forget_faults()
+        controller.set_scale(axis.number, axis.scale.counts, axis.scale.rate, axis.scale.zero)
+        controller.enable(axis.number)
+        motor.tune(task.board, axis)
+
+
+def motor_off(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        axis.running = False
+        task.board.release(axis)
+        task.board.controller.disable(axis.number)
+
+
+def move_to(task: CommandTask, command: Command) -> Wait | None:
+    value = float(task.value(command))
+    targets = [(axis, axis.position(value)) for axis in movable(task, command)]
+    return start_moves(task, command, targets)
+
+
+def move_by(task: CommandTask, command: Command) -> Wait | None:
+    """MR: move by n user units from the target, on a path from the end of what it has so far."""
+    value = float(task.value(command))
+    controller = task.board.controller
+    path = task.path_open
+    targets = []
+    for axis in movable(task, command):
+        target = path.end_of(axis) if path is not None else aim(controller, axis)
+        targets.append((axis, target + axis.distance(value)))
+    return start_moves(task, command, targets)
+
+
+def go_home(task: CommandTask, command: Command) -> Wait | None:
+    return start_moves(task, command, [(axis, axis.position(0.0)) for axis in movable(task, command)])
+
+
+def go(task: CommandTask, command: Command) -> None:
+    """Run in velocity mode; in contour mode let the paths that wait go."""
+    for axis in task.axes(command):
+        if axis.mode == VELOCITY:
+            _check_fit(task, axis)
+            run_in_velocity_mode(task, axis)
+        elif axis.mode == CONTOUR and axis.controlling == axis.number:
+            task.board.contour(axis).go()
+        elif command.axis:
+            raise Fault(
+                codes.INVALID,
+                f"GO needs axis {axis.number} in velocity mode; it is in {axis.mode} mode",
+                f"{axis.number}VM switches it; position moves start with MA or MR",
+            )
+
+
+def stop(task: CommandTask, command: Command) -> None:
+    """ST: come to rest; a contour stops as a whole, gears and joysticks let go."""
+    board = task.board
+    for axis in task.axes(command):
+        axis.running = False
+        board.joysticks.switch_off(axis)
+        contour = board.contour_of(axis)
+        if contour is not None:
+            contour.stop()
+        else:
+            board.controller.stop(axis.number)
+
+
+def abort(task: CommandTask, command: Command) -> None:
+    """AB: axes stand at once, or where the board has it so slow down at their DS."""
+    for axis in task.axes(command):
+        axis.running = False
+        task.board.release(axis)
+        if task.board.readings.get("mccl.abort-rate") == "DS":
+            task.board.controller.stop(axis.number)
+        else:
+            task.board.controller.abort(axis.number)
+
+
+def direction(task: CommandTask, command: Command) -> None:
+    sign = -1 if task.value(command) else 1
+    for axis in task.axes(command):
+        axis.direction = sign
+        if axis.mode == TORQUE:
+            motor.drive(task.board, axis)
+
+
+def define_home(task: CommandTask, command: Command) -> None:
+    value = float(task.value(command))
+    for axis in task.axes(command):
+        task.board.define_position(axis, axis.position(value) - axis.shift)
+
+
+def position_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, POSITION)
+
+
+def velocity_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, VELOCITY)
+
+
+def torque_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, TORQUE)
+
+
+def gain_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, GAIN)
+
+
+def reset(task: CommandTask, command: Command) -> None:
+    """RT: the axis, or with none the whole board, its outputs and every task."""
+    if command.axis:
+        task.board.reset_axis(task.axis(command))
+        return
+    board = task.board
+    board.reset()
+    for levels in (board.controller.outputs, board.controller.analogue_outputs):
+        levels.clear()
+    task.abandon()
+
+
+def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:
+    """Run at SV in the direction of DI until told otherwise."""
+    controller = task.board.controller
+    velocity = float(controller.setting(axis.number, "speed") or 0.0)
+    controller.jog(axis.number, axis.direction * velocity, task.word, task.source_line)
+    axis.running = True
+
+
+def _mode(task: CommandTask, command: Command, mode: str) -> None:
+    for axis in task.axes(command):
+        task.board.leave_contour(axis)
+        before, axis.mode = axis.mode, mode
+        motor.changed_mode(task.board, axis, before)
+
+
+def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
+    """The axis that the command names, or all that are on."""
+    axes = task.axes(command)
+    if command.axis:
+        return axes
+    return tuple(axis for axis in axes if task.board.controller.is_enabled(axis.number)) or axes
+
+
+def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
+    """Start moves to targets, counts; an axis that must turn back rests first. Fault unless in PM."""
+    path = task.path_open
+    if path is not None:
+        path.move(task, targets)
+        return None
+    for axis, _ in targets:
+        _check_fit(task, axis)
+        if axis.mode != POSITION:
+            raise Fault(
+                codes.INVALID,
+                f"{command.name} needs axis {axis.number} in position mode; it is in {axis.mode} mode",
+                f"{axis.number}PM switches it back",
+            )
+    stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target)]
+    _check_rest(task, command, stalled)
+    if not stalled:
+        _start(task, command, targets)
+        return None
+    at_once = [pair for pair in targets if pair[0].number not in stalled]
+    later = [pair for pair in targets if pair[0].number in stalled]
+    _start(task, command, at_once)
+    now = task.board.controller.clock.now
+    task.then = lambda _: _start(task, command, later)
+    return wait_idle(task.board.controller, now, stalled)
+
+
+def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> None:
+    for axis, target in targets:
+        axis.running = False
+        launch(task.board, axis, target, command.name, task.source_line)
+
+
+def _check_fit(task: CommandTask, axis: AxisState) -> None:
+    """Refusal or Fault when the axis cannot take a motion command now."""
+    number = axis.number
+    if axis.flags & MOTOR_ERROR:
+        raise Refusal("disabled-axis", f"axis {number} has tripped and takes no motion command")
+    check_unslaved(task, axis)
+    if axis.jogging:
+        raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
+
+
+def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None:
+    """Fault where the rest that a move waits for never comes, as its axis runs on in velocity mode."""
+    for number in stalled:
+        if task.board.controller.idle_time(number) == INFINITY:
+            words = f"{command.name} needs axis {number} at rest with its profile, and it runs on in velocity mode"
+            raise Fault(
+                codes.INVALID, words, f"{number}ST stops it; with {number}PT it may be running", "moving"
+            )
+
+
+def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
+    """Whether the axis has to come to rest before it can take the target; a reversal is braked for at once."""
+    controller = task.board.controller
+    number = axis.number
+    if controller.is_idle(number) or not controller.is_enabled(number):
+        return False
+    if controller.setting(number, "shape") != "trapezoid":
+        return True
+    velocity = controller.demand_velocity(number)
+    decel = float(controller.setting(number, "decel") or 0.0)
+    if decel <= 0.0 or velocity == 0.0:
+        return False
+    rest = controller.demand(number) + velocity * abs(velocity) / (2.0 * decel)
+    if (target - rest) * velocity >= 0.0 or abs(target - rest) <= 1e-6:
+        return False
+    controller.stop(number)
+    return True
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("motion").row
+_modes_row = Group("modes").row
+
 
 ROWS = (
-    _row("MN", "command", "C", "axes", "", "motor_on",
+    _row("MN", "command", "C", "axes", "", motor_on,
          "Motor on: target, optimal and actual position become one, faults are forgotten, user units take effect.",
          "1MN", meant="ON ENABLE"),
-    _row("MF", "command", "C", "axes", "", "motor_off", "Motor off: motion ends, the output is 0 V.",
+    _row("MF", "command", "C", "axes", "", motor_off, "Motor off: motion ends, the output is 0 V.",
          "1MF", meant="OFF DISABLE"),
-    _row("MA", "move", "W", "axes", "uu", "move_to", "Move to a position.", "1MN,1MA1000", meant="MOVE MOVEA"),
-    _row("MR", "move", "W", "axes", "uu", "move_by", "Move by a distance, counted from the present target.",
+    _row("MA", "move", "W", "axes", "uu", move_to, "Move to a position.", "1MN,1MA1000", meant="MOVE MOVEA"),
+    _row("MR", "move", "W", "axes", "uu", move_by, "Move by a distance, counted from the present target.",
          "1MN,1MR-500", meant="MOVE MOVER"),
-    _row("GH", "move", "C", "axes", "", "go_home", "Go home: move to position 0.", "1MN,1GH", meant="HOME"),
-    _row("GO", "move", "W", "axes", "number", "go",
+    _row("GH", "move", "C", "axes", "", go_home, "Go home: move to position 0.", "1MN,1GH", meant="HOME"),
+    _row("GO", "move", "W", "axes", "number", go,
          "Start: run in velocity mode, or release the contour paths that wait.", "1MN,1VM,1GO,WA0.1,1ST"),
-    _row("DI", "setting", "W", "axes", "bool", "direction", "Direction of velocity mode: 0 positive, 1 negative.",
+    _row("DI", "setting", "W", "axes", "bool", direction, "Direction of velocity mode: 0 positive, 1 negative.",
          "1DI1", default=0, low=0, high=1),
-    _row("ST", "command", "C", "axes", "", "stop", "Stop at the programmed deceleration.", "1ST", meant="STOP"),
-    _row("AB", "command", "C", "axes", "", "abort", "Abort: stop at once, the motor stays on.", "1AB", meant="ABORT"),
-    _row("DH", "command", "W", "axes", "uu", "define_home", "Define home: the present position becomes this one.",
+    _row("ST", "command", "C", "axes", "", stop, "Stop at the programmed deceleration.", "1ST", meant="STOP"),
+    _row("AB", "command", "C", "axes", "", abort, "Abort: stop at once, the motor stays on.", "1AB", meant="ABORT"),
+    _row("DH", "command", "W", "axes", "uu", define_home, "Define home: the present position becomes this one.",
          "1DH0"),
-    _row("AH", "command", "W", "axes", "uu", "define_auxiliary",
-         "Give the present position of the auxiliary encoder a new value.", "1AH100,1AT"),
-    _row("FI", "command", "W", "axis", "uu", "find_index",
-         "Find the index mark: while the axis runs, wait for the mark; there the position becomes this one. "
-         "The machine file says where marks are (index_every).",
-         "1MN,1VM,1GO,1FI0,1ST", meant="HOME"),
-    _row("FE", "command", "W", "axis", "uu", "find_edge",
-         "Find the edge of the coarse home switch: while the axis runs, wait for it; there the position becomes "
-         "this one. The machine file says where the switch is (home_switch).", "1MN,1VM,1GO,1FE0,1ST", meant="HOME"),
-    _row("IA", "command", "W", "axis", "uu", "arm_index",
-         "Arm the index capture; complete it with WI, when the position at the mark becomes this one.", "1IA0"),
-    _row("EL", "command", "W", "axis", "uu", "arm_edge",
-         "Arm the capture of the home edge; complete it with WE, when the position at the edge becomes this one.",
-         "1EL0"),
-    _row("AF", "command", "W", "axis", "uu", "find_auxiliary_index",
-         "Find the index of the auxiliary encoder: wait for its mark; there its position becomes this one. The machine "
-         "file turns it and says where marks are ([[encoder]]).", "1AF0,1AT"),
-    _row("LP", "command", "W", "axes", "number", "learn_position", "Learn the actual position as point n.",
-         "1LP1", low=0, high=255),
-    _row("LT", "command", "W", "axes", "number", "learn_target", "Learn the target as point n.",
-         "1LT1", low=0, high=255),
-    _row("MP", "move", "W", "axes", "number", "move_to_point", "Move to the learned point n.",
-         "1MN,1LP1,1MR500,1WS,1MP1", low=0, high=255),
-    _row("RT", "command", "C", "axes", "", "reset", "Reset the axis, or without an axis the whole controller.",
+    _row("RT", "command", "C", "axes", "", reset, "Reset the axis, or without an axis the whole controller.",
          "1RT", meant="RESET"),
-    _row("PR", "command", "W", "axes", "number", "record",
-         "Record n points of the motion, one every millisecond, read out with DO, DR and DQ.", "1PR100",
-         low=0, high=10000),
-    _row("IP", "command", "W", "axes", "uu", "break_at", "Set a breakpoint at a position: status bit 10 shows it.",
-         "1IP500"),
-    _row("IR", "command", "W", "axes", "uu", "break_after",
-         "Set a breakpoint at a distance from the present position.", "1IR500"),
+    _modes_row("PM", "command", "C", "axes", "", position_mode, "Position mode: moves to targets.", "1PM"),
+    _modes_row("VM", "command", "C", "axes", "", velocity_mode, "Velocity mode: GO runs at SV in the direction of DI.",
+               "1VM"),
+    _modes_row("QM", "command", "C", "axes", "", torque_mode,
+               "Torque mode: SQ sets the output directly; shows in the status, moves nothing without a "
+               "simulated motor.", "1QM"),
+    _modes_row("GM", "command", "C", "axes", "", gain_mode,
+               "Gain mode: proportional gain only; shows in the status.", "1GM"),
 )  # fmt: skip

@@ -10,12 +10,13 @@ from math import floor
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.lang.task import Wait
 from motionlang.mccl.axis.axis import nearest_whole
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
 # A mark nearer than this, in counts, is the one the encoder stands on: the next one counts.
@@ -90,9 +91,20 @@ def _crossing(task: CommandTask, axis: AxisState, position: float) -> float:
     return INFINITY if found is None else start + found
 
 
-ACTIONS: dict[str, Action] = {
-    "define_auxiliary": define_auxiliary,
-    "tell_auxiliary": tell_auxiliary,
-    "tell_auxiliary_index": tell_auxiliary_index,
-    "find_auxiliary_index": find_auxiliary_index,
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("motion").row
+_reports_row = Group("reports").row
+
+
+ROWS = (
+    _row("AH", "command", "W", "axes", "uu", define_auxiliary,
+         "Give the present position of the auxiliary encoder a new value.", "1AH100,1AT"),
+    _row("AF", "command", "W", "axis", "uu", find_auxiliary_index,
+         "Find the index of the auxiliary encoder: wait for its mark; there its position becomes this one. The machine "
+         "file turns it and says where marks are ([[encoder]]).", "1AF0,1AT"),
+    _reports_row("AT", "reading", "R", "axes", "uu", tell_auxiliary,
+                 "Tell the position of the auxiliary encoder, which the machine file turns.", "1AT"),
+    _reports_row("AZ", "reading", "R", "axes", "uu", tell_auxiliary_index,
+                 "Tell the position of the auxiliary encoder at its index, as AF found it.", "1AZ"),
+)  # fmt: skip

@@ -5,13 +5,14 @@ from __future__ import annotations
 from motionlang.lang.task import Wait
 from motionlang.mccl.axis.inputs import is_active
 from motionlang.mccl.keywords.flow_waits import passing_flag
+from motionlang.mccl.keywords.row import Group
 from motionlang.mccl.motion.edge_search import Seek
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
 
@@ -95,11 +96,28 @@ def _until_caught(task: CommandTask, axis: AxisState, seek: Seek) -> Wait:
     return passing_flag(task.board, lambda: seek.done, f"for {what} of axis {axis.number}")
 
 
-ACTIONS: dict[str, Action] = {
-    "find_index": find_index,
-    "find_edge": find_edge,
-    "arm_index": arm_index,
-    "arm_edge": arm_edge,
-    "wait_index": wait_index,
-    "wait_edge": wait_edge,
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("motion").row
+_flow_row = Group("flow").row
+
+
+ROWS = (
+    _row("FI", "command", "W", "axis", "uu", find_index,
+         "Find the index mark: while the axis runs, wait for the mark; there the position becomes this one. "
+         "The machine file says where marks are (index_every).",
+         "1MN,1VM,1GO,1FI0,1ST", meant="HOME"),
+    _row("FE", "command", "W", "axis", "uu", find_edge,
+         "Find the edge of the coarse home switch: while the axis runs, wait for it; there the position becomes "
+         "this one. The machine file says where the switch is (home_switch).", "1MN,1VM,1GO,1FE0,1ST", meant="HOME"),
+    _row("IA", "command", "W", "axis", "uu", arm_index,
+         "Arm the index capture; complete it with WI, when the position at the mark becomes this one.", "1IA0"),
+    _row("EL", "command", "W", "axis", "uu", arm_edge,
+         "Arm the capture of the home edge; complete it with WE, when the position at the edge becomes this one.",
+         "1EL0"),
+    _flow_row("WE", "statement", "W", "axis", "bool", wait_edge,
+              "Wait for the coarse home switch: 0 on, 1 off; completes EL.", "1WE1", low=0, high=1),
+    _flow_row("WI", "statement", "C", "axis", "", wait_index, "Wait for the index mark; completes IA. "
+              "The machine file says where marks are (index_every).",
+              "1MN,1MR5000,1IA,1WI"),
+)  # fmt: skip

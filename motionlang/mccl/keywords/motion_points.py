@@ -5,13 +5,14 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.motion_operations import movable, start_moves
+from motionlang.mccl.keywords.motion import movable, start_moves
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.task import Wait
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def learn_position(task: CommandTask, command: Command) -> None:
@@ -40,8 +41,16 @@ def move_to_point(task: CommandTask, command: Command) -> Wait | None:
     return start_moves(task, command, targets)
 
 
-ACTIONS: dict[str, Action] = {
-    "learn_position": learn_position,
-    "learn_target": learn_target,
-    "move_to_point": move_to_point,
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("motion").row
+
+
+ROWS = (
+    _row("LP", "command", "W", "axes", "number", learn_position, "Learn the actual position as point n.",
+         "1LP1", low=0, high=255),
+    _row("LT", "command", "W", "axes", "number", learn_target, "Learn the target as point n.",
+         "1LT1", low=0, high=255),
+    _row("MP", "move", "W", "axes", "number", move_to_point, "Move to the learned point n.",
+         "1MN,1LP1,1MR500,1WS,1MP1", low=0, high=255),
+)  # fmt: skip

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -68,9 +70,23 @@ def _torque(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]
     return [real(volts) for volts in task.board.controller.recall(axis.number, "output", times)]
 
 
-ACTIONS: dict[str, Action] = {
-    "record": record,
-    "tell_recorded_optimal": _tell(_optimal),
-    "tell_recorded_actual": _tell(_actual),
-    "tell_recorded_torque": _tell(_torque),
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("motion").row
+_reports_row = Group("reports").row
+
+
+ROWS = (
+    _row("PR", "command", "W", "axes", "number", record,
+         "Record n points of the motion, one every millisecond, read out with DO, DR and DQ.", "1PR100",
+         low=0, high=10000),
+    _reports_row("DO", "reading", "R", "axes", "uu", Actions("tell_recorded_optimal", do=_tell(_optimal)),
+                 "Tell n recorded optimal positions, one a line; 0 tells all of them.",
+                 "1MN,1PR5,1MR50,1WS,1DO0", low=0),
+    _reports_row("DR", "reading", "R", "axes", "uu", Actions("tell_recorded_actual", do=_tell(_actual)),
+                 "Tell n recorded actual positions, one a line; 0 tells all of them.",
+                 "1MN,1PR5,1MR50,1WS,1DR0", low=0),
+    _reports_row("DQ", "reading", "R", "axes", "number", Actions("tell_recorded_torque", do=_tell(_torque)),
+                 "Tell n recorded outputs in volts, one a line; 0 V without a simulated motor.",
+                 "1MN,1PR5,1MR50,1WS,1DQ0", low=0),
+)  # fmt: skip

@@ -1,67 +1,146 @@
-"""Registers, the accumulator (register 0) and the controller's variables."""
+"""The accumulator (register 0) and the registers: whole numbers of 32 bits that wrap, or real numbers."""
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import Group
+from motionlang.lang.keyword import Actions
+from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import real
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group, pure
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+    Operation = Callable[[float | int, float | int], float | int]
+
+LARGEST = 1e300
+
+
+@pure
+def load(task: CommandTask, command: Command) -> None:
+    task.registers[0] = wrapped(task.value(command))
+
+
+# It counts its own effect: only a register that changes is one.
+@pure
+def store(task: CommandTask, command: Command) -> None:
+    task.set_register(task.whole(command), task.registers[0])
+
+
+@pure
+def recall(task: CommandTask, command: Command) -> None:
+    task.registers[0] = task.register(task.whole(command))
+
+
+@pure
+def complement(task: CommandTask, command: Command) -> None:
+    task.registers[0] = wrapped(~_bits(task.registers[0]))
+
+
+def tell_register(task: CommandTask, command: Command) -> None:
+    value = task.register(task.whole(command))
+    task.reply(task.board.whole(value) if isinstance(value, int) else real(value))
+
+
+def wrapped(value: float | int) -> float | int:
+    """A whole number in 32 bits, two's complement; a real number as it is."""
+    if isinstance(value, int):
+        return value if -0x80000000 <= value <= 0x7FFFFFFF else (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
+    if not abs(value) <= LARGEST:
+        raise Fault(codes.PARAMETER, "the result is too large for a register", kind="overflow")
+    return value
+
+
+def _with(operation: Operation) -> Action:
+    @pure
+    def apply(task: CommandTask, command: Command) -> None:
+        task.registers[0] = limited(task, operation(task.registers[0], task.value(command)))
+
+    return apply
+
+
+def limited(task: CommandTask, value: float | int) -> float | int:
+    """A result in 32 bits, as this board has it: wrapped round, or the last number that fits."""
+    if task.board.readings.get("mccl.overflow") == "stays" and isinstance(value, int):
+        return max(-0x80000000, min(value, 0x7FFFFFFF))
+    return wrapped(value)
+
+
+@pure
+def divide(task: CommandTask, command: Command) -> None:
+    value = task.registers[0]
+    if task.board.readings.get("mccl.quotient") == "real":
+        value = float(value)
+    task.registers[0] = wrapped(_quotient(value, task.value(command)))
+
+
+@pure
+def shift_right(task: CommandTask, command: Command) -> None:
+    bits = _bits(task.registers[0])
+    if task.board.readings.get("mccl.shift-right") == "zeros":
+        bits &= 0xFFFFFFFF
+    task.registers[0] = wrapped(bits >> int(task.value(command)))
+
+
+def _quotient(value: float | int, divisor: float | int) -> float | int:
+    if divisor == 0:
+        raise Fault(
+            codes.PARAMETER, "division by zero", "test the divisor before dividing", "division-by-zero"
+        )
+    if isinstance(value, int) and isinstance(divisor, int):
+        whole = abs(value) // abs(divisor)
+        return whole if (value < 0) == (divisor < 0) else -whole
+    return value / divisor
+
+
+def _bits(value: float | int) -> int:
+    """The 32 bits of a number; a real one loses its fraction first."""
+    return int(value)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
 
 _G = Group("registers")
 _row, _known = _G.row, _G.known
+_reports_row = Group("reports").row
 
 
 ROWS = (
-    _row("AL", "command", "W", "none", "number", "load", "Load the accumulator.", "AL5,TR0"),
-    _row("AR", "command", "W", "none", "number", "store", "Copy the accumulator to register n.", "AL5,AR10,TR10",
+    _row("AL", "command", "W", "none", "number", load, "Load the accumulator.", "AL5,TR0"),
+    _row("AR", "command", "W", "none", "number", store, "Copy the accumulator to register n.", "AL5,AR10,TR10",
          low=0, high=255),
-    _row("RA", "command", "W", "none", "number", "recall", "Copy register n to the accumulator.", "RA10,TR0",
+    _row("RA", "command", "W", "none", "number", recall, "Copy register n to the accumulator.", "RA10,TR0",
          low=0, high=255),
-    _row("AA", "command", "W", "none", "number", "add", "Add to the accumulator.", "AL5,AA3,TR0"),
-    _row("AS", "command", "W", "none", "number", "subtract", "Subtract from the accumulator.", "AL5,AS3,TR0"),
-    _row("AM", "command", "W", "none", "number", "multiply", "Multiply the accumulator.", "AL246,AM2,TR0"),
-    _row("AD", "command", "W", "none", "number", "divide",
+    _row("AA", "command", "W", "none", "number", Actions("add", do=_with(lambda a, b: a + b)),
+         "Add to the accumulator.", "AL5,AA3,TR0"),
+    _row("AS", "command", "W", "none", "number", Actions("subtract", do=_with(lambda a, b: a - b)),
+         "Subtract from the accumulator.", "AL5,AS3,TR0"),
+    _row("AM", "command", "W", "none", "number", Actions("multiply", do=_with(lambda a, b: a * b)),
+         "Multiply the accumulator.", "AL246,AM2,TR0"),
+    _row("AD", "command", "W", "none", "number", divide,
          "Divide the accumulator; whole numbers give a whole number.",
          "AL7,AD2,TR0"),
-    _row("AN", "command", "W", "none", "bits", "bit_and", "Bitwise and with the accumulator.", "AL12,AN10,TR0"),
-    _row("AO", "command", "W", "none", "bits", "bit_or", "Bitwise or with the accumulator.", "AL12,AO10,TR0"),
-    _row("AX", "command", "W", "none", "bits", "bit_xor", "Bitwise exclusive or with the accumulator.",
+    _row("AN", "command", "W", "none", "bits", Actions("bit_and", do=_with(lambda a, b: _bits(a) & _bits(b))),
+         "Bitwise and with the accumulator.", "AL12,AN10,TR0"),
+    _row("AO", "command", "W", "none", "bits", Actions("bit_or", do=_with(lambda a, b: _bits(a) | _bits(b))),
+         "Bitwise or with the accumulator.", "AL12,AO10,TR0"),
+    _row("AX", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: _bits(a) ^ _bits(b))),
+         "Bitwise exclusive or with the accumulator.",
          "AL12,AX10,TR0"),
-    _row("AE", "command", "W", "none", "bits", "bit_xor",
+    _row("AE", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: _bits(a) ^ _bits(b))),
          "The same as AX; which of the two names is right is not known.", "AL12,AE10,TR0"),
-    _row("AC", "command", "C", "none", "bits", "bit_not", "Complement the accumulator.", "AL5,AC,TR0"),
-    _row("SL", "command", "W", "none", "number", "shift_left", "Shift the accumulator left by n bits.", "AL1,SL4,TR0",
+    _row("AC", "command", "C", "none", "bits", Actions("bit_not", do=complement),
+         "Complement the accumulator.", "AL5,AC,TR0"),
+    _row("SL", "command", "W", "none", "number", Actions("shift_left", do=_with(lambda a, b: _bits(a) << int(b))),
+         "Shift the accumulator left by n bits.", "AL1,SL4,TR0",
          low=0, high=31),
-    _row("SR", "command", "W", "none", "number", "shift_right",
+    _row("SR", "command", "W", "none", "number", shift_right,
          "Shift the accumulator right by n bits; the sign bit stays.", "AL16,SR4,TR0", low=0, high=31),
-    _row("AV", "command", "W", "none", "number", "evaluate",
-         "Evaluate a function of the accumulator: 0 change of sign, 1 absolute value, 2 sine, 3 cosine, 4 tangent, "
-         "5 arc sine, 6 arc cosine, 7 arc tangent (all in degrees), 8 square root, 9 power of e, 10 natural "
-         "logarithm, 11 whole part, 12 as a real number. The numbers are ours.", "AL30,AV2,TR0", low=0, high=12),
-    _row("LU", "command", "W", "none", "text", "look_up",
-         "Look a variable of the controller up by name; its address comes into the accumulator.",
-         'LU"STATUS",1RL@0,TR0'),
-    _row("RB", "reading", "W", "axis", "number", "read_byte", "Read the low byte of a variable into the accumulator.",
-         'LU"STATUS",1RB@0'),
-    _row("RW", "reading", "W", "axis", "number", "read_word", "Read the low word of a variable into the accumulator.",
-         'LU"STATUS",1RW@0'),
-    _row("RL", "reading", "W", "axis", "number", "read_long",
-         "Read a variable as a whole number into the accumulator.",
-         'LU"STATUS",1RL@0', solved=True),
-    _row("RV", "reading", "W", "axis", "number", "read_float",
-         "Read a variable as a real number into the accumulator.",
-         'LU"POSITION",1RV@0', solved=True),
-    _row("RD", "reading", "W", "axis", "number", "read_double",
-         "Read a variable as a double into the accumulator.", 'LU"POSITION",1RD@0', solved=True),
-    _row("WB", "command", "W", "axis", "number", "write_byte",
-         "Write the low byte of the accumulator into that of a variable.",
-         'LU"DEADBAND",AR10,AL5,1WB@10'),
-    _row("WW", "command", "W", "axis", "number", "write_word",
-         "Write the low word of the accumulator into that of a variable.", 'LU"SPEED",AR10,AL5000,1WW@10'),
-    _row("WL", "command", "W", "axis", "number", "write_long", "Write the accumulator as a whole number to a variable.",
-         'LU"SPEED",AR10,AL5000,1WL@10,1RL@10,TR0'),
-    _row("WV", "command", "W", "axis", "number", "write_float", "Write the accumulator as a real number to a variable.",
-         'LU"ACCEL",AR10,AL5000,1WV@10'),
-    _row("WD", "command", "W", "axis", "number", "write_double", "Write the accumulator as a double to a variable.",
-         'LU"ACCEL",AR10,AL5000,1WD@10'),
     _known("GU", "command", "axis", "Get a user register; only the name is known."),
-    _row("GX", "command", "C", "axis", "bits", "get_auxiliary", "Get the auxiliary status word into the accumulator.",
-         "1GX,TR0"),
+    _reports_row("TR", "reading", "R", "none", "number", tell_register, "Tell a register; 0 is the accumulator.",
+                 "AL5,TR0", low=0, high=255, meant="PRINT"),
 )  # fmt: skip

@@ -9,14 +9,15 @@ import math
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.registers_operations import wrapped
+from motionlang.mccl.keywords.registers import wrapped
+from motionlang.mccl.keywords.row import Group, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
     Function = Callable[[float], float | int]
 
@@ -50,6 +51,7 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 )
 
 
+@pure
 def evaluate(task: CommandTask, command: Command) -> None:
     """Replace the accumulator by function n of it. Fault where the function has no value."""
     name, function = FUNCTIONS[task.whole(command)]
@@ -66,5 +68,14 @@ def evaluate(task: CommandTask, command: Command) -> None:
         raise Fault(codes.PARAMETER, f"there is no {name} of {value:g}", kind="range") from None
 
 
-ACTIONS: dict[str, Action] = {"evaluate": evaluate}
-PURE = frozenset(ACTIONS)
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("registers").row
+
+
+ROWS = (
+    _row("AV", "command", "W", "none", "number", evaluate,
+         "Evaluate a function of the accumulator: 0 change of sign, 1 absolute value, 2 sine, 3 cosine, 4 tangent, "
+         "5 arc sine, 6 arc cosine, 7 arc tangent (all in degrees), 8 square root, 9 power of e, 10 natural "
+         "logarithm, 11 whole part, 12 as a real number. The numbers are ours.", "AL30,AV2,TR0", low=0, high=12),
+)  # fmt: skip

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.status import word
 from motionlang.mccl.axis.variables import NAMES, read, write
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.registers_operations import wrapped
+from motionlang.mccl.keywords.registers import wrapped
+from motionlang.mccl.keywords.row import Group, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 
+@pure
 def look_up(task: CommandTask, command: Command) -> None:
     """LU: the address of a variable into the accumulator. Fault for an unknown name."""
     name = str(command.value).upper()
@@ -29,39 +32,48 @@ def look_up(task: CommandTask, command: Command) -> None:
     task.registers[0] = address
 
 
+@pure
 def read_byte(task: CommandTask, command: Command) -> None:
     task.registers[0] = int(_value(task, command)) & 0xFF
 
 
+@pure
 def read_word(task: CommandTask, command: Command) -> None:
     low = int(_value(task, command)) & 0xFFFF
     task.registers[0] = low - 0x10000 if low & 0x8000 else low
 
 
+@pure
 def read_long(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(int(_value(task, command)))
 
 
+@pure
 def read_real(task: CommandTask, command: Command) -> None:
     task.registers[0] = float(_value(task, command))
 
 
+@pure
 def write_byte(task: CommandTask, command: Command) -> None:
     _write_low(task, command, 0xFF)
 
 
+@pure
 def write_word(task: CommandTask, command: Command) -> None:
     _write_low(task, command, 0xFFFF)
 
 
+@pure
 def write_long(task: CommandTask, command: Command) -> None:
     _write(task, command, int(task.registers[0]))
 
 
+@pure
 def write_real(task: CommandTask, command: Command) -> None:
     _write(task, command, float(task.registers[0]))
 
 
+@pure
 def get_auxiliary(task: CommandTask, command: Command) -> None:
     value, until = word(task.board, task.axis(command), 1)
     task.poll.attention.note(float, until)
@@ -87,18 +99,40 @@ def _value(task: CommandTask, command: Command) -> float | int:
     return value
 
 
-ACTIONS: dict[str, Action] = {
-    "look_up": look_up,
-    "read_byte": read_byte,
-    "read_word": read_word,
-    "read_long": read_long,
-    "read_float": read_real,
-    "read_double": read_real,
-    "write_byte": write_byte,
-    "write_word": write_word,
-    "write_long": write_long,
-    "write_float": write_real,
-    "write_double": write_real,
-    "get_auxiliary": get_auxiliary,
-}
-PURE = frozenset(ACTIONS)
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("registers").row
+
+
+ROWS = (
+    _row("LU", "command", "W", "none", "text", look_up,
+         "Look a variable of the controller up by name; its address comes into the accumulator.",
+         'LU"STATUS",1RL@0,TR0'),
+    _row("RB", "reading", "W", "axis", "number", read_byte, "Read the low byte of a variable into the accumulator.",
+         'LU"STATUS",1RB@0'),
+    _row("RW", "reading", "W", "axis", "number", read_word, "Read the low word of a variable into the accumulator.",
+         'LU"STATUS",1RW@0'),
+    _row("RL", "reading", "W", "axis", "number", read_long,
+         "Read a variable as a whole number into the accumulator.",
+         'LU"STATUS",1RL@0', solved=True),
+    _row("RV", "reading", "W", "axis", "number", Actions("read_float", do=read_real),
+         "Read a variable as a real number into the accumulator.",
+         'LU"POSITION",1RV@0', solved=True),
+    _row("RD", "reading", "W", "axis", "number", Actions("read_double", do=read_real),
+         "Read a variable as a double into the accumulator.", 'LU"POSITION",1RD@0', solved=True),
+    _row("WB", "command", "W", "axis", "number", write_byte,
+         "Write the low byte of the accumulator into that of a variable.",
+         'LU"DEADBAND",AR10,AL5,1WB@10'),
+    _row("WW", "command", "W", "axis", "number", write_word,
+         "Write the low word of the accumulator into that of a variable.", 'LU"SPEED",AR10,AL5000,1WW@10'),
+    _row("WL", "command", "W", "axis", "number", write_long, "Write the accumulator as a whole number to a variable.",
+         'LU"SPEED",AR10,AL5000,1WL@10,1RL@10,TR0'),
+    _row("WV", "command", "W", "axis", "number", Actions("write_float", do=write_real),
+         "Write the accumulator as a real number to a variable.",
+         'LU"ACCEL",AR10,AL5000,1WV@10'),
+    _row("WD", "command", "W", "axis", "number", Actions("write_double", do=write_real),
+         "Write the accumulator as a double to a variable.",
+         'LU"ACCEL",AR10,AL5000,1WD@10'),
+    _row("GX", "command", "C", "axis", "bits", get_auxiliary, "Get the auxiliary status word into the accumulator.",
+         "1GX,TR0"),
+)  # fmt: skip

@@ -1,51 +1,137 @@
-"""What the controller tells."""
+"""What the controller tells: a line an axis, `01 1234`."""
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Actions
+from motionlang.mccl.axis.axis import real
+from motionlang.mccl.axis.launch import aim
+from motionlang.mccl.axis.status import word
 from motionlang.mccl.keywords.row import Group
 
-_G = Group("reports")
-_row = _G.row
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+    Reading = Callable[[CommandTask, AxisState], str]
+
+
+def _each(reading: Reading) -> Action:
+    """An action that tells one reading of each axis the command speaks to."""
+
+    def tell(task: CommandTask, command: Command) -> None:
+        for axis in task.axes(command):
+            task.tell(axis.number, reading(task, axis))
+
+    return tell
+
+
+def _position(task: CommandTask, axis: AxisState) -> str:
+    return axis.say(task.board.controller.position(axis.number) + axis.shift)
+
+
+def _target(task: CommandTask, axis: AxisState) -> str:
+    return axis.say(aim(task.board.controller, axis))
+
+
+def _optimal(task: CommandTask, axis: AxisState) -> str:
+    return axis.say(task.board.controller.demand(axis.number) + axis.shift)
+
+
+def _following(task: CommandTask, axis: AxisState) -> str:
+    return axis.say(task.board.controller.following_error(axis.number), "uu")
+
+
+def _velocity(task: CommandTask, axis: AxisState) -> str:
+    return axis.say(task.board.controller.velocity(axis.number), "uu/s")
+
+
+def _breakpoint(task: CommandTask, axis: AxisState) -> str:
+    if axis.breakpoint is None:
+        return "NONE" if task.board.readings.get("mccl.no-breakpoint") == "NONE" else axis.say(0.0)
+    return axis.say(axis.breakpoint)
+
+
+def _index(task: CommandTask, axis: AxisState) -> str:
+    return axis.say(axis.index_position)
+
+
+def _kept(name: str) -> Reading:
+    def reading(task: CommandTask, axis: AxisState) -> str:
+        value = axis.kept.get(name, KEPT_DEFAULTS.get(name, 0.0))
+        return str(int(value)) if axis.model.whole_gains else real(value)
+
+    return reading
+
+
+# What a setting of the servo loop is at power-up, where it is not 0.
+KEPT_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
+
+
+def tell_status(task: CommandTask, command: Command) -> None:
+    """TS: a status word of each axis, by its number."""
+    which = task.whole(command)
+    for axis in task.axes(command):
+        value, _ = word(task.board, axis, which)
+        task.tell(axis.number, task.board.whole(value))
+
+
+def tell_error(task: CommandTask, command: Command) -> None:
+    task.reply(str(task.board.last_error))
+    if task.board.readings.get("mccl.error-told") == "cleared":
+        task.board.last_error = 0
+
+
+def tell_segment(task: CommandTask, command: Command) -> None:
+    axis = task.axis(command)
+    task.tell(axis.number, str(axis.segments))
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("reports").row
+_contour_row = Group("contour").row
+
 
 ROWS = (
-    _row("TP", "reading", "R", "axes", "uu", "tell_position", "Tell the actual position.", "1TP", meant="POS PRINT"),
-    _row("TT", "reading", "R", "axes", "uu", "tell_target", "Tell the target.", "1TT"),
-    _row("TO", "reading", "R", "axes", "uu", "tell_optimal", "Tell the optimal position, that of the trajectory.",
+    _row("TP", "reading", "R", "axes", "uu", Actions("tell_position", do=_each(_position)),
+         "Tell the actual position.", "1TP", meant="POS PRINT"),
+    _row("TT", "reading", "R", "axes", "uu", Actions("tell_target", do=_each(_target)), "Tell the target.", "1TT"),
+    _row("TO", "reading", "R", "axes", "uu", Actions("tell_optimal", do=_each(_optimal)),
+         "Tell the optimal position, that of the trajectory.",
          "1TO"),
-    _row("TF", "reading", "R", "axes", "uu", "tell_following", "Tell the following error, optimal minus actual.",
+    _row("TF", "reading", "R", "axes", "uu", Actions("tell_following", do=_each(_following)),
+         "Tell the following error, optimal minus actual.",
          "1TF"),
-    _row("TV", "reading", "R", "axes", "uu/s", "tell_velocity", "Tell the actual velocity.", "1TV"),
-    _row("TS", "reading", "R", "axes", "bits", "tell_status",
+    _row("TV", "reading", "R", "axes", "uu/s", Actions("tell_velocity", do=_each(_velocity)),
+         "Tell the actual velocity.", "1TV"),
+    _row("TS", "reading", "R", "axes", "bits", tell_status,
          "Tell a status word: 0 status, 1 auxiliary, 2 profile, 3 mode.", "1TS", low=0, high=3, meant="STATUS"),
-    _row("TE", "reading", "R", "none", "number", "tell_error", "Tell the last error of the interpreter.", "TE"),
-    _row("TG", "reading", "R", "axes", "number", "tell_gain", "Tell the proportional gain.", "1TG"),
-    _row("TI", "reading", "R", "axes", "number", "tell_integral", "Tell the integral gain.", "1TI"),
-    _row("TD", "reading", "R", "axes", "number", "tell_derivative", "Tell the derivative gain.", "1TD"),
-    _row("TL", "reading", "R", "axes", "number", "tell_integral_limit", "Tell the limit of the integral term.",
+    _row("TE", "reading", "R", "none", "number", tell_error, "Tell the last error of the interpreter.", "TE"),
+    _row("TG", "reading", "R", "axes", "number", Actions("tell_gain", do=_each(_kept("kept_gain"))),
+         "Tell the proportional gain.", "1TG"),
+    _row("TI", "reading", "R", "axes", "number", Actions("tell_integral", do=_each(_kept("kept_integral"))),
+         "Tell the integral gain.", "1TI"),
+    _row("TD", "reading", "R", "axes", "number", Actions("tell_derivative", do=_each(_kept("kept_derivative"))),
+         "Tell the derivative gain.", "1TD"),
+    _row("TL", "reading", "R", "axes", "number",
+         Actions("tell_integral_limit", do=_each(_kept("kept_integral_limit"))),
+         "Tell the limit of the integral term.",
          "1TL"),
-    _row("TK", "reading", "R", "axes", "number", "tell_velocity_gain", "Tell the velocity gain.", "1TK"),
-    _row("TQ", "reading", "R", "axes", "number", "tell_torque", "Tell the torque limit.", "1TQ"),
-    _row("TB", "reading", "R", "axes", "uu", "tell_breakpoint", "Tell the position of the breakpoint.", "1TB"),
-    _row("TZ", "reading", "R", "axes", "uu", "tell_index", "Tell the position at which the index was last seen.",
+    _row("TK", "reading", "R", "axes", "number", Actions("tell_velocity_gain", do=_each(_kept("kept_velocity_gain"))),
+         "Tell the velocity gain.", "1TK"),
+    _row("TQ", "reading", "R", "axes", "number", Actions("tell_torque", do=_each(_kept("kept_torque"))),
+         "Tell the torque limit.", "1TQ"),
+    _row("TB", "reading", "R", "axes", "uu", Actions("tell_breakpoint", do=_each(_breakpoint)),
+         "Tell the position of the breakpoint.", "1TB"),
+    _row("TZ", "reading", "R", "axes", "uu", Actions("tell_index", do=_each(_index)),
+         "Tell the position at which the index was last seen.",
          "1TZ"),
-    _row("AT", "reading", "R", "axes", "uu", "tell_auxiliary",
-         "Tell the position of the auxiliary encoder, which the machine file turns.", "1AT"),
-    _row("AZ", "reading", "R", "axes", "uu", "tell_auxiliary_index",
-         "Tell the position of the auxiliary encoder at its index, as AF found it.", "1AZ"),
-    _row("TC", "reading", "R", "none", "number", "tell_channel", "Tell a digital channel: 1 on, 0 off.", "TC1",
-         low=1, high=255),
-    _row("TA", "reading", "R", "none", "number", "tell_analog", "Tell an analogue input, volts.", "TA1",
-         low=1, high=255),
-    _row("TR", "reading", "R", "none", "number", "tell_register", "Tell a register; 0 is the accumulator.", "AL5,TR0",
-         low=0, high=255, meant="PRINT"),
-    _row("TM", "reading", "R", "none", "number", "tell_macro", "List a macro; -1 lists all.", "TM-1", low=-1),
-    _row("VE", "reading", "R", "none", "text", "tell_version", "Tell the model and the version.", "VE"),
-    _row("DO", "reading", "R", "axes", "uu", "tell_recorded_optimal",
-         "Tell n recorded optimal positions, one a line; 0 tells all of them.", "1MN,1PR5,1MR50,1WS,1DO0", low=0),
-    _row("DR", "reading", "R", "axes", "uu", "tell_recorded_actual",
-         "Tell n recorded actual positions, one a line; 0 tells all of them.", "1MN,1PR5,1MR50,1WS,1DR0", low=0),
-    _row("DQ", "reading", "R", "axes", "number", "tell_recorded_torque",
-         "Tell n recorded outputs in volts, one a line; 0 V without a simulated motor.",
-         "1MN,1PR5,1MR50,1WS,1DQ0", low=0),
-    _row("HE", "reading", "R", "none", "text", "tell_help", "List the commands.", "HE", meant="HELP"),
+    _contour_row("TX", "reading", "R", "axis", "number", tell_segment, "Tell the number of contour paths carried out.",
+                 "1TX", family="contours"),
+    _contour_row("CX", "reading", "R", "axis", "number", tell_segment,
+                 "The same as TX; which of the two names is right is not known.", "1CX", family="contours"),
 )  # fmt: skip

@@ -2,7 +2,34 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Actions, Keyword
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any, TypeVar
+
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
+
+    Action = TypeVar("Action", bound=Callable[..., Any])
+
+
+def pure(action: Action) -> Action:
+    """An action that touches nothing but the accumulator."""
+    action.pure = True  # type: ignore[attr-defined]
+    return action
+
+
+def not_simulated(task: CommandTask, command: Command) -> None:
+    """The board would take the command; here it has no effect, which is said once."""
+    assert command.row is not None
+    task.board.warn(
+        task,
+        "not-simulated",
+        f"{command.name} is not simulated: the command has no effect",
+        command.row.help,
+    )
 
 
 class Group:
@@ -18,7 +45,7 @@ class Group:
         access: str,
         index: str,
         unit: str,
-        verb: str,
+        action: Actions | Callable[..., Any],
         help: str,
         example: str,
         *,
@@ -30,7 +57,7 @@ class Group:
         meant: str = "",
         family: str = "",
     ) -> Keyword:
-        """One simulated command."""
+        """One simulated command; the name of a function is its verb."""
         return Keyword(
             name,
             "",
@@ -38,7 +65,7 @@ class Group:
             access,
             index,
             unit,
-            verb,
+            action if isinstance(action, Actions) else Actions(action.__name__, do=action),
             help,
             example,
             default=default,
@@ -60,7 +87,7 @@ class Group:
             "W",
             index,
             "",
-            "",
+            Actions(do=not_simulated),
             help,
             group=self.title,
             simulated=False,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from motionlang.mccl.axis.backlash import Backlash
+from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def backlash_distance(task: CommandTask, command: Command) -> None:
@@ -35,8 +36,16 @@ def _forget(task: CommandTask, number: int) -> None:
         task.board.define_position(axis, task.board.controller.position(number) + ahead)
 
 
-ACTIONS: dict[str, Action] = {
-    "backlash_distance": backlash_distance,
-    "backlash_on": backlash_on,
-    "backlash_off": backlash_off,
-}
+# ------------------------------------------------------------------------------------------------- keywords
+
+_row = Group("trajectory").row
+
+
+ROWS = (
+    _row("BD", "setting", "W", "axes", "uu", backlash_distance,
+         "Set half the backlash: how far the motor goes ahead of the load from BN on.", "1BD10", default=0, low=0),
+    _row("BN", "command", "C", "axes", "", backlash_on,
+         "Compensate backlash, from the middle of it: TT tells the target of the load, TP where the motor is.",
+         "1MN,1BD10,1BN,1MR500,1WS,1TP"),
+    _row("BF", "command", "C", "axes", "", backlash_off, "Compensate backlash no longer.", "1BF"),
+)  # fmt: skip

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.lang.lint import driven_inputs
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -26,7 +26,7 @@ def check_channels(lines: list[Line], settings: Mapping[str, object], model: Mod
     commands = [each for line in lines for each in zip(line.commands, line.places, strict=True)]
     made = {command.number for command, _ in commands if _verb(command) == "channel_output"}
     driven = driven_inputs(settings)
-    word = next(row.name for row in TABLE if row.verb == "channel_output")
+    word = next(row.name for row in table() if row.verb == "channel_output")
     for command, at in commands:
         channel = command.number
         if channel is None or None in made or channel in made or channel in model.outputs:

@@ -6,7 +6,7 @@ from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 from motionlang.mccl.lint.channels import check_channels
 from motionlang.mccl.lint.checks import COMMENT, lint
 from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
@@ -149,7 +149,7 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
                 yield _diagnostic(
                     source,
                     line.places[k],
-                    Fault(0, message, f"{TABLE.doing(_DEFINES)}{number},... defines it", "unknown-word"),
+                    Fault(0, message, f"{table().doing(_DEFINES)}{number},... defines it", "unknown-word"),
                     "warning",
                 )
 

@@ -8,7 +8,7 @@ from motionlang.controller.moves.geometry import Arc, Line
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 from motionlang.mccl.motion.arcs import (
     angle_to,
     angle_until,
@@ -80,7 +80,7 @@ class Path:
             raise Fault(
                 codes.NOT_ASSIGNED,
                 f"axis {axis.number} is not in contour mode under axis {self._axis.number}",
-                f"{axis.number}{TABLE.doing('contour_mode')}{self._axis.number} puts it there",
+                f"{axis.number}{table().doing('contour_mode')}{self._axis.number} puts it there",
                 "axis",
             )
 
@@ -148,7 +148,7 @@ class Path:
             ("override", vector.override, "zero-speed"),
         ):
             if value <= 0.0:
-                words = f"a contour path cannot be run: {TABLE.doing(verb)} is {value:g}"
+                words = f"a contour path cannot be run: {table().doing(verb)} is {value:g}"
                 raise Fault(codes.PARAMETER, words, kind=code)
         shape = str(controller.setting(axis.number, "shape"))
         ramp = float(controller.setting(axis.number, "ramp") or 0.0)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords import TABLE
-from motionlang.mccl.keywords.operations import ACTIONS, PURE, not_simulated
+from motionlang.mccl.keywords import table
+from motionlang.mccl.keywords.row import not_simulated
 from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
 from motionlang.mccl.syntax.tables import COMMAND
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 _DIGITS = "0123456789"
-_ROWS = {row.name: row for row in TABLE}
+_ROWS = {row.name: row for row in table()}
 # A number beyond this is a mistake, also where a command has no range of its own.
 _LARGEST = 1e15
 # Enough for any program; a served board is sent other texts every day, and must not keep them all.
@@ -48,13 +48,13 @@ class Word:
         if row is None:
             self.fault = _unknown(text[-2:])
             return
-        self.takes_text, self.pure = row.unit == "text" and row.access == "W", row.verb in PURE
+        assert row.actions.do is not None
+        self.action, self.pure = row.actions.do, hasattr(row.actions.do, "pure")
+        self.takes_text = row.unit == "text" and row.access == "W"
         if row.low is not None:
             self.low = max(row.low, -_LARGEST)
         if row.high is not None:
             self.high = min(row.high, _LARGEST)
-        if row.simulated:
-            self.action = ACTIONS[row.verb]
         if self.takes_text:
             self.without = _wants_text(row)
         elif row.simulated and not self.low <= 0 <= self.high:

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 
 
 def hint(word: str) -> str:
     """A sentence that helps, or nothing."""
     upper = word.upper()
-    meant = [row.name for row in TABLE if upper in row.meant.split()]
+    meant = [row.name for row in table() if upper in row.meant.split()]
     if meant:
         return f"did you mean {' or '.join(filter(None, (', '.join(meant[:-1]), meant[-1])))}?"
     if len(upper) > 2:
         return "a command is two letters and its parameter; commands are separated by commas"
-    swapped = TABLE.get(upper[::-1])
+    swapped = table().get(upper[::-1])
     if swapped is not None and upper[0] != upper[1]:
         return f"did you mean {swapped.name}? {swapped.help}"
-    alike = [row.name for row in TABLE if row.name[0] == upper[0]]
+    alike = [row.name for row in table() if row.name[0] == upper[0]]
     return f"the commands that begin with {upper[0]} are {', '.join(sorted(alike))}" if alike else ""

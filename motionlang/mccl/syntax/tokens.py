@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 from motionlang.mccl.syntax.parser import spans, without_comment
 
 TYPE_CHECKING = False
@@ -48,7 +48,7 @@ def _command(text: str, start: int) -> Iterator[tuple[str, str, int]]:
         yield "axis", text[:count], start
     name = text[count : count + 2]
     if name:
-        known = TABLE.get(name)
+        known = table().get(name)
         kind = "unknown" if known is None else "command" if known.simulated else "not-simulated"
         yield kind, name, start + count
     rest = text[count + 2 :]

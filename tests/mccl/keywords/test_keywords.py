@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mccl.keywords import TABLE
-from motionlang.mccl.keywords.operations import ACTIONS, PURE
+from motionlang.mccl.keywords import table
 from tests.cases import cases
 from tests.keyword_pages import machine_of
 from tests.mccl.conftest import Runner
 
-SIMULATED = [row for row in TABLE if row.simulated]
-KNOWN = [row for row in TABLE if not row.simulated]
+SIMULATED = [row for row in table() if row.simulated]
+KNOWN = [row for row in table() if not row.simulated]
 
 
 @cases("row", SIMULATED, ids=lambda row: row.name)
@@ -30,14 +29,13 @@ def test_what_is_not_simulated_says_so(row: Keyword, mccl: Runner) -> None:
     assert result.output == []
 
 
-def test_every_row_has_its_action_and_every_action_its_row() -> None:
-    verbs = {row.verb for row in SIMULATED}
-    assert verbs == set(ACTIONS)
-    assert verbs >= PURE
+def test_every_row_has_its_action_and_one_that_is_simulated_its_verb() -> None:
+    assert all(callable(row.actions.do) for row in table())
+    assert all(row.verb for row in SIMULATED)
     assert all(row.verb == "" for row in KNOWN)
 
 
-@cases("row", list(TABLE), ids=lambda row: row.name)
+@cases("row", list(table()), ids=lambda row: row.name)
 def test_a_row_is_filled_in(row: Keyword) -> None:
     assert len(row.name) == 2
     assert row.name.isupper()

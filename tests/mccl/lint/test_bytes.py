@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.mccl import DIALECT
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 from motionlang.source import Source
 
-names = st.sampled_from([row.name for row in TABLE])
+names = st.sampled_from([row.name for row in table()])
 numbers = st.one_of(
     st.integers(-3, 40).map(str),
     st.floats(allow_nan=True, allow_infinity=True).map(str),

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.mccl import DIALECT
-from motionlang.mccl.keywords import TABLE, of_families
+from motionlang.mccl.keywords import of_families, table
 from motionlang.mccl.models import DEFAULT, MODELS
 from motionlang.source import Source
 from tests.cases import cases
@@ -97,7 +97,7 @@ def test_what_a_board_lacks_is_known_before_the_run_and_not_in_its_help(model: s
     lacks = of_families(MODELS[model].lacks)
     settings = {"controller.model": model}
     helped = {line.split()[0] for line in mccl("HE", machine=settings).output}
-    assert helped == {row.name for row in TABLE} - lacks
+    assert helped == {row.name for row in table()} - lacks
     for name in sorted(lacks):
         (found, *_) = DIALECT.check(Source("a.mcl", f"1{name}1"), settings)
         assert found.code == "model"

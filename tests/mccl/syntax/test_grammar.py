@@ -12,7 +12,7 @@ from lark.exceptions import LarkError
 
 from motionlang.lang.parsing.generate import build_lark
 from motionlang.mccl import codes
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import table
 from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -29,7 +29,7 @@ numbers = st.one_of(
 parameters = st.one_of(
     numbers, st.integers(0, 255).map("@{}".format), st.sampled_from(['"A"', '"a;b,c d"', '""'])
 )
-names = st.sampled_from([row.name for row in TABLE]).flatmap(
+names = st.sampled_from([row.name for row in table()]).flatmap(
     lambda name: st.sampled_from([name, name.lower()])
 )
 commands = st.builds("{}{}{}".format, st.sampled_from(["", "1", "2", "0", "08"]), names, parameters)
