@@ -426,3 +426,12 @@ def test_a_jog_may_take_over_a_last_digit_before_a_move_ends() -> None:
     _, back, jog, *_ = proved(program, "mcl", statement=1e-5).controller.log.moves
     assert back.ended == "retarget"
     assert jog.start_time == pytest.approx(back.start_time + 3e-5, abs=1e-12)
+
+
+def test_a_path_of_no_length_is_under_way_for_as_long_as_it_is_suspended() -> None:
+    """The ABORT ends it after 50 ms; its entries were said to have taken no time."""
+    result = proved("SUSPEND(0) = 1\nVECTORR(0, 1) = 0, 0 : GO(0)\nWAIT = 50\nABORT\n")
+    for entry in result.controller.log.moves:
+        assert entry.ended == "fault"
+        assert entry.profile is not None
+        assert entry.profile.duration == pytest.approx(0.05, abs=1e-6)

@@ -133,9 +133,9 @@ class Course:
     def of(self, k: int) -> Profile:
         """The motion of axis number k along its curve, from the time `began` to the end of this path."""
         end = self._at(k, self.segment.ends[k])
-        if not self.segment.length:
-            return hold(end).cut(0.0)
         part = self.part
+        if not self.segment.length:  # it takes no time, unless it is suspended
+            return hold(end).cut(part.duration)
         made = travelled(part, self.segment.curves[k])
         if self.begins[k] != self.starts[k]:
             made = made.scaled(self._at(k, made.start), 1.0)
