@@ -315,6 +315,20 @@ class Core(Readings):
             if move.action is None or not move.action.is_sequel:
                 for each in gone:
                     self.log.dropped.add(each)
+            for each in gone:
+                if (
+                    each.axis != a.index
+                ):  # what waited behind a path goes on, unless it is thrown away as well
+                    self._begin_waiting(self.axes[each.axis])
+
+    def _begin_waiting(self, a: Axis) -> None:
+        """Start what the buffer of an axis at rest then holds, once all is done that happens at this moment."""
+
+        def begin() -> None:
+            if a.move is None and a.sequence is None and a.buffer and not a.suspended:
+                self.go_on(a)
+
+        self.clock.at(self.clock.now, begin)
 
     def drop(self, axes: Iterable[int], command: str, line: int, ended: str) -> None:
         """Tell of a motion that a language kept back and will not do."""

@@ -110,6 +110,7 @@ class Follow(Action):
         self.move.parts.clear()
         self.master.followers.append(self._callback)
         self.renew()
+        self.more(self.controller, self.a)
 
     def renew(self) -> None:
         """Work the slave's motion out anew from now on."""
