@@ -212,7 +212,19 @@ class Controller(AxisVerbs):
         """Follow a master, an axis or an encoder channel, at `ratio` counts a count; with `ramp` not at once."""
         from motionlang.controller.motion.follow import gear
 
-        gear(self, self.movable(axis), self._master(master, encoder), ratio, ramp, command, line)
+        a = self.movable(axis)
+        gear(self, a, self._master(master, encoder), ratio, ramp, command, line)
+        if self.orders is not None:
+            self.orders.gears(a, ratio)
+
+    def set_ratio(self, axis: int, ratio: float) -> None:
+        """Let an axis that follows a master at a ratio do so at another one; no-op for an axis that does not."""
+        from motionlang.controller.motion.follow import set_ratio
+
+        a = self.axes[axis]
+        set_ratio(a, ratio)
+        if self.orders is not None:
+            self.orders.gears(a, ratio)
 
     def leave_master(self, axis: int) -> None:
         """Follow no master any more: what the axis does it goes on doing to its end."""

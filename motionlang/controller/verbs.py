@@ -113,6 +113,7 @@ VERBS: dict[str, str] = {
     "path_remaining": "The distance along the path still to go.",
     "vector_angle": "The direction in which two axes move in their plane.",
     "gear": "Follow a master, an axis or an encoder channel, at a ratio.",
+    "set_ratio": "Let an axis that follows a master do so at another ratio.",
     "leave_master": "Follow no master any more, and end what is under way.",
     "cam": "Follow a table of positions over a master's.",
     "cam_index": "The segment of its table that a cam is in.",

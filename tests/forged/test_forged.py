@@ -7,6 +7,8 @@ import pytest
 from tests.forged.changes import changes, chosen, forged
 from tests.forged.verdicts import honest, ran, verdict
 
+_AT = "INFINITY if ramp else 0.0"
+_TIE = "action if isinstance(action, Follow) else None"
 # By their module, their function, what stands there and what is forged, and the program.
 SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("profile.trapezoid", "plan_trapezoid", "target - start", "target + start", "moves.mnt"),
@@ -42,6 +44,8 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("controller.moves.course", "Course.braking", "room + segment.length", "room - segment.length", "held paths.mnt"),
     ("controller.motion.offset", "offset", "left + distance", "left - distance", "two offsets.mnt"),
     ("controller.motion.halt", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
+    ("controller.motion.follow", "tie_of", _TIE, "None if isinstance(action, Follow) else action", "gears of PMC.mcl"),
+    ("controller.motion.follow", "Gear.set_ratio", _AT, "0.0 if ramp else INFINITY", "gears.mnt"),
     ("controller.motion.follow", "FollowMove.profile", "finish - start", "finish", "speed references.mnt"),
 )  # fmt: skip
 

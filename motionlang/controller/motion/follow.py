@@ -351,8 +351,7 @@ def _ramp(position: float, velocity: float, sign: float, accel: float, decel: fl
 
 def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
     """Let an axis follow a master, or change the ratio at which it does."""
-    if not abs(ratio) < 1e12:
-        raise Refusal("range", f"an axis cannot follow at a ratio of {ratio:g}")
+    _check_ratio(ratio)
     tie = tie_of(a)
     if isinstance(tie, Gear) and tie.master is master:
         tie.set_ratio(ratio, ramp)
@@ -363,6 +362,19 @@ def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, comm
     move = FollowMove(a.index, command, line, "gear")
     controller.end_move(a, "retarget")
     Gear(controller, a, master, move, ratio, ramp).engage()
+
+
+def set_ratio(a: Axis, ratio: float) -> None:
+    """Let an axis that follows a master at a ratio do so at another one, at once."""
+    tie = tie_of(a)
+    if isinstance(tie, Gear):
+        _check_ratio(ratio)
+        tie.set_ratio(ratio, False)
+
+
+def _check_ratio(ratio: float) -> None:
+    if not abs(ratio) < 1e12:
+        raise Refusal("range", f"an axis cannot follow at a ratio of {ratio:g}")
 
 
 def leave_master(controller: Core, a: Axis) -> None:

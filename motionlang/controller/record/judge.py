@@ -120,6 +120,11 @@ class Offsets:
         """Whether one of them is under way."""
         return bool(self._in_force(time)[0])
 
+    def begin_at(self, time: float) -> bool:
+        """Whether one of them begins at a time."""
+        k = bisect_left(self._starts, time)
+        return k < len(self._starts) and self._starts[k] == time
+
     def _in_force(self, time: float) -> tuple[list[Move], int]:
         """Those under way at a time, and the number of entries before them."""
         k, found = bisect_right(self._starts, time), []
@@ -146,6 +151,8 @@ class Run:
         self._numbers: dict[int, int] = {}
         self._ends: dict[int, list[float]] = {}
         self.offsets: dict[int, Offsets] = {}
+        # By axis the last offset that was judged, and how far it is to go.
+        self.offset_goals: dict[int, tuple[Move, float]] = {}
         self._begins: dict[int, list[float]] = {}
         self._order_of: dict[int, Order] = {}
         self._tracks: dict[int, WholeTrack] = {}

@@ -216,10 +216,24 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
         if found.last is not None and found.last.ended in FOLLOWED:
             where = f"axis {number} from {found.last.start_time:.6f} s"
             proof.breaks(found.last.line, f"{where}: nothing follows what is said to be replaced")
+        _judge_waiting(proof, run, a)
         if found.going:
             _judge_going(proof, run, a, found.going)
         elif found.last is not None:
             _judge_last(proof, run, a, found.last)
+
+
+def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
+    """No move that was released waits as the run ends, unless another one is under way."""
+    offsets = run.offsets.get(a.index)
+    follows = run.orders.of[a.index][-1].tie is not None
+    found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
+    if follows and (offsets is None or not offsets.moves_at(run.until)):
+        found += [move for move in a.waiting if move.action is not None and move.action.lies_on_top]
+    for move in found:
+        if not move.released:
+            continue
+        proof.breaks(move.line, f"axis {a.index}: its move waits as the run ends, and nothing is under way")
 
 
 def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> None:

@@ -30,6 +30,9 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
     track, begin = run.track(tie.master), a.starts[i]
     where = f"axis {a.index} from {begin:.6f} s"
     if tie.curve is None and tie.locked > begin:
+        earlier = run.orders.of[a.index][i - 1]
+        if not tie.ramp and earlier.kind != "stop" and tie.takes_up(earlier.tie):
+            proof.breaks(order.line, f"{where}: it ramps to its ratio, ordered is to take it up at once")
         _judge_chase(proof, run, a, i, order, end)
         begin = tie.locked
     if tie.curve is not None and tie.table is not None:
@@ -58,7 +61,7 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
 
 
 def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
-    """Until it has the velocity of its ratio a slave changes its own at its rates."""
+    """Until it has the velocity of its ratio a slave changes its own at its rates, no faster and no slower."""
     tie = order.tie
     assert tie is not None
     if _offset_moves(run, a, a.starts[i]):
@@ -70,6 +73,11 @@ def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, en
         state = a.profiles[i].at(time - a.starts[i])
         side = 0 if state.velocity * state.acceleration > 0.0 else 1
         uses.look("rate of a slave", abs(state.acceleration), order.rates[side])
+        if abs(state.acceleration) < order.rates[side] * (1.0 - SLACK):
+            words = f"its rate on the way to its ratio is {abs(state.acceleration):g} counts/s²"
+            where = f"axis {a.index} at {time:.6f} s"
+            proof.breaks(order.line, f"{where}: {words}, ordered is {order.rates[side]:g}")
+            return
     uses.tell(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
 
 

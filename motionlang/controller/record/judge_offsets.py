@@ -15,6 +15,29 @@ if TYPE_CHECKING:
 LATE = 4.0 * ROUNDED
 
 
+def _left(run: Run, move: Move) -> float:
+    """What the offset before one has left to do, if that one takes its place."""
+    before, wanted = run.offset_goals.get(move.axis, (None, 0.0))
+    if before is None or before.profile is None or before.ended != "retarget":
+        return 0.0
+    start, end = move.start_time, before.start_time + before.profile.duration
+    if abs(start - end) > LATE * (1.0 + start) or start in run.orders.begun[move.axis]:
+        return 0.0  # other following begins then, and with it nothing of an offset goes on
+    return wanted - before.profile.end
+
+
+def judge_missing(proof: Proof, run: Run) -> None:
+    """Every OFFSET that adds a distance has an entry."""
+    if run.orders.was_cut:
+        return
+    for (axis, time), (line, distance) in run.orders.offsets.items():
+        offsets = run.offsets.get(axis)
+        if distance and (offsets is None or not offsets.begin_at(time)):
+            proof.breaks(
+                line, f"axis {axis} at {time:.6f} s: its offset of {distance:g} counts does not begin"
+            )
+
+
 def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     """The entry of an offset; what an offset goes on with after a suspension has no order of its own."""
     start, end = move.start_time, move.start_time + profile.duration
@@ -28,10 +51,11 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     ordered = orders.offsets.get((move.axis, start))
     if ordered is None:
         return
-    line, distance, left = ordered
+    line, distance = ordered
+    wanted = distance + _left(run, move)
+    run.offset_goals[move.axis] = move, wanted
     if line != move.line:
         proof.breaks(move.line, f"{where}: it is ordered by line {line}")
-    wanted = distance + left
     if not move.ended:
         if end <= run.until and abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
             proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")

@@ -48,7 +48,11 @@ def _judge_setting(
         judge_tail(proof, run, lower, time, end - time)
         return
     kinds = order.kind, wanted.kind
-    if kinds in (("move", "stop"), ("jog", "stop")):
+    if order.tie is not None and wanted.tie is not None:
+        if order.tie.ratio != wanted.tie.ratio:
+            words = f"it follows at {order.tie.ratio:g}, ordered is {wanted.tie.ratio:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    elif kinds in (("move", "stop"), ("jog", "stop")):
         proof.breaks(order.line, f"{where}: it goes on, ordered is to come to rest")
     elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
         words = f"it goes to {order.goal:g} counts/s, ordered is {wanted.goal:g}"

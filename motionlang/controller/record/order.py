@@ -51,6 +51,8 @@ class PathOrder(NamedTuple):
 class Tie(NamedTuple):
     """What an axis follows: a track, at a `ratio` (once it is `locked`), or on a `curve` from `origin` on.
 
+    It takes a ratio up along a `ramp`, or at once.
+
     `table` is what the curve was ordered as: places of the master, values there, and how they are joined.
     """
 
@@ -61,6 +63,17 @@ class Tie(NamedTuple):
     origin: float = 0.0
     direction: int = 1
     table: tuple[tuple[float, ...], tuple[float, ...], str] | None = None
+    ramp: bool = False
+
+    def takes_up(self, earlier: Tie | None) -> bool:
+        """Whether a ratio is taken up that was not followed before."""
+        if self.curve is not None:
+            return False
+        return (
+            earlier is None
+            or earlier.curve is not None
+            or (earlier.master, earlier.ratio) != (self.master, self.ratio)
+        )
 
 
 class Order(NamedTuple):
@@ -98,4 +111,4 @@ class Order(NamedTuple):
         """What settings ask of a motion that is under way."""
         if self.path is not None:
             return self.kind, self.path.entry, self.speed, self.path.most, self.path.rests
-        return self.kind, self.speed, self.goal, self.rates
+        return self.kind, self.speed, self.goal, self.rates, None if self.tie is None else self.tie.ratio

@@ -46,7 +46,7 @@ class Orders:
     A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis was told
     to stand at once, with the word for it. Orders that are alike are one. Beyond `MOST` profiles it `is_full`, and
     holds nothing more. `unheeded` has, by axis and time, what settings ask of a profile that they have not replaced.
-    `offsets` has, by axis and time, the line and the distance of an OFFSET, and what one before it had left to do.
+    `offsets` has, by axis and time, the line and the distance of an OFFSET.
     `begun` has, by axis, when its motions began that have an entry of their own.
     `stops` has, by axis, the times at which its motion was told to come to rest or to stand, with the word for it.
     """
@@ -62,7 +62,7 @@ class Orders:
         self.stands: dict[tuple[int, float], str] = {}
         self.unheeded: dict[tuple[int, float], Order] = {}
         self._scales: dict[int, list[tuple[float, float, float]]] = {number: [] for number in axes}
-        self.offsets: dict[tuple[int, float], tuple[int, float, float]] = {}
+        self.offsets: dict[tuple[int, float], tuple[int, float]] = {}
         self.begun: dict[int, set[float]] = {number: set() for number in axes}
         self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         # When each axis was first stopped with each word.
@@ -295,9 +295,23 @@ class Orders:
             key = a.index, self._controller.clock.now
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
 
-    def offset(self, a: Axis, distance: float, left: float, line: int) -> None:
-        """An offset begins, where one before it had so much left."""
-        self.offsets[a.index, self._controller.clock.now] = line, distance, left
+    def gears(self, a: Axis, ratio: float) -> None:
+        """A ratio of a slave to its master was ordered: note it if the axis follows at another one."""
+        key, last = (a.index, self._controller.clock.now), self.of[a.index][-1]
+        if last.tie is None or last.tie.curve is not None or a.suspended:
+            return
+        if last.tie.ratio == ratio:
+            self.unheeded.pop(key, None)
+        else:
+            self.unheeded[key] = last._replace(tie=last.tie._replace(ratio=ratio))
+
+    def offset(self, a: Axis, distance: float, line: int) -> None:
+        """An offset begins; what one before it has left is added to it."""
+        self.offsets[a.index, self._controller.clock.now] = line, distance
+
+    def refuse_offset(self, a: Axis) -> None:
+        """The offset that was to begin now does not, as the limits of its axis leave no room for it."""
+        self.offsets.pop((a.index, self._controller.clock.now), None)
 
     def stop(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to decelerate to rest, and those that move together with it."""
@@ -392,7 +406,7 @@ def _stopped(a: Axis, move: Move) -> Order:
 
 def _tie(action: Gear | CurveFollow) -> Tie:
     if isinstance(action, Gear):
-        return Tie(action.master, action.ratio, action.locked)
+        return Tie(action.master, action.ratio, action.locked, ramp=action.ramp)
     origin, direction, table = action.origin, action.direction, action.ordered
     if table is not None and table[2] == "even":  # the master's way has the sign that was ordered
         over = table[0][-1]

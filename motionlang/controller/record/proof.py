@@ -13,6 +13,7 @@ from motionlang.controller.record.judge_axes import PLANNED, judge_profile
 from motionlang.controller.record.judge_blends import judge_blend
 from motionlang.controller.record.judge_entries import Ends, judge_ends, take_entry
 from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
+from motionlang.controller.record.judge_offsets import judge_missing
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.judge_settings import judge_settings
 from motionlang.controller.record.judge_views import judge_report, judge_trace
@@ -85,6 +86,7 @@ def prove(
         _judge_move(proof, run, move)
         take_entry(proof, ends, run, move)
     judge_ends(proof, run, ends)
+    judge_missing(proof, run)
     return proof
 
 
@@ -143,10 +145,12 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     """What the program has ordered that makes the velocity jump; "" where nothing has."""
     if (a.index, a.starts[i]) in run.orders.stands:
         return "a stop at once: cancelled, switched off, or at a limit"
+    order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
+    if order.tie is not None and order.tie.ramp and order.tie.takes_up(earlier.tie):
+        return ""
     named = [kind for kind in kinds if kind not in (*PLANNED, "rest", "path")]
     if named:
         return f"a step of {named[-1]}: a table, a master or a reference of the program"
-    order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
     if order.path is None or earlier.path is None:
         return ""
     scales = order.path.scales

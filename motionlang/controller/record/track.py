@@ -43,6 +43,11 @@ class WholeTrack:
         return self._a.move
 
     @property
+    def waiting(self) -> list[Move]:
+        """The moves of its buffer, while nothing suspends the axis."""
+        return [] if self._a.suspended else self._a.buffer
+
+    @property
     def feedback(self) -> Feedback | None:
         """Its motor, where one is simulated."""
         return self._a.feedback

@@ -31,11 +31,9 @@ def slave(task: CommandTask, command: Command) -> None:
 
 def slave_ratio(task: CommandTask, command: Command) -> None:
     """SS: counts of a slave a count of its master, from now on."""
-    axis, controller = task.axis(command), task.board.controller
+    axis = task.axis(command)
     axis.slave_ratio = float(task.value(command)) if task.given(command) else 1.0
-    master = controller.master_of(axis.number)
-    if master is not None:
-        controller.gear(axis.number, master, axis.slave_ratio)
+    task.board.controller.set_ratio(axis.number, axis.slave_ratio)
 
 
 def check_unslaved(task: CommandTask, axis: AxisState) -> None:
