@@ -176,6 +176,8 @@ def test_other_programs_read_it() -> None:
     events = list(trace_events(made))
     lanes = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
     assert lanes == ["chain", "task ParentTask", "axis 0", "axis 1"]
+    chain = {event["name"] for event in events if event.get("cat") == "chain"}
+    assert {"accelerating, line 4", "dwell, line 6", "waiting for an input, line 9"} <= chain
     assert max(event["ts"] + event["dur"] for event in events if event["ph"] == "X") == pytest.approx(
         made.run.time * 1e6
     )

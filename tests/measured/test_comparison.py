@@ -17,6 +17,7 @@ from motionlang.measured.comparison import Comparison, Mapped, _own, compare
 from motionlang.measured.recording import read_table
 from motionlang.result import Run
 from motionlang.source import Source
+from motionlang.views.comparison import render_comparison
 
 PROGRAM = """\
 SPEED(0, 1) = 100, 50
@@ -238,3 +239,20 @@ def test_of_our_own_columns_the_measured_position_goes_before_the_demanded_one()
     ]
     other = dict.fromkeys(["axis1_actual_uu", "axis1_position_uu"], np.zeros(1))
     assert [(each.target, each.column) for each in _own(other)] == [("position.1", "axis1_actual_uu")]
+
+
+def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() -> None:
+    """The recording ends before the last 12 of 50 moves, and is 0.01 uu off: 38 and two of the others are shown."""
+    text = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor i = 1 To 50\n"
+    text += "  MOVER(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)\nNext\n"
+    many = run(Source("many.mnt", text), dialect="mint", cache=False)
+    end = many.controller.log.moves[38].start_time - 0.005
+    times = np.arange(int(end * 1000.0)) / 1000.0
+    rows = [
+        f"{t:.3f},{x + 0.01:.9f}" for t, x in zip(times, many.trace.at(0, "position", times), strict=True)
+    ]
+    made = compare(many, Source("real.csv", "\n".join(["t,x", *rows])), (X,), delay=0.0)
+    assert sum(row["peak"] is None for row in made.moves) == 12
+    shown = render_comparison(made).split("\n\n")[2].splitlines()
+    assert shown[-1] == "the 40 worst of 50 moves; --all shows the others"
+    assert sum("not recorded" in line for line in shown) == 2

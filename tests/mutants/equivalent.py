@@ -15,6 +15,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/record/due.py: move_time: not a0 and distance < 0.0 -> not a0 or distance < 0.0": (
         "from a standstill the time is the same told from either side"
     ),
+    "motionlang/controller/record/log.py: Log: _pack_profiles: 0 -> 1 #2": (
+        "one profile more stays as it is until the next are packed"
+    ),
     "motionlang/controller/record/judge_axes.py: judge_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
         "an endless jerk adds nothing"
     ),
@@ -108,6 +111,9 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/profile/jerk.py: peak_speed: v - u >= accel * rise -> v - u > accel * rise": (
         "where both are the same the closed form and Newton's steps come to the same speed"
+    ),
+    "motionlang/profile/jerk.py: peak_speed: low > 0.05 * (high - u) -> low >= 0.05 * (high - u)": (
+        "where both are the same Newton's steps come to the same speed from either bound"
     ),
     "motionlang/profile/lookahead.py: _ramps_of: way * (1.0 + _SLACK) -> way / (1.0 + _SLACK)": (
         "`reaches` allows the slack once more, and the speed asked for has been found to fit without any"

@@ -74,6 +74,39 @@ def test_a_bad_variant_is_told_as_a_run_tells_it_and_the_others_go_on() -> None:
         assert (row.problem["message"], row.problem["line"]) == (alone.message, alone.line)
 
 
+@pytest.mark.parametrize(
+    ("error", "code", "message"),
+    [
+        (RuntimeError("no such state"), "crash", "motionlang itself failed: RuntimeError: no such state"),
+        (ImportError("no numpy", name="numpy"), "extra", "this run needs numpy"),
+    ],
+)
+def test_a_variant_that_brings_motionlang_down_is_told_with_its_reason(
+    error: Exception, code: str, message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr("motionlang.lang.scheduler.Scheduler.run", fails)
+    (row,) = motionlang.sweep(STROKE, {"rate": [1000]}, keep=["time"], jobs=1)
+    assert row.problem is not None
+    assert (row.problem["code"], row.problem["message"]) == (code, message)
+
+
+def test_a_motor_that_had_no_time_has_turned_with_no_torque() -> None:
+    plant = {
+        "kind": "brushless",
+        "resistance": 1.2,
+        "inductance": 2e-3,
+        "torque_constant": 0.06,
+        "inertia": 3e-5,
+    }
+    machine = {f"axis.0.plant.{name}": value for name, value in plant.items()}
+    source = Source("still.mnt", "Const length = 100\n")
+    (row,) = motionlang.sweep(source, {"length": [1]}, machine=machine, keep=["rms_torque.0", "time"], jobs=1)
+    assert (row["rms_torque.0"], row["time"]) == (0.0, 0.0)
+
+
 def test_keys_of_the_machine_file_are_varied_too() -> None:
     rows = list(
         motionlang.sweep(

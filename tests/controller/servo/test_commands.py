@@ -159,3 +159,12 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
     found, out, err = said(capsys, "run", str(path))
     assert (found, out) == (1, "")
     assert "does not run" in err
+
+
+def test_each_run_of_the_dac_has_a_row_of_the_picture(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Four rows of 1.9 inches, and 0.8 for the axis of time and its label: 8.4 inches of 72 points."""
+    file = tmp_path / "dac.svg"
+    said(capsys, "dac", "--plot", str(file))
+    assert 'height="604.8pt"' in file.read_text()
