@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
+# Units of what is read as a whole number. A time in ms may be written with a fraction all the same.
+WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))
+
 # What a statement with a word does to the axes it names. Of the first group a word has at most one, which is its role
 # in a program that is followed step by step; the others say more of it.
 ROLES = {
@@ -143,6 +146,16 @@ class Keyword:
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes, self.meant, self.family = tunes, meant, family
+
+    @property
+    def is_whole(self) -> bool:
+        """True if its value is read as a whole number."""
+        return self.unit in WHOLE_UNITS
+
+    @property
+    def takes_fractions(self) -> bool:
+        """True if a value that is written keeps its fraction."""
+        return self.unit not in WHOLE_UNITS or self.unit == "ms"
 
     @property
     def attribute(self) -> str:

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 # Units of values that are whole, and of those that have a scale.
-WHOLE = ("integer", "bool", "bits")
 SCALED = ("uu", "uu/s", "uu/s2", "uu/s3")
 # Of a whole setting with no more values than this each other one is named.
 FEW = 4
@@ -38,7 +37,7 @@ AGAIN = "switch the drive off, and start the controller anew afterwards"
 def other_defaults(row: Keyword) -> list[str]:
     """What the default of a setting may be instead: each value of a few, else that nobody can list them."""
     low, high = row.low if row.low is not None else 0, 1 if row.unit == "bool" else row.high
-    if row.unit in WHOLE and high is not None and high - low < FEW:
+    if not row.takes_fractions and high is not None and high - low < FEW:
         few = [f"{value}" for value in range(int(low), int(high) + 1) if value != row.default]
         if few:
             return few
@@ -171,7 +170,7 @@ def _unit(row: Keyword) -> Asked:
         return []
     if row.unit in SCALED:
         return _scale(row)
-    if row.unit in WHOLE and (row.high is None or row.high > (row.low or 0)):
+    if not row.takes_fractions and (row.high is None or row.high > (row.low or 0)):
         return _type(row)
     return []
 

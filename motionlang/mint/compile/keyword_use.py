@@ -27,17 +27,14 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
 
-# Units of keywords whose values are whole numbers; "text" is a String, every other one a Float.
-WHOLE = frozenset(("bool", "bits", "integer", "ms", "counts"))
-_OTHERS = WHOLE | {"text"}
 _NOTHING = Value("0", FLOAT, intervals.ANY)
 # The text of a value that is left out; no value that is given is written so.
 OMITTED = "None"
 
 
-def type_of(unit: str) -> str:
+def type_of(row: Keyword) -> str:
     """The Mint type of a keyword's value."""
-    return INTEGER if unit in WHOLE else STRING if unit == "text" else FLOAT
+    return INTEGER if row.is_whole else STRING if row.unit == "text" else FLOAT
 
 
 # -------------------------------------------------------------------------------------------------- reading
@@ -94,7 +91,7 @@ def answer(row: Keyword, text: str) -> Reading:
     """What is read of a keyword, by the text that reads it."""
     if row.unit == "text":
         return Reading(text, STRING, intervals.ANY)
-    kind = type_of(row.unit)
+    kind = type_of(row)
     known = (
         intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
     )
@@ -128,7 +125,7 @@ def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     if row.name == "Rnd":
         return Value(f"{b.whole.use('env', 'random')}()", FLOAT, intervals.FLOAT)
     if row.unit != "same":
-        kind = type_of(row.unit)
+        kind = type_of(row)
         return Value(f"{b.whole.use('fn', row.verb)}({texts})", kind,
                      intervals.INTEGER if kind == INTEGER else intervals.FLOAT)  # fmt: skip
     kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
@@ -361,7 +358,7 @@ def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] 
 
 def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
     found = value(b, node)
-    if found.type == FLOAT and found.const is None and found.range[2] == "f" and row.unit not in _OTHERS:
+    if found.type == FLOAT and found.const is None and found.range[2] == "f" and type_of(row) == FLOAT:
         return found.bare
     if row.unit == "text":
         if found.type != STRING:
@@ -372,7 +369,7 @@ def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
         return "0"
     if found.const is not None:
         _check_range(b, node, row, float(found.const))
-    return as_integer(b, found) if row.unit in WHOLE and row.unit != "ms" else as_float(found)
+    return as_float(found) if row.takes_fractions else as_integer(b, found)
 
 
 def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:

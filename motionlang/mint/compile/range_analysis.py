@@ -33,7 +33,6 @@ _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 # Turns of a loop after which only the coarse thresholds are left.
 _PATIENCE = 24
 _COARSE = [-intervals.EXACT, intervals.INT_LOW, -1, 0, 1, intervals.INT_HIGH, intervals.EXACT]
-_WHOLE_UNITS = frozenset(("bool", "bits", "integer", "ms", "counts"))
 
 
 def analysed(function: Function) -> set[Symbol]:
@@ -222,7 +221,7 @@ class Flow:
             return (INTEGER if known[2] == "i" else FLOAT), known
         if row.unit == "bool":
             return INTEGER, intervals.BOOL
-        if row.unit in _WHOLE_UNITS:
+        if row.is_whole:
             return INTEGER, intervals.INTEGER
         return FLOAT, intervals.ANY
 

@@ -17,9 +17,6 @@ if TYPE_CHECKING:
 
     Value = TypeVar("Value")
 
-# Units of what is whole.
-WHOLE = ("integer", "bool", "bits", "ms", "counts")
-
 
 class Settings:
     """What a program wrote by keyword and axis, and until then what `defaults` has, or what is `otherwise`.
@@ -57,7 +54,7 @@ def reading(kind: type[Settings]) -> Maker:
     """What reads a setting of a family as its word shows it: a whole number where that is what it is."""
 
     def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
-        part, name, whole = environment.part(kind), row.name, row.unit in WHOLE
+        part, name, whole = environment.part(kind), row.name, row.is_whole
         unit = row.unit if part.in_counts else ""
 
         def to_axis(axis: int) -> Operation:

@@ -7,6 +7,7 @@ TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by what stands there; "0, 1" where the
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import WHOLE_UNITS
 from motionlang.mint.keywords import table
 
 TYPE_CHECKING = False
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 SECTION = "mint.readings."
 # Words that know an answer of their own take one from the machine file all the same.
 ANSWERED = frozenset(("identity",))
-WHOLE = ("integer", "bool", "bits")
 
 
 class Told:
@@ -38,7 +38,7 @@ class Told:
         found = self.values.get((word, where), self.values.get((word, None)))
         if found is None or unit == "text":
             return found
-        return int(found) if unit in WHOLE else float(found)  # type: ignore[call-overload,arg-type]
+        return int(found) if unit in WHOLE_UNITS else float(found)  # type: ignore[call-overload,arg-type]
 
 
 def words(settings: Mapping[str, object]) -> frozenset[str]:
@@ -87,7 +87,7 @@ def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] |
         return f"{row.name} has {brackets} in its brackets, not {given}", f"it stands for {row.index}"
     if row.unit == "text":
         return None if isinstance(value, str) else (f"{row.name} is a text, not {shown(value)}", row.help)
-    if isinstance(value, str) or (row.unit in WHOLE and value != int(value)):  # type: ignore[call-overload]
-        what = "a whole number" if row.unit in WHOLE else "a number"
+    if isinstance(value, str) or (row.is_whole and value != int(value)):  # type: ignore[call-overload]
+        what = "a whole number" if row.is_whole else "a number"
         return f"{row.name} is {what}, not {shown(value)}", row.help
     return None

@@ -22,7 +22,6 @@ OTHERS = {
     "mint.event-queue": Switch("once", "forgotten", "each"),
     "mint.circle-sense": Switch("anticlockwise", "clockwise"),
 }
-WHOLE = ("integer", "bool", "bits", "ms")
 # Settings whose value decides what others read: these are found by the others.
 DECISIVE = frozenset({"TIMESCALE", "VELSCALEFACTOR", "ACCELSCALEFACTOR", "SRAMP", "POSROLLOVER"})
 _found: dict[str, Switch] = {}
@@ -33,8 +32,7 @@ def switches() -> Mapping[str, Switch]:
     if not _found:
         _found.update(OTHERS)
         _found.update(
-            (name_of(row), Switch(low=row.low, high=row.high, whole=row.unit in WHOLE))
-            for row in with_default()
+            (name_of(row), Switch(low=row.low, high=row.high, whole=row.is_whole)) for row in with_default()
         )
     return _found
 

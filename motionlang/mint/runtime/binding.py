@@ -38,8 +38,6 @@ if TYPE_CHECKING:
     # What binds an operation to an axis.
     Bound = Callable[["Environment", "Keyword"], Callable[[int], Operation]]
 
-# Units of what is whole.
-_WHOLE = ("integer", "bool", "bits")
 # What a setting of the controller, in seconds or as a share, is multiplied by to be in a unit.
 _TIMES = {"ms": 1000.0, "%": 100.0}
 
@@ -274,10 +272,11 @@ def _write_setting(environment: Environment, row: Keyword, axis: int) -> Operati
 
 @by_axis
 def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operation:
-    if row.unit in _WHOLE:
+    times = _TIMES.get(row.unit)
+    if times is None and row.is_whole:
         setting = environment.controller.reader(row.verb, axis)
         return lambda: int(setting())
-    read, times = environment.controller.reader(row.verb, axis, row.unit), _TIMES.get(row.unit)
+    read = environment.controller.reader(row.verb, axis, row.unit)
     if times is None:
         return read
     return (lambda: round(read() * times)) if row.unit == "ms" else lambda: times * read()
@@ -286,7 +285,7 @@ def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operatio
 @by_axis
 def _reading(environment: Environment, row: Keyword, axis: int) -> Operation:
     """A verb of the controller that takes an axis and answers in counts."""
-    if row.unit in _WHOLE:
+    if row.is_whole:
         verb = environment.controller.reader(row.verb, axis)
         return lambda: int(verb())
     return environment.controller.reader(row.verb, axis, row.unit, environment)
