@@ -63,6 +63,18 @@ def test_no_module_outside_the_vocabulary_names_a_word_that_is_not_listed() -> N
     assert named() == {place: set(words.split()) for place, words in NAMED.items()}
 
 
+def test_no_code_compares_the_name_of_a_row() -> None:
+    """What makes one keyword differ from others is a column of its row."""
+    compared = [
+        f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}"
+        for path in PACKAGE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Compare) and ast.unparse(node.left).endswith("row.name")
+        if isinstance(node.comparators[0], ast.Constant | ast.Tuple | ast.Set)
+    ]
+    assert compared == []
+
+
 def test_effects_are_said_in_the_words_for_them() -> None:
     for row in (*table(), *commands()):
         effects = row.effect.split()
@@ -70,7 +82,7 @@ def test_effects_are_said_in_the_words_for_them() -> None:
         assert len(ROLES.keys() & set(effects)) <= 1, row.name
         assert not (row.role and row.gives), row.name
         assert row.tunes in {"", *gains.MINT, *gains.MCCL}, row.name
-        assert row.changes in ("", "motion"), row.name
+        assert row.changes in ("", "motion", "always"), row.name
 
 
 def test_a_family_that_a_controller_lacks_or_limits_is_one_of_the_rows() -> None:

@@ -80,7 +80,9 @@ class Keyword:
     `simulated`   False: recognised, documented, answered as "not simulated"
     `effect`   what writing the word, or carrying it out, does to its axes: words of `ROLES` and `TRAITS`
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the word written last counts
-    `changes`  "motion": what is read changes only while the axis moves
+    `changes`  "motion": what is read changes only while the axis moves; "always": each reading gives another value
+    `every`    read of several axes it is true where it is true of each
+    `optional` the number of values that may be left out at the end of the brackets
     `tunes`    the quantity of the servo loop that it sets: one of the gains of its language in `servo.gains`
     `meant`    what people write for it where they do not know it
     `family`   the words that a controller lacks or limits together with it; `models.py` of a language says which do
@@ -94,6 +96,7 @@ class Keyword:
         "default",
         "driven",
         "effect",
+        "every",
         "example",
         "family",
         "gives",
@@ -105,6 +108,7 @@ class Keyword:
         "low",
         "meant",
         "name",
+        "optional",
         "short",
         "simulated",
         "solved",
@@ -138,6 +142,8 @@ class Keyword:
         driven: str = "",
         meant: str = "",
         family: str = "",
+        every: bool = False,
+        optional: int = 0,
     ) -> None:
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
         self.actions = actions if isinstance(actions, Actions) else Actions(actions)
@@ -146,6 +152,7 @@ class Keyword:
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes, self.meant, self.family = tunes, meant, family
+        self.every, self.optional = every, optional
 
     @property
     def is_whole(self) -> bool:

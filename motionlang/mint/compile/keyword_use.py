@@ -53,13 +53,13 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return _NOTHING
     if not can_be_read(b, node, row):
         return _NOTHING
-    if row.name == "IDLE" and node.args and len(node.args) > 1:
+    if row.every and node.args and len(node.args) > 1:
         return value(b, _each_of(node, node.args))
     b.observes = True
-    if row.name == "IDLE" and by_default(b, node, row):
-        idle, _ = b.whole.called("read", row, ["axis"])
+    if row.every and by_default(b, node, row):
+        read, _ = b.whole.called("read", row, ["axis"])
         axes = b.whole.use("env", "default_axes")
-        return Value(f"int(all([{idle}() for axis in {axes}()]))", INTEGER, intervals.BOOL)
+        return Value(f"int(all([{read}() for axis in {axes}()]))", INTEGER, intervals.BOOL)
     operation, arguments = b.whole.called("read", row, read_at(b, node, row))
     if id(node) in b.levels:
         arguments = [*arguments, b.levels[id(node)]]
@@ -112,17 +112,17 @@ def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
 def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     wanted = row.index.split(", ") if row.index else []
     args = node.args or []
-    if row.name == "Mid" and len(args) == 2:
-        wanted = wanted[:2]
+    if len(wanted) - row.optional <= len(args) < len(wanted):
+        wanted = wanted[: len(args)]
     if len(args) != len(wanted):
         b.problem("values", f"{row.name} takes {_many(len(wanted), 'value')}, {len(args)} given", node,
                   f"{row.name}({row.index})")  # fmt: skip
         return _NOTHING
-    if row.name == "IIf":
+    if row.verb == "choice":
         return _immediate_if(b, node, args)
     found = [_argument(b, arg, kind, row) for arg, kind in zip(args, wanted, strict=True)]
     texts = ", ".join(each.text for each in found)
-    if row.name == "Rnd":
+    if row.verb == "random":
         return Value(f"{b.whole.use('env', 'random')}()", FLOAT, intervals.FLOAT)
     if row.unit != "same":
         kind = type_of(row)

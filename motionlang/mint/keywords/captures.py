@@ -304,20 +304,23 @@ def write_before(capture: Capture, milliseconds: float) -> None:
     capture.before = int(milliseconds)
 
 
-def read_running(capture: Capture, row: Keyword) -> int:
-    """CAPTURE, and CAPTURECOMMAND, which tells of the command that was given last."""
-    if row.name == "CAPTURECOMMAND":
-        return capture.command
+def read_running(capture: Capture) -> int:
+    """CAPTURE."""
     return int(capture.status in (WAITING, CAPTURING))
 
 
-def write_running(capture: Capture, row: Keyword, command: int) -> None:
-    """CAPTURE begins at once, CAPTURECOMMAND waits for a trigger; 0 ends either."""
+def write_running(capture: Capture, command: int, triggered: bool = False) -> None:
+    """CAPTURE begins a capture at once; 0 ends it."""
     if command:
-        capture.start(row.name == "CAPTURECOMMAND")
+        capture.start(triggered)
     else:
         capture.stop()
     capture.command = command
+
+
+def write_command(capture: Capture, command: int) -> None:
+    """CAPTURECOMMAND begins a capture that waits for its triggers; 0 ends it."""
+    write_running(capture, command, triggered=True)
 
 
 def read_progress(environment: Environment, row: Keyword) -> Operation:
@@ -342,7 +345,8 @@ _SPACING = Actions(
     write=of_word(Capture, lambda capture, row, value: capture.space(row.name, value)),
 )
 _BEFORE = Actions(read=of(Capture, lambda capture: capture.before), write=of(Capture, write_before))
-_RUNNING = Actions(read=of_word(Capture, read_running), write=of_word(Capture, write_running))
+_RUNNING = Actions(read=of(Capture, read_running), write=of(Capture, write_running))
+_COMMAND = Actions(read=of(Capture, lambda capture: capture.command), write=of(Capture, write_command))
 
 # The quantities in their order, `motionlang.mint.keywords.captures_quantities.NAMES` in few words.
 QUANTITIES = (
@@ -412,7 +416,7 @@ ROWS = (
     _word("CAPTURE", "", "RW", "none", "bool", _RUNNING,
           "1 begins a capture at once, 0 ends it; 1 while one is running.",
           _RUN.format("CAPTURE"), 0.0, 0, 1),
-    _word("CAPTURECOMMAND", "", "RW", "none", "integer", _RUNNING,
+    _word("CAPTURECOMMAND", "", "RW", "none", "integer", _COMMAND,
           "1 begins a capture, which waits for its triggers where any is set; 0 ends it.",
           _RUN.replace("CAPTURE = 1", "CAPTURECOMMAND = 1").format("CAPTURECOMMAND"), 0.0, 0, 1),
     _word("CAPTURESTATUS", "", "R", "none", "integer", Actions(read=of(Capture, lambda capture: capture.status)),

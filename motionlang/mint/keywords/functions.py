@@ -5,9 +5,10 @@ from __future__ import annotations
 from motionlang.lang.keyword import Keyword
 
 
-def _function(name: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:
+def _function(name: str, index: str, unit: str, verb: str, help: str, example: str, changes: str = "",
+              optional: int = 0) -> Keyword:  # fmt: skip
     return Keyword(name, "", "function", "R", index, unit, verb, help, f"PRINT {example}",
-                   group="functions")  # fmt: skip
+                   group="functions", changes=changes, optional=optional)  # fmt: skip
 
 
 ROWS = (
@@ -29,7 +30,7 @@ ROWS = (
     _function("Acos", "number", "number", "arccosine", "The angle in degrees that has a cosine.", "Acos(0.5)"),
     _function("Atan", "number", "number", "arctangent", "The angle in degrees that has a tangent.", "Atan(1)"),
     _function("Rnd", "", "number", "random", "The next number of a fixed sequence between 0 and 1.",
-              "Rnd < 1"),
+              "Rnd < 1", changes="always"),
     _function("Len", "text", "integer", "length", "The number of characters of a text.", 'Len("Mint")'),
     _function("Asc", "text", "integer", "code", "The code of the first character of a text.", 'Asc("A")'),
     _function("Chr", "integer", "text", "character", "The character that has a code.", "Chr(65)"),
@@ -39,7 +40,8 @@ ROWS = (
     _function("Left", "text, integer", "text", "left", "The first characters of a text.", 'Left("Mint", 2)'),
     _function("Right", "text, integer", "text", "right", "The last characters of a text.", 'Right("Mint", 2)'),
     _function("Mid", "text, integer, integer", "text", "middle",
-              "Characters of a text from a place on (the first is 1), and how many.", 'Mid("Mint", 2, 2)'),
-    _function("IIf", "bool, any, any", "same", "", "One of two values, as a condition is true or false.",
+              "Characters of a text from a place on (the first is 1), and how many.", 'Mid("Mint", 2, 2)',
+              optional=1),
+    _function("IIf", "bool, any, any", "same", "choice", "One of two values, as a condition is true or false.",
               "IIf(1 > 0, 10, 20)"),
 )  # fmt: skip

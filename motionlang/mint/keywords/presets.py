@@ -155,7 +155,7 @@ def _second(row: Keyword, number: int) -> int:
 def write_format(presets: Presets, row: Keyword, preset: int, number: int, value: float) -> None:
     """A field with a format or a parameter of its own; a rate and the time for it replace each other."""
     presets.table[row.name, _preset(preset), _second(row, number)] = value
-    if row.name in ("PRESETACCEL", "PRESETDECEL"):
+    if row.index == "preset, format":
         presets.table.pop((row.name, preset, 1 - number), None)
 
 

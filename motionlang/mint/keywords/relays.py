@@ -41,7 +41,7 @@ def write_bank(environment: Environment, bank: int, bits: int) -> None:
 
 def _relay(row: Keyword, number: int) -> int:
     """The channel of a relay: of RELAYOUTX(relay), and of RELAY(bank), which is the first one of a bank."""
-    return FIRST + (bank_of_relays(number) if row.name == "RELAY" else checked(number, LAST_RELAY, "relay"))
+    return FIRST + (bank_of_relays(number) if row.index == "bank" else checked(number, LAST_RELAY, "relay"))
 
 
 def read_relay(environment: Environment, row: Keyword, number: int) -> int:

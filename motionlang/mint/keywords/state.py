@@ -45,7 +45,7 @@ _POSITION = Actions("position", read=place("position"), write=of_word(Environmen
 ROWS = (
     Keyword("IDLE", "ID", "reading", "R", "axis", "bool", IS_IDLE,
             "1 when no move of the axis is executing.",
-            "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", default=1.0, group="state"),
+            "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", default=1.0, group="state", every=True),
     Keyword("POS", "PS", "setting", "RW", "axis", "uu", _POSITION,
             "Position of the axis, that of a simulated motor; writing it gives the present position a new value.",
             "POS(0) = 100\nPRINT POS(0)", default=0.0, group="state", effect="zero", changes="motion", solved=True),

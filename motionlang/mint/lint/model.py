@@ -91,7 +91,7 @@ def _not_v4(module: Module, source: Source, table: Table) -> Found:
             shown = ", ".join(_shown(each) for each in name.args or ())
             dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
             yield name.at, f"{name.name}({shown})", f"write {dotted}" if shown else f"write {name.name}", ""
-        elif row is not None and row.name == "IIf":
+        elif row is not None and row.verb == "choice":
             yield name.at, "IIf", "write IF … DO", ""
     for node in walk(module.body):
         if type(node) is nodes.Exit and node.kind:

@@ -159,7 +159,7 @@ class Ways:
         if row.kind == "constant":
             return False
         if row.kind == "function":
-            return row.name == "Rnd"
+            return row.changes == "always"
         if row.changes == "motion":
             return self.follower.known(state, self.facts.key_of(name)).motion != IDLE
         if row.driven == "input" and row.index == "input":
@@ -195,7 +195,7 @@ class Ways:
         for name, symbol in zip(names, symbols, strict=True):
             if symbol is None and name not in inputs:
                 row = name.row
-                if row is None or row.kind not in ("constant", "function") or row.name == "Rnd":
+                if row is None or row.kind not in ("constant", "function") or row.changes == "always":
                     return
             elif symbol is None:
                 continue
