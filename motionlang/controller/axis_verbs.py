@@ -201,7 +201,7 @@ class AxisVerbs(Core):
         return a.buffer_size - len(a._buffer if a.loaded is None else a.buffer)
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Put a move to `position` into the moves.buffer."""
+        """Put a move to `position` into the move buffer."""
         moves.buffer.put(self.movable(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
@@ -211,7 +211,7 @@ class AxisVerbs(Core):
         moves.buffer.put(a, moves.buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Put a rest of `duration` seconds into the moves.buffer."""
+        """Put a rest of `duration` seconds into the move buffer."""
         moves.buffer.put_action(self.movable(axis), moves.buffer.Dwell(duration), command, line)
 
     def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
@@ -302,7 +302,7 @@ class AxisVerbs(Core):
             a.target = a.move.target = profile.end
 
     def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
-        """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the moves.buffer."""
+        """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the move buffer."""
         a = self.axes[axis]
         if ended == "stop":
             triggers.events.stopped(self, a, ended)
@@ -345,7 +345,7 @@ class AxisVerbs(Core):
         return self.axes[axis].suspended
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
-        """Come to rest at once and empty the moves.buffer."""
+        """Come to rest at once and empty the move buffer."""
         a = self.axes[axis]
         if ended == "cancel":
             triggers.events.stopped(self, a, ended)

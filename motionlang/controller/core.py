@@ -300,7 +300,7 @@ class Core(Readings):
                 raise
 
     def take_entry(self, a: Axis, place: int = 0) -> None:
-        """An entry, the first one unless said otherwise, leaves the moves.buffer."""
+        """An entry, the first one unless said otherwise, leaves the move buffer."""
         a.last_id = a.buffer.pop(place).id
         if a.buffer_low >= 0:
             moves.buffer.taken(self, a)
