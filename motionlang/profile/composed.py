@@ -83,6 +83,31 @@ class Composed(Formula):
             begin = finish
         return tuple(made)
 
+    @property
+    def peak_speed(self) -> float:
+        """The largest absolute velocity; in closed form while the motion along the curve is uniform."""
+        speed = _uniform_speed(self.along)
+        if speed is None:
+            return super().peak_speed
+        low, high = self.along.extrema()
+        path, slopes = self._travelled_part(low, high), [0.0]
+        if path is not None:
+            slopes.append(path.peak_speed)
+        if low < 0.0:
+            slopes.append(abs(self.path.start_velocity))
+        if high > self.path.duration:
+            slopes.append(abs(self.path.end_velocity))
+        return speed * max(slopes)
+
+    @property
+    def peak_acceleration(self) -> float:
+        """The largest absolute acceleration; in closed form while the motion along the curve is uniform."""
+        speed = _uniform_speed(self.along)
+        if speed is None:
+            return super().peak_acceleration
+        path = self._travelled_part(*self.along.extrema())
+        return 0.0 if path is None else speed * speed * path.peak_acceleration
+
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """The first time >= `after` at which the profile is at `position`, or None if it never is."""
         times = [self.along.crossing(place, after) for place in self._places_of(position)]
@@ -107,6 +132,14 @@ class Composed(Formula):
         """The same motion from `start`, every distance times `factor`."""
         begin = start + (self.path.start - self.start) * factor
         return Composed(self.along, self.path.scaled(begin, factor), self.shape)
+
+    def _travelled_part(self, low: float, high: float) -> Profile | None:
+        """The curve between two places of it; None where it has nothing between them."""
+        length = self.path.duration
+        if low >= length or high <= 0.0:
+            return None
+        path = self.path.cut(high) if high < length else self.path
+        return path.after(low) if low > 0.0 else path
 
     def _places_of(self, position: float) -> list[float]:
         """Everywhere on the curve that is at `position`, also on its straight continuations."""
@@ -135,6 +168,13 @@ def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
                 break
             return _straight(along, piece, begin, shape)
     return Composed(along, path, shape)
+
+
+def _uniform_speed(along: Profile) -> float | None:
+    """The speed of a motion that has the same one all the time; None for another motion."""
+    if not along.pieced or len(along.pieces) != 1 or any(along.pieces[0][2:5]):
+        return None
+    return abs(along.pieces[0][1])
 
 
 def _straight(along: Profile, piece: Piece, begin: float, shape: str) -> Profile:

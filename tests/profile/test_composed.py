@@ -22,6 +22,8 @@ from motionlang.profile.table_motion import table_curve
 from tests.profile.cases import Move, moves, quick
 
 CIRCLE = 2.0 * math.pi * 10.0
+# A rise by 10 over 4 with no slope at its ends: 3 * 10/4² x² - 2 * 10/4³ x³.
+CUBIC = (0.0, 0.0, 30.0 / 16.0, -20.0 / 64.0, 0.0, 0.0, 0.0)
 
 
 def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trapezoid") -> Profile:
@@ -30,6 +32,24 @@ def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trap
     along = plan(shape, 0.0, length, 20.0, 50.0, 50.0, ramp=0.2)
     end = 10.0 * (math.cos(sweep) if cosine else math.sin(sweep))
     return Composed(along, arc_over(length, 0.0, 10.0, 0.0, sweep, end, cosine))
+
+
+def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A cubic that rises by 10 over 4 has a slope of 1.5 * 10/4 at most, and bends by 6 * 10/4² at its ends.
+
+    A cam that is driven at 20 so has peaks of 75 and 1500. Up to the first 1 it comes to a slope of 45/16, and beyond
+    its end it goes on straight.
+    """
+    monkeypatch.setattr(Composed, "state", None)
+    curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
+    whole = Composed(plan_velocity("trapezoid", -5.0, 20.0, 20.0, 50.0, 50.0), curve)
+    assert (whole.peak_speed, whole.peak_acceleration) == pytest.approx((75.0, 1500.0))
+    back = Composed(plan_velocity("trapezoid", 1.0, -20.0, -20.0, 50.0, 50.0), curve)
+    assert (back.peak_speed, back.peak_acceleration) == pytest.approx((20.0 * 45.0 / 16.0, 1500.0))
+    beside = Composed(plan_velocity("trapezoid", 5.0, 20.0, 20.0, 50.0, 50.0), curve)
+    assert (beside.peak_speed, beside.peak_acceleration) == (0.0, 0.0)
 
 
 def test_the_peaks_of_arcs_on_s_ramps_are_those_of_a_dense_grid() -> None:
