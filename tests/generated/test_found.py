@@ -435,3 +435,11 @@ def test_a_path_of_no_length_is_under_way_for_as_long_as_it_is_suspended() -> No
         assert entry.ended == "fault"
         assert entry.profile is not None
         assert entry.profile.duration == pytest.approx(0.05, abs=1e-6)
+
+
+def test_a_stop_goes_on_as_it_was_planned_after_a_suspension_and_a_new_speed() -> None:
+    """DECELTIME 200 at a SPEED of 20 is a rate of 100: the stop from 20 takes 0.2 s, whatever SPEED comes to be."""
+    stop = "DECELTIME(0) = 200\nJOG(0) = 20\nWAIT = 500\nSTOP(0)\nWAIT = 100\nSPEED(0) = 73\n"
+    result = proved(f"{RATES}{stop}SUSPEND(0) = 1\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n")
+    assert result.time == pytest.approx(0.5 + 0.2, abs=1e-6)
+    assert places(result, 0) == pytest.approx([2.0 + 6.0 + 2.0], abs=1e-5)

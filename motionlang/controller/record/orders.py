@@ -80,6 +80,8 @@ class Orders:
         self._entries: dict[Move, tuple[float, int]] = {}
         # What is left of a stepper's move at a new zero is not planned anew: what held when it began still does.
         self._steps: dict[Move, Order] = {}
+        # The stop that each axis was last told to make: it goes on as it was planned, whatever settings come since.
+        self._halts: dict[int, tuple[Stopping, Order]] = {}
         self._known = {REST: REST}  # those that further profiles may be ordered by
         self._controller = controller
         controller.orders = self
@@ -92,6 +94,10 @@ class Orders:
             order = self._path(a) if path else _order(a)
             if move is not None and order.kind == "step":
                 order = self._steps.setdefault(move, order)
+            elif move is not None and isinstance(move.action, Stopping):
+                halt = self._halts.get(a.index)
+                order = halt[1] if halt is not None and halt[0] is move.action else order
+                self._halts[a.index] = move.action, order
             elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
                 # The same motion at a new zero: settings that came since do not act.
                 order = self.of[a.index][-1]
@@ -134,6 +140,7 @@ class Orders:
             self._counts,
             self._entries,
             self._steps,
+            self._halts,
         ):
             kept.clear()
         for more in (
