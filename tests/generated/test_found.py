@@ -379,11 +379,16 @@ def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> Non
     assert [offset.position(time) for time in (0.1, 0.2, 0.6)] == pytest.approx([0.5, 1.0, 1.0])
 
 
-def test_a_path_that_a_stop_comes_too_late_for_ends_as_it_was_planned() -> None:
+def test_a_path_that_a_change_comes_too_late_for_ends_as_it_was_planned() -> None:
     """51 at 20 with 100; with 2.5 left a stop at 50 would need 4, and at S-ramps with a jerk of 1000 it needs 3."""
     lines = "VECTORR(0, 1) = 51, 0\nGO(0)\nPAUSE POS(0) > 48.5\n"
-    for late in ("DECEL(0) = 50", "PROFILEMODE(0) = 1 : DECELJERK(0) = 1000"):
-        result = proved(f"{RATES}{lines}{late}\nSTOP(0)\nPAUSE IDLE(0)\n")
+    for late in (
+        "DECEL(0) = 50 : STOP(0)",
+        "MAXDECEL(0) = 50 : STOP(0)",
+        "DECEL(0) = 50 : SPEED(0) = 10",
+        "PROFILEMODE(0) = 1 : DECELJERK(0) = 1000 : STOP(0)",
+    ):
+        result = proved(f"{RATES}{lines}{late}\nPAUSE IDLE(0)\n")
         assert places(result, 0) == [51.0]
         assert result.time == pytest.approx(51.0 / 20.0 + 0.2, abs=1e-6)
 
@@ -443,3 +448,14 @@ def test_a_stop_goes_on_as_it_was_planned_after_a_suspension_and_a_new_speed() -
     result = proved(f"{RATES}{stop}SUSPEND(0) = 1\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n")
     assert result.time == pytest.approx(0.5 + 0.2, abs=1e-6)
     assert places(result, 0) == pytest.approx([2.0 + 6.0 + 2.0], abs=1e-5)
+
+
+def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> None:
+    """A tie has no end of its own: the MA of the other task takes over when the master stands, after 1 + 1 s."""
+    rates = "1MN,2MN,1SV1000,1SA1000,1DS1000,2SV1000,2SA1000,2DS1000\n"
+    result = proved(f"MD1,WA0.2,2MA-4\n{rates}1MR1000,GT1,2MR100,WA0.25,2SS-1,2SM1\n", "mcl")
+    _, _, slave, _ = result.controller.log.moves
+    assert (slave.command, slave.ended) == ("SM", "retarget")
+    assert slave.profile is not None
+    assert slave.start_time + slave.profile.duration == pytest.approx(2.0, abs=1e-6)
+    assert places(result, 1, 2) == pytest.approx([1000.0, -4.0])

@@ -175,7 +175,7 @@ def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool
         gone = position(run.track(order.tie.master), end) - order.tie.origin
         length = order.tie.table[0][-1]
         return abs(gone * order.tie.direction - length) <= SLACK * max(1.0, length)
-    if order.kind in ("jog", "stop"):
+    if order.kind in ("jog", "stop", "Gear"):
         return False
     # The clock has no rounding: what takes over a last digit before the end has replaced it.
     over = a.starts[i + 1] if i + 1 < len(a.starts) else end + late

@@ -37,8 +37,7 @@ def _judge_setting(
     if order.path is not None and wanted.path is not None:
         if order.path.rests or order.path.entry != wanted.path.entry:
             return
-        other = (order.shape, order.rates, order.jerks) != (wanted.shape, wanted.rates, wanted.jerks)
-        if wanted.path.rests and other and not _stops_within(run, wanted, time):
+        if _law(order) != _law(wanted) and not _stops_within(run, wanted, time):
             return  # by the settings of now it would stop behind its end, where it comes to rest as planned
         # Only what is lower: a path may keep its speed where it could not stop at its end otherwise.
         most = tuple(map(min, order.path.most, wanted.path.most))
@@ -72,6 +71,12 @@ def _judge_setting(
             proof.breaks(
                 order.line, f"{where}: {words}, ordered are {wanted.rates[0]:g} and {wanted.rates[1]:g}"
             )
+
+
+def _law(order: Order) -> tuple[object, ...]:
+    """What the ramps of a path go by."""
+    assert order.path is not None
+    return order.shape, order.rates, order.jerks, order.path.most_accel, order.path.most_decel
 
 
 def _stops_within(run: Run, wanted: Order, time: float) -> bool:

@@ -280,6 +280,8 @@ class Orders:
             if action.guide is not None or began is None:
                 return
             wanted = _path(action, action.moves[0], self._nth[action], began[1])
+            assert wanted.path is not None
+            wanted = wanted._replace(path=wanted.path._replace(ahead=_ahead(action)))
         elif isinstance(action, Stopping) or self.of[a.index][-1].kind == "step":
             return
         else:
