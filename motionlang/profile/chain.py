@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from operator import itemgetter
 
 from motionlang.profile.curve import Phase, Profile
 from motionlang.profile.formula import Formula
@@ -12,6 +13,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.profile.curve import State
+
+# The first of a pair.
+_BOUND = itemgetter(0)
 
 
 class Chain(Formula):
@@ -51,8 +55,20 @@ class Chain(Formula):
 
     @property
     def peak_speed(self) -> float:
-        """The largest absolute velocity."""
-        return max(part.peak_speed for part in self.parts)
+        """The largest absolute velocity: that of the parts whose bound promises more than has been found."""
+        peak = 0.0
+        for bound, part in sorted(
+            ((part.speed_bound, part) for part in self.parts), key=_BOUND, reverse=True
+        ):
+            if bound <= peak:
+                break
+            peak = max(peak, part.peak_speed)
+        return peak
+
+    @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed, found without a search."""
+        return max(part.speed_bound for part in self.parts)
 
     @property
     def peak_acceleration(self) -> float:

@@ -100,6 +100,12 @@ class Composed(Formula):
         return speed * max(slopes)
 
     @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed: the highest speed along it at its highest slope."""
+        path = self.path
+        return self.along.speed_bound * max(path.peak_speed, abs(path.start_velocity), abs(path.end_velocity))
+
+    @property
     def peak_acceleration(self) -> float:
         """The largest absolute acceleration; in closed form while the motion along the curve is uniform."""
         speed = _uniform_speed(self.along)

@@ -127,6 +127,11 @@ class Profile:
         return self._peak(velocity_in, even_points)
 
     @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed, found without a search."""
+        return self.peak_speed
+
+    @property
     def peak_acceleration(self) -> float:
         """The largest absolute acceleration."""
         return self._peak(acceleration_in, crest_points)

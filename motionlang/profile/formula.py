@@ -82,6 +82,11 @@ class Formula(Profile):
         return self._peak_of(self.velocity)
 
     @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed, found without a search."""
+        return inf
+
+    @property
     def peak_acceleration(self) -> float:
         """The largest absolute acceleration."""
         return self._peak_of(self.acceleration)

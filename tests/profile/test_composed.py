@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -50,6 +51,28 @@ def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
     assert (back.peak_speed, back.peak_acceleration) == pytest.approx((20.0 * 45.0 / 16.0, 1500.0))
     beside = Composed(plan_velocity("trapezoid", 5.0, 20.0, 20.0, 50.0, 50.0), curve)
     assert (beside.peak_speed, beside.peak_acceleration) == (0.0, 0.0)
+
+
+def test_the_peak_of_many_cycles_is_looked_for_where_the_master_is_fastest(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A master that speeds up at 2 to 20 passes 25 cycles of a cam: only the last few can have the highest speed."""
+    curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
+    ramp = plan_velocity("trapezoid", 0.0, 0.0, 20.0, 2.0, 2.0).cut(10.0)
+    cycles = []
+    for k in range(25):
+        begin, end = math.sqrt(4.0 * k), math.sqrt(4.0 * k + 4.0)
+        cycles.append(Composed(ramp.cut(end).after(begin).shifted(-4.0 * k), curve.shifted(10.0 * k)))
+    alone = [cycle.peak_speed for cycle in cycles]
+    search, searched = Composed._peak_of, []
+
+    def noted(cycle: Composed, value: Callable[[float], float]) -> float:
+        searched.append(cycle)
+        return search(cycle, value)
+
+    monkeypatch.setattr(Composed, "_peak_of", noted)
+    assert Chain("cam", cycles).peak_speed == max(alone) == alone[-1]
+    assert 1 <= len(searched) <= 3
 
 
 def test_the_peaks_of_arcs_on_s_ramps_are_those_of_a_dense_grid() -> None:
