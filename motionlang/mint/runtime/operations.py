@@ -26,12 +26,12 @@ if TYPE_CHECKING:
 
 
 class Operations:
-    """What makes operations of what words do, and the time that all of them go by.
+    """Makes operations of what words do; all of them share one time.
 
-    `timed` is for what is done at a statement. `repeated` is for what a loop that polls may write or do, told also what
-    is `held`: where all is as it was before, nothing was done. `loading` is for moves, which are refused while there is
-    no room for them, told also what loads a plain one, by axis, where that is something else, and the axis or the axes
-    of all of them where these are known. `now` does nothing, at a statement that reads.
+    `timed` is for what is done at a statement. `repeated` is for what a loop that polls may write or do; it is given
+    what reads `held`, and if that does not change, nothing was done. `loading` is for moves, which are refused while
+    there is no room for them; it is given what loads a plain move, by axis, where there is such, and the axis or the
+    axes of all of them where these are known. `now` does nothing, at a statement that reads.
     """
 
     __slots__ = ("cells", "loading", "now", "repeated", "set_time", "timed")
@@ -62,42 +62,7 @@ class Operations:
                 horizon = t + 0.5
             return False
 
-        def timed(operation: Callable[..., object]) -> Operation:
-            def at(paid: float, *arguments: object) -> bool:
-                nonlocal t
-                t += paid
-                if t >= horizon:
-                    environment.put_off = at, arguments, None
-                    return True
-                clock.now = statements.base + t * cost
-                environment.acts += 1
-                operation(*arguments)
-                return clock.horizon < statements.until and nearer()
-
-            return at
-
-        def repeated(operation: Callable[..., object], held: Callable[..., object]) -> Operation:
-            def at(paid: float, *arguments: object) -> bool:
-                nonlocal t
-                t += paid
-                if t >= horizon:
-                    environment.put_off = at, arguments, None
-                    return True
-                clock.now = statements.base + t * cost
-                acts = environment.acts
-                environment.acts = acts + 1
-                if attention.notes is None:  # nobody looks at this turn
-                    operation(*arguments)
-                else:
-                    before, made = held(*arguments), clock.made
-                    operation(*arguments)
-                    if clock.made == made and held(*arguments) == before:
-                        environment.acts = acts
-                return clock.horizon < statements.until and nearer()
-
-            return at
-
-        def loading(to_axes: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
+        def timed(act: Callable[..., object], loads: bool = False, axes: Any = None) -> Operation:
             def at(paid: float, *arguments: Any) -> bool:
                 nonlocal t
                 t += paid
@@ -106,45 +71,45 @@ class Operations:
                     return True
                 clock.now = statements.base + t * cost
                 environment.acts += 1
-                if to_axes(*arguments):
+                if act(*arguments) and loads:  # there is no room
                     full = arguments[0] if axes is None else axes
                     environment.put_off = at, arguments, full if isinstance(full, tuple) else (full,)
                     return True
                 return clock.horizon < statements.until and nearer()
 
+            return at
+
+        def repeated(act: Callable[..., object], held: Callable[..., object]) -> Operation:
+            def write(*arguments: object) -> None:
+                acts = environment.acts
+                if attention.notes is None:  # nobody looks at this turn
+                    act(*arguments)
+                    return
+                before, made = held(*arguments), clock.made
+                act(*arguments)
+                if clock.made == made and held(*arguments) == before:
+                    environment.acts = acts - 1
+
+            return timed(write)
+
+        def loading(load: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
             if plain is None:
-                return at
+                return timed(load, True, axes)
             wraps = environment.wraps
-            if axes is not None:
-                load = plain[axes]
+            if axes is None:
 
-                def plainly(paid: float, value: float, line: int) -> bool:
-                    nonlocal t
-                    t += paid
-                    if t >= horizon:
-                        environment.put_off = at, (value, line), None
-                        return True
-                    clock.now = statements.base + t * cost
-                    if wraps or environment.loaded is not None or not load(value, line):
-                        return at(0.0, value, line)
-                    environment.acts += 1
-                    return clock.horizon < statements.until and nearer()
+                def load_each(axis: int, value: float, line: int) -> object:
+                    usual = wraps or environment.loaded is not None or not plain[axis](value, line)
+                    return usual and load(axis, value, line)
 
-                return plainly
+                return timed(load_each, True)
+            load_plain = plain[axes]
 
-            def each(paid: float, axis: int, value: float, line: int) -> bool:
-                nonlocal t
-                t += paid
-                if t >= horizon:
-                    environment.put_off = at, (axis, value, line), None
-                    return True
-                clock.now = statements.base + t * cost
-                if wraps or environment.loaded is not None or not plain[axis](value, line):
-                    return at(0.0, axis, value, line)
-                environment.acts += 1
-                return clock.horizon < statements.until and nearer()
+            def load_one(value: float, line: int) -> object:
+                usual = wraps or environment.loaded is not None or not load_plain(value, line)
+                return usual and load(value, line)
 
-            return each
+            return timed(load_one, True, axes)
 
         self.now, self.timed, self.repeated, self.loading, self.set_time = (
             now,
