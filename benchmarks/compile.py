@@ -17,6 +17,7 @@ from statistics import median
 from parse_program import program
 from timing import seconds
 
+from motionlang.execution import accelerators
 from motionlang.mint.program import compile_source, load
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
@@ -33,7 +34,7 @@ LINES = (10_000, 40_000)
 
 def runnable(source: Source) -> MintProgram:
     """A program that can be started."""
-    return compile_source(source)
+    return compile_source(source, ranges=accelerators().ranges)
 
 
 def whole(source: Source) -> None:

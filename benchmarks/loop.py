@@ -8,6 +8,7 @@ from __future__ import annotations
 from statistics import median
 from time import process_time
 
+from motionlang.execution import accelerators
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mint import DIALECT
@@ -43,9 +44,9 @@ def native() -> int:
 
 
 def seconds(text: str) -> float:
-    machine = Machine()
-    task = DIALECT.compile(Source("loop.mnt", text)).start(machine)
-    scheduler = machine.scheduler = Scheduler(machine, task)
+    machine = Machine(accelerators=accelerators())
+    task = DIALECT.compile(Source("loop.mnt", text), {}, machine.accelerators.ranges).start(machine)
+    scheduler = machine.scheduler = (machine.accelerators.scheduler or Scheduler)(machine, task)
     start = process_time()
     scheduler.run()
     return process_time() - start

@@ -12,7 +12,7 @@ from time import process_time
 
 from timing import seconds
 
-from motionlang.execution import run
+from motionlang.execution import accelerators, run
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mccl import DIALECT as MCCL
@@ -97,9 +97,9 @@ class Unwatched(Poll):
 
 def started(text: str, dialect: Dialect = MINT) -> Scheduler:
     """A program that has been compiled and may run."""
-    machine = Machine()
-    task = dialect.compile(Source("poll", text)).start(machine)
-    machine.scheduler = Scheduler(machine, task)
+    machine = Machine(accelerators=accelerators())
+    task = dialect.compile(Source("poll", text), {}, machine.accelerators.ranges).start(machine)
+    machine.scheduler = (machine.accelerators.scheduler or Scheduler)(machine, task)
     return machine.scheduler
 
 

@@ -7,6 +7,7 @@ import os
 import sys
 
 from motionlang import cache as compile_cache
+from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 ONE_SHIFT = 8 * 3600.0
 # New objects between two looks of the garbage collector.
 GARBAGE = 200_000
+# In the environment "0" runs the engine without any accelerator.
+FAST = "MOTIONLANG_FAST"
 # What follows a program's name, without its suffix, in the name of the machine file beside it.
 MACHINE_SUFFIX = ".machine.toml"
 
@@ -57,6 +60,15 @@ def machine_of(program: str | os.PathLike[str] | Source | None, given: str | Non
     return path if os.path.isfile(path) else None
 
 
+def accelerators(fast: bool | None = None) -> Accelerators:
+    """The accelerators of a machine: all of them, or none with `fast=False` or `MOTIONLANG_FAST=0`."""
+    if not (os.environ.get(FAST) != "0" if fast is None else fast):
+        return NO_ACCELERATORS
+    from motionlang.fast import everything
+
+    return everything()
+
+
 def run(
     program: str | os.PathLike[str] | Source,
     *,
@@ -74,6 +86,7 @@ def run(
     prove: bool = False,
     log_size: float | None = None,
     compiled: Program | None = None,
+    fast: bool | None = None,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
@@ -86,7 +99,8 @@ def run(
     data outlives the run. With `prove` what `Run.proof` needs is kept. `log_size` is how many gigabytes the log may
     take on the disk. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all that
     was computed before it. `compiled` is what the dialect has made of the source before, for a machine that is as this
-    one wherever `Dialect.compiled_in` says that it matters.
+    one wherever `Dialect.compiled_in` says that it matters. With `fast=False` the engine runs without
+    accelerators, as with `MOTIONLANG_FAST=0` in the environment: the result is the same, only later.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
@@ -96,9 +110,15 @@ def run(
     result = Run(
         source,
         language,
-        Machine(settings, first_axis=language.first_axis, show=show, overrides=overrides),
+        Machine(
+            settings,
+            first_axis=language.first_axis,
+            show=show,
+            overrides=overrides,
+            accelerators=accelerators(fast),
+        ),
     )
-    entry = _entry(source, language, settings) if cache and compiled is None else None
+    entry = _entry(source, language, result.machine) if cache and compiled is None else None
     if compiled is None:
         compiled = _compile(source, language, settings, result, entry)
     result.program = compiled
@@ -190,7 +210,7 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     return found
 
 
-def _entry(source: Source, language: Dialect, settings: dict[str, object]) -> compile_cache.Entry | None:
+def _entry(source: Source, language: Dialect, machine: Machine) -> compile_cache.Entry | None:
     """The place of a compiled program in the cache; None where none is kept."""
     if not language.cached or not compile_cache.wanted():
         return None
@@ -198,7 +218,12 @@ def _entry(source: Source, language: Dialect, settings: dict[str, object]) -> co
     if not package:
         return None
     return compile_cache.program_entry(
-        package, language.name, repr(sorted(settings.items())), source.name, source.text
+        package,
+        language.name,
+        "" if machine.accelerators.ranges is None else "fast",
+        repr(sorted(machine.settings.items())),
+        source.name,
+        source.text,
     )
 
 
@@ -214,7 +239,7 @@ def _compile(
     if payload is not None:
         return language.load(payload)
     try:
-        compiled = language.compile(source, settings)
+        compiled = language.compile(source, settings, result.machine.accelerators.ranges)
     except (KeyboardInterrupt, Terminated) as error:
         from motionlang.remarks import interrupted
 
@@ -263,7 +288,9 @@ def _execute(
         if outside is not None:
             outside.start(result.machine)
         parent = compiled.start(result.machine)
-        scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
+        make = result.machine.accelerators.scheduler or Scheduler
+        scheduler = result.machine.scheduler = make(result.machine, parent, pace, outside)
+        assert scheduler is not None
         result.status = scheduler.run(until)
         if result.status == "until":
             from motionlang.remarks import tell_who_waited

@@ -33,6 +33,7 @@ LEVELS: dict[str, int] = {
     "report": 7,
     "result": 7,
     "readings": 6,
+    "fast": 6,
     "mint": 5,
     "mccl": 5,
     "copley": 5,
@@ -67,11 +68,11 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "attention", "parsing", "machine", "recurrence", "waits_in_turn"),
+        ("asked", "attention", "parsing", "machine", "recurrence"),
         ("scheduler",),
     ),
     "controller": (
-        ("clock", "scale", "faults", "move", "watches", "listeners"),
+        ("accelerators", "clock", "scale", "faults", "move", "watches", "listeners"),
         ("plain_moves", "joined"),
         ("axis",),
         ("triggers",),
@@ -206,6 +207,15 @@ def test_imports_point_down(path: Path) -> None:
         assert here == there or LEVELS[there] < LEVELS[here] or {here, there} in BESIDE, (
             f"{here} imports {module}, which lies above it or beside it"
         )
+
+
+def test_only_the_module_that_reads_the_switch_imports_accelerators() -> None:
+    importers = {
+        path.relative_to(PACKAGE).as_posix()
+        for path in FILES
+        if any(name.startswith("motionlang.fast") for name in imports(path))
+    }
+    assert {name for name in importers if not name.startswith("fast/")} == {"execution.py"}
 
 
 # What changes a list, a set or a dictionary.

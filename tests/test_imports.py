@@ -48,7 +48,6 @@ LAZY = {
     # What few programs, or few commands, come to.
     "client/client.py": "virtual",
     "controller/record/stream.py": "record.records",
-    "lang/scheduler.py": "recurrence",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",

@@ -10,6 +10,7 @@ from motionlang.cli.complaints import complain
 from motionlang.cli.output_queue import dropped
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
+from motionlang.execution import accelerators
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.models import written_for
@@ -39,7 +40,7 @@ def serve_board(
     if source is not None:
         settings.setdefault("controller.model", written_for(source.name))
     try:
-        console = Console(Machine(settings, first_axis=1, overrides=overrides))
+        console = Console(Machine(settings, first_axis=1, overrides=overrides, accelerators=accelerators()))
         download = console.download(
             source or Source("", ""), _say, lambda diagnostic: complain([diagnostic], source, args.file or "")
         )

@@ -77,6 +77,7 @@ class Client:
         that makes no sense.
         """
         from motionlang.client.virtual import VirtualWire
+        from motionlang.execution import accelerators
         from motionlang.lang.machine.file import first_mistake
         from motionlang.lang.machine.machine import Machine
         from motionlang.mccl.hosts.console import Console
@@ -87,7 +88,7 @@ class Client:
             mistake = first_mistake(board or {})
             if mistake:
                 raise ValueError(mistake)
-            console = Console(Machine(board, first_axis=1))
+            console = Console(Machine(board, first_axis=1, accelerators=accelerators()))
         return cls(VirtualWire(console, step), timeout)
 
     @classmethod

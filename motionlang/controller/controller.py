@@ -7,6 +7,7 @@ once and of what goes on beside motion. Each is a thin door to the module of its
 from __future__ import annotations
 
 from motionlang.controller import readers
+from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Refusal
@@ -38,8 +39,14 @@ class Controller(AxisVerbs):
     """
 
     def __init__(
-        self, axes: int = 8, first: int = 0, clock: Clock | None = None, log: Log | None = None
+        self,
+        axes: int = 8,
+        first: int = 0,
+        clock: Clock | None = None,
+        log: Log | None = None,
+        accelerators: Accelerators = NO_ACCELERATORS,
     ) -> None:
+        self.accelerators = accelerators
         super().__init__(axes, first, clock or Clock(), log or Log())
         power_up(self.log, self.axes)
 
@@ -58,7 +65,8 @@ class Controller(AxisVerbs):
 
     def loader(self, axis: int, relative: bool, command: str) -> Loader:
         """What loads a plain move to a place or by a distance, user units, for a line; false: it cannot."""
-        return readers.loader(self, axis, relative, command)
+        assert self.accelerators.loader is not None
+        return self.accelerators.loader(self, axis, relative, command)
 
     # ------------------------------------------------------------------------------- hearing of an axis
 

@@ -11,6 +11,7 @@ import sys
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
+    from typing import Any
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.asked import Asked
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.source import Source
+
+    # The accelerator of that name: the followed variables of a function, and the ranges by node.
+    Ranges = Callable[[Any], tuple[set[Any], dict[int, Any]]]
 
 
 # Where each dialect lives: found by its name when somebody wants it, as nothing below it may import it.
@@ -63,15 +67,24 @@ class Dialect:
     first_axis: int
     cached = False
 
-    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        """Parse and compile; ProgramError with every mistake of the text."""
+    def compile(
+        self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
+    ) -> Program:
+        """Parse and compile; ProgramError with every mistake of the text.
+
+        `ranges` is the accelerator of that name.
+        """
         raise NotImplementedError
 
     def compile_given(
-        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
+        self,
+        source: Source,
+        settings: dict[str, object],
+        values: Mapping[str, float | str],
+        ranges: Ranges | None = None,
     ) -> Program:
         """A program that is to be run with many `values` of its names; like `compile` where it is no matter."""
-        return self.compile(source, settings)
+        return self.compile(source, settings, ranges)
 
     def compiled_in(self, key: str) -> bool:
         """Whether a compiled program depends on a key of the machine file."""

@@ -7,9 +7,9 @@ so and ends.
 
 from __future__ import annotations
 
+from motionlang.controller.accelerators import NO_ACCELERATORS
 from motionlang.lang.statement_time import NEVER, StatementTime
-from motionlang.lang.task import ROUNDING
-from motionlang.lang.waits_in_turn import INFINITY, QUANTUM, TURN, WaitsInTurn
+from motionlang.lang.task import INFINITY, ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
             """Advance the machine's clock to `time`, or less far where something has come from outside."""
 
 
+# Virtual seconds that one task may run while another is runnable.
+QUANTUM = 1e-3
+# The same, less than whole, as a number of statements may fill it exactly.
+TURN = QUANTUM - ROUNDING
 # How often a wait may be asked at one moment before time goes on without it.
 STALLS = 4
 
@@ -46,7 +50,7 @@ class Stuck(Exception):
         super().__init__(f"waits {wait.why}, which can no longer happen")
 
 
-class Scheduler(WaitsInTurn):
+class Scheduler:
     """Runs tasks on a machine, or on a bare controller; when the first one, the parent, ends, the program has ended.
 
     `pace(now)` is called before time jumps, so that a run can be held to the wall clock. With `outside` there is a
@@ -60,7 +64,6 @@ class Scheduler(WaitsInTurn):
         pace: Callable[[float], None] | None = None,
         outside: Outside | None = None,
     ) -> None:
-        super().__init__()
         self.machine = machine
         self.clock = machine.clock
         self.parent = parent
@@ -70,6 +73,8 @@ class Scheduler(WaitsInTurn):
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
+        # When another task goes on, as far as that is known without asking; in the past where it is not.
+        self.next_turn = -INFINITY
         # Whether the clock goes on with nobody but the tasks being asked.
         self.by_itself = pace is None and outside is None
         # Which knows whether anybody may act while the task that runs waits.
@@ -92,6 +97,8 @@ class Scheduler(WaitsInTurn):
         self._due = INFINITY
         # Whether all tasks may be waiting, as the one that ran last does.
         self._asleep = False
+        # What makes that which finds the period of tasks that poll side by side; None: every iteration is run.
+        self._period = getattr(machine, "accelerators", NO_ACCELERATORS).recurrence
         self._recurrence: Recurrence | None = None
         self._turn = 0
         self._stalls = 0
@@ -138,7 +145,7 @@ class Scheduler(WaitsInTurn):
         clock, statements, outside = self.clock, self._statements, self.outside is not None
         self.until, self._end, self._asleep = until, 0.0, False
         while not self.parent.done:
-            if self._asleep and self._wake_in_turn(until):
+            if self._asleep and self.idle_round(until):
                 continue
             now = clock.now
             if now >= until:
@@ -161,6 +168,26 @@ class Scheduler(WaitsInTurn):
             time, task.wait = task.resume(now, horizon)
             self._leave(task, event, time, several)
         return True
+
+    def idle_round(self, until: float) -> bool:
+        """Let tasks that wait go on where it is known when their waits end; False if none went on."""
+        return False
+
+    def stir(self) -> None:
+        """The running task has changed what another one waits for, or which tasks there are."""
+        self._statements.share()
+
+    def passes(self, wait: Wait) -> bool:
+        """Let the time of a wait pass under the task that runs, as it would while it gave way; False if it must."""
+        return False
+
+    def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
+        """Like `passes` for one of several tasks: how far it may then go, 0.0 if it gives way."""
+        return 0.0
+
+    def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
+        """Like `passes` of the wait from `since` until axes are at rest, whose end is known without asking."""
+        return False
 
     def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
         """A task that went on has come to a time; when it did so, the next event was to be at `event`."""
@@ -224,6 +251,8 @@ class Scheduler(WaitsInTurn):
     def _compare(self, task: Task) -> None:
         """Where nobody does more than poll and wait, and all stand as they did before: go on to what may change it."""
         recurrence = self._recurrence
+        if self._period is None:
+            return
         if task.look is None or task.busy or task.done or self.interrupts or self.outside is not None:
             self._calm = 0
             if recurrence is not None:
@@ -236,9 +265,7 @@ class Scheduler(WaitsInTurn):
         if self._calm < count or (self._calm % count and not self._waiting):
             return  # not everybody has looked in vain yet; where nobody waits, one comparison a round tells as much
         if recurrence is None:
-            from motionlang.lang.recurrence import Recurrence
-
-            recurrence = self._recurrence = Recurrence(self.machine, self.pace)
+            recurrence = self._recurrence = self._period(self.machine, self.pace)
         elif self._calm == count:
             recurrence.forget()  # tasks may have run since it was last asked
         recurrence.leap(self.tasks, self._turn, self.until)

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.asked import Asked
+    from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
@@ -27,7 +28,9 @@ class Mccl(Dialect):
     )  # fmt: skip
     first_axis = 1
 
-    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+    def compile(
+        self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
+    ) -> Program:
         """Never fails: a command that the board would answer with `?` is one that runs and is answered so."""
         from motionlang.mccl.runtime.program import MacroFile
 

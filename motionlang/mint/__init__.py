@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.asked import Asked
-    from motionlang.lang.dialect import Interactive
+    from motionlang.lang.dialect import Interactive, Ranges
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
@@ -26,17 +26,24 @@ class Mint(Dialect):
     first_axis = 0
     cached = True
 
-    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+    def compile(
+        self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
+    ) -> Program:
         from motionlang.mint.program import compile_source
 
-        return compile_source(source, settings)
+        return compile_source(source, settings, ranges=ranges)
 
     def compile_given(
-        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
+        self,
+        source: Source,
+        settings: dict[str, object],
+        values: Mapping[str, float | str],
+        ranges: Ranges | None = None,
     ) -> Program:
+        """Compile once for many values of the program's own names."""
         from motionlang.mint.program import compile_given
 
-        return compile_given(source, settings, values)
+        return compile_given(source, settings, values, ranges)
 
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")

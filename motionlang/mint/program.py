@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.errors import Diagnostic
+    from motionlang.lang.dialect import Ranges
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Outline
     from motionlang.lang.task import Task
@@ -101,21 +102,21 @@ class MintProgram(Program):
             if len(values) == len(overrides) == len(self.given):
                 return self.run(machine, values)
             if len(values) == len(self.given):
-                return self._with({n: v for n, v in overrides.items() if n not in values}).run(
-                    machine, values
-                )
+                others = {n: v for n, v in overrides.items() if n not in values}
+                return self._with(others, machine.accelerators.ranges).run(machine, values)
         if overrides:
-            return compile_source(self._source, self.settings, overrides).run(machine)
+            ranges = machine.accelerators.ranges
+            return compile_source(self._source, self.settings, overrides, ranges=ranges).run(machine)
         return self.run(machine)
 
-    def _with(self, values: Mapping[str, float | str]) -> MintProgram:
+    def _with(self, values: Mapping[str, float | str], ranges: Ranges | None) -> MintProgram:
         """The program with values written into it; the last few are kept."""
         key = tuple(sorted(values.items()))
         found = self._others.get(key)
         if found is None:
             if len(self._others) >= MOST_KEPT:
                 self._others.clear()
-            found = compile_source(self._source, self.settings, values, self.given)
+            found = compile_source(self._source, self.settings, values, self.given, ranges)
             self._others[key] = found
         return found
 
@@ -162,39 +163,45 @@ def compile_source(
     settings: dict[str, object] | None = None,
     overrides: Mapping[str, float | str] | None = None,
     given: Mapping[str, bool] | None = None,
+    ranges: Ranges | None = None,
 ) -> MintProgram:
     """The program of a text, `overrides` in the place of its own values. ProgramError with every mistake."""
     from motionlang.mint.compile.compiler import compile_text
 
-    compiled = compile_text(source, settings, overrides, given)
+    compiled = compile_text(source, settings, overrides, given, ranges)
     warnings = compiled.problems.of_the_run()
     return MintProgram(compiled.code, source.name, source.text, settings, warnings, given, compiled.outline)
 
 
 def compile_given(
-    source: Source, settings: dict[str, object] | None, values: Mapping[str, float | str]
+    source: Source,
+    settings: dict[str, object] | None,
+    values: Mapping[str, float | str],
+    ranges: Ranges | None = None,
 ) -> MintProgram:
     """The program of a text that is to be run with many values of some names, such as `values`.
 
     Names whose value decides how the program is made, such as the size of an array, are not among what it is `given`:
     it is compiled anew for each of their values. ProgramError with every mistake of the text with `values`.
     """
-    compile_source(source, settings, values)
+    compile_source(source, settings, values, None, ranges)
     given = {name: isinstance(value, str) for name, value in values.items()}
     try:
-        return compile_source(source, settings, {}, given)
+        return compile_source(source, settings, {}, given, ranges)
     except ProgramError:
         given = {}
     for name, value in values.items():
         one = {name: isinstance(value, str)}
         others = {n: v for n, v in values.items() if n != name and n not in given}
         try:
-            compile_source(source, settings, others, given | one)
+            compile_source(source, settings, others, given | one, ranges)
         except ProgramError:
             continue
         given |= one
     others = {n: v for n, v in values.items() if n not in given}
-    return compile_source(source, settings, others, given) if given else compile_source(source, settings)
+    if not given:
+        others = {}
+    return compile_source(source, settings, others, given, ranges)
 
 
 def load(payload: bytes) -> MintProgram:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from motionlang.errors import Diagnostic
+from motionlang.execution import accelerators
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import Machine
 from motionlang.repl.commands import is_command, obey, without_dot
@@ -66,6 +67,7 @@ class Session:
             first_axis=self.dialect.first_axis,
             show=lambda text: self.say(harmless(text)),
             overrides=self._overrides,
+            accelerators=accelerators(),
         )
         self.machine.ask = lambda: self.ask(self.machine.terminal.begun)
         self.runner = Runner(self.dialect, self.machine, self.trouble, self._poll)

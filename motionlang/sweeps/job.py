@@ -8,7 +8,7 @@ from __future__ import annotations
 from hashlib import sha256
 
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.execution import dialect, run
+from motionlang.execution import accelerators, dialect, run
 from motionlang.extras import missing
 from motionlang.source import Source
 from motionlang.sweeps.quantities import quantity
@@ -159,7 +159,9 @@ class Worker:
         if found is None:
             if len(self._programs) >= MOST_PROGRAMS:
                 self._programs.clear()
-            found = self._programs[key] = self._dialect.compile_given(self.source, settings, overrides)
+            found = self._programs[key] = self._dialect.compile_given(
+                self.source, settings, overrides, accelerators().ranges
+            )
         return found
 
     @staticmethod

@@ -118,7 +118,7 @@ class World:
         start = f"axis.{axis}.servo."
         servo = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
         a, bit = self._controller.axes[axis], FOLLOWING_ERROR
-        a.feedback = Feedback(a, self._controller.clock, plant, servo)
+        a.feedback = Feedback(a, self._controller.clock, plant, servo, self._controller.accelerators.servo)
         a.feedback.tripped = lambda: self._controller.fault(axis, bit, self.actions.get((axis, bit), "off"))
 
     def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:

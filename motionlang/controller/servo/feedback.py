@@ -48,6 +48,9 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.replay import Change
     from motionlang.controller.triggers.watch import Watch
 
+    Section = Mapping[str, object]
+    Servos = Callable[..., Ahead]
+
 LONG = 0.5
 _NEVER = 1 << 62
 # Counts: an error below this is none.
@@ -68,6 +71,7 @@ class Feedback:
         "_event",
         "_gains",
         "_long",
+        "_made_of",
         "_servo",
         "_sight",
         "_size",
@@ -89,9 +93,9 @@ class Feedback:
     )
 
     def __init__(
-        self, axis: Axis, clock: Clock, plant: Mapping[str, object], section: Mapping[str, object]
+        self, axis: Axis, clock: Clock, plant: Section, section: Section, servo: Servos | None = None
     ) -> None:
-        self._axis, self._clock = axis, clock
+        self._axis, self._clock, self._made_of = axis, clock, servo or Ahead
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
@@ -344,7 +348,7 @@ class Feedback:
             return
         self.chosen = self._choose()
         self.first_loop = self.chosen.loop
-        servo = Ahead(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
+        servo = self._made_of(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
         self._servo = servo
         last = None
         for change in self.changes:

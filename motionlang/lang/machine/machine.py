@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.clock import Clock
 from motionlang.controller.record.log import Log
 from motionlang.lang.machine.terminal import Terminal, labelled
@@ -45,6 +46,7 @@ class Machine:
         "_power_up",
         "_told",
         "_world",
+        "accelerators",
         "ask",
         "assumed",
         "clock",
@@ -74,7 +76,9 @@ class Machine:
         first_axis: int = 0,
         show: Callable[[str], object] | None = None,
         overrides: Mapping[str, float | str] | None = None,
+        accelerators: Accelerators = NO_ACCELERATORS,
     ) -> None:
+        self.accelerators = accelerators
         self.settings = dict(settings or {})
         get = self.settings.get
         self.model = str(get("controller.model", ""))
@@ -144,7 +148,9 @@ class Machine:
         if self._controller is None:
             from motionlang.controller.controller import Controller
 
-            self._controller = Controller(self._axes, self._first_axis, self.clock, self.log)
+            self._controller = Controller(
+                self._axes, self._first_axis, self.clock, self.log, self.accelerators
+            )
             self._world = _world(self._controller, self.settings)
             for call in self._power_up:
                 call(self._controller)

@@ -18,6 +18,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint.compile.loop_times import Region
     from motionlang.mint.compile.polling import Poll
@@ -123,6 +124,7 @@ class Whole:
         "others",
         "parts",
         "problems",
+        "ranges",
         "rewritten",
         "spec_names",
         "specs",
@@ -143,6 +145,8 @@ class Whole:
     ) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes
         self.typed, self.suffix = names.typed, suffix
+        # What knows the ranges of a function's variables; None where they are not analysed.
+        self.ranges: Ranges | None = None
         self.told = told  # words whose values the machine file says
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []

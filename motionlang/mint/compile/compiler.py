@@ -18,7 +18,6 @@ from motionlang.mint.compile import jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
 from motionlang.mint.compile.body import Body, Whole
 from motionlang.mint.compile.overrides import override
-from motionlang.mint.compile.range_analysis import Flow, analysed
 from motionlang.mint.compile.statements import block, hear_of_errors, leave
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
@@ -31,6 +30,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.assembly import TypedLine
     from motionlang.mint.resolve.symbols import Function, Scope
@@ -54,7 +54,9 @@ class Compiled:
         self.outline = b""
 
 
-def compile_module(module: Module, settings: dict[str, object] | None = None) -> Compiled:
+def compile_module(
+    module: Module, settings: dict[str, object] | None = None, ranges: Ranges | None = None
+) -> Compiled:
     """Compile a program; ProgramError with every mistake."""
     problems = Problems(module)
     if settings and "fault" in settings:
@@ -62,6 +64,7 @@ def compile_module(module: Module, settings: dict[str, object] | None = None) ->
 
         mark(module, settings, problems)
     whole = _declared(module, settings, problems, None, "")
+    whole.ranges = ranges
     bodies = {function: _function(whole, function) for function in whole.names.functions}
     warn_of_misspellings(whole)
     problems.raise_errors()
@@ -102,10 +105,9 @@ def _function(whole: Whole, function: Function) -> Body:
     """The body of one function."""
     b = Body(whole, function)
     # What fails under ONERROR leaves its statement half done, so that nothing is certain behind it.
-    if not (whole.guarded or (whole.typed and function is whole.names.main)):
-        b.analysed = analysed(function)
-        if b.analysed:
-            b.facts = Flow(function, b.analysed).run()
+    certain = not (whole.guarded or (whole.typed and function is whole.names.main))
+    if certain and whole.ranges is not None:
+        b.analysed, b.facts = whole.ranges(function)
     if function.jumps:
         b.indent += 1
         jumps.write(b, block)
@@ -146,6 +148,7 @@ def compile_text(
     settings: dict[str, object] | None,
     overrides: Mapping[str, float | str] | None,
     given: Mapping[str, bool] | None = None,
+    ranges: Ranges | None = None,
 ) -> Compiled:
     """Parse and compile a program, `given` as `override` has it. ProgramError with every mistake."""
     collecting = gc.isenabled()
@@ -156,7 +159,7 @@ def compile_text(
             if overrides or given:
                 override(module, overrides or {}, given)
             blocks = blocks_of(module)
-            compiled = compile_module(module, settings)
+            compiled = compile_module(module, settings, ranges)
             compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
             return compiled
     finally:

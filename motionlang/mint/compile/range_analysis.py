@@ -54,6 +54,12 @@ def analysed(function: Function) -> set[Symbol]:
     return found
 
 
+def ranges(function: Function) -> tuple[set[Symbol], dict[int, Range]]:
+    """The variables of a function whose ranges are known, and the ranges by node."""
+    followed = analysed(function)
+    return followed, Flow(function, followed).run() if followed else {}
+
+
 class Flow:
     """One analysis; `facts` holds, by `id` of a Name (or of a For, for its variable at Next), what is known there."""
 

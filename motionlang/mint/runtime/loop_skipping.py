@@ -130,7 +130,12 @@ class Site:
             until = max(until, scheduler.reach())
         until = min(until, level)
         steps = [n - m for n, m in zip(counters, before, strict=True)]
-        most = _most(counters, steps)
+        most = INFINITY
+        if any(steps):
+            counted = environment.machine.accelerators.counted
+            if counted is None:
+                return None
+            most = counted(counters, steps)
         if until == most == INFINITY:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
         if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
@@ -144,7 +149,7 @@ class Site:
         return t, horizon, tuple([n + turns * step for n, step in zip(counters, steps, strict=True)])
 
 
-def _most(counters: Sequence[float], steps: Sequence[float]) -> float:
+def most_counted(counters: Sequence[float], steps: Sequence[float]) -> float:
     """How many turns counters can count on before they leave whole numbers or those that an Integer can be."""
     if any(n != int(n) for n in (*counters, *steps)):
         return 0

@@ -17,8 +17,8 @@ from motionlang.controller.servo.steps import COLUMNS, initial_state
 from motionlang.controller.servo.stretch import MARKED, run_steps
 from motionlang.profile import hold
 from tests.cases import cases
-from tests.controller.servo.test_closed_form import track
 from tests.controller.servo.test_oracle import LOOPS, PLANTS, WHOLE
+from tests.fast.test_closed_form import track
 
 ALL = LOOPS | WHOLE
 ROUGH = PLANTS["everything"]

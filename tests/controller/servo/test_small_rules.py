@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.controller.servo.closed_form import SEEN
+from motionlang.controller.servo.ahead import SEEN
 from motionlang.controller.servo.demand import SHORT, Generator, Track
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.lookahead import Sight, Window, next_other_side, next_side

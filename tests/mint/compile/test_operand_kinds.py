@@ -100,7 +100,7 @@ def test_a_truth_is_the_integer_1_or_0(whole: str) -> None:
 
 
 def test_a_comparison_in_a_condition_stays_as_it_is() -> None:
-    from tests.mint.compile.test_range_analysis import text_of
+    from tests.fast.test_range_analysis import text_of
 
     text = text_of("Dim n As Integer\nWhile n < 5 And Not n = 3\n  n = n + 1\nEnd While")
     assert "while v_n < 5 and not v_n == 3:" in text

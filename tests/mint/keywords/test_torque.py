@@ -7,7 +7,7 @@ from math import pi
 import pytest
 
 from motionlang import run
-from motionlang.controller.servo.closed_form import closed_form
+from motionlang.fast.closed_form import closed_form
 from motionlang.result import Run
 from motionlang.source import Source
 

@@ -119,7 +119,7 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
         "from motionlang.lang.scheduler import Scheduler\n"
         "machine = Machine()\n"
         "Scheduler(machine, DIALECT.load(payload).start(machine)).run()\n"
-        "heavy = {'re', 'enum', 'typing', 'dataclasses', 'collections', 'argparse', 'json', 'pathlib', 'numpy',\n"
+        "heavy = {'re', 'enum', 'typing', 'dataclasses', 'argparse', 'json', 'pathlib', 'numpy',\n"
         "         'lark', 'motionlang.mint.syntax.parser', 'motionlang.mint.syntax.nodes',\n"
         "         'motionlang.mint.compile.compiler',\n"
         "         'motionlang.mint.runtime.functions', 'motionlang.mint.runtime.events'}\n"

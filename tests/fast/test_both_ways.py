@@ -12,15 +12,12 @@ from hypothesis import strategies as st
 import motionlang
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
-from motionlang.controller.servo import ahead
-from motionlang.controller.servo.closed_form import closed_form
+from motionlang.controller.servo.ahead import Ahead
 from motionlang.controller.servo.feedback import Feedback
+from motionlang.fast.closed_form import ClosedFormServo
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.controller.servo.loop import Loop
-    from motionlang.controller.servo.plant import Drive, Motor
-
     Act = Callable[[Controller], object]
     Reading = tuple[float, ...]
 
@@ -63,38 +60,32 @@ ACTS: dict[str, Act] = {
 }
 
 
-def _no_form(loop: Loop, plant: Motor | Drive) -> None:
-    return None
-
-
 def told(
     plant: dict[str, object],
     section: dict[str, object],
     limit: float,
     acts: list[tuple[str, float]],
-    form: Callable[[Loop, Motor | Drive], object],
+    servo: Callable[..., Ahead],
 ) -> tuple[list[Reading], list[float]]:
     """What is read after each pause behind an act, and when the following error went beyond its limit."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(ahead, "closed_form", form)
-        controller, trips = Controller(1), list[float]()
-        a, clock = controller.axes[0], controller.clock
-        a.feedback = feedback = Feedback(a, clock, plant, section)
+    controller, trips = Controller(1), list[float]()
+    a, clock = controller.axes[0], controller.clock
+    a.feedback = feedback = Feedback(a, clock, plant, section, servo)
 
-        def trip() -> None:
-            trips.append(clock.now)
-            a.faults |= FOLLOWING_ERROR
+    def trip() -> None:
+        trips.append(clock.now)
+        a.faults |= FOLLOWING_ERROR
 
-        feedback.tripped = trip
-        feedback.set_error_limit(limit)
-        seen: list[Reading] = []
-        for name, pause in acts:
-            try:
-                ACTS[name](controller)
-            except Refusal:
-                pass  # a jog of an axis that is switched off
-            clock.advance(clock.now + pause)
-            seen.append((controller.position(0), controller.velocity(0), feedback.error, feedback.output))
+    feedback.tripped = trip
+    feedback.set_error_limit(limit)
+    seen: list[Reading] = []
+    for name, pause in acts:
+        try:
+            ACTS[name](controller)
+        except Refusal:
+            pass  # a jog of an axis that is switched off
+        clock.advance(clock.now + pause)
+        seen.append((controller.position(0), controller.velocity(0), feedback.error, feedback.output))
     return seen, trips
 
 
@@ -109,8 +100,8 @@ def test_readings_are_the_same_and_trips_come_at_the_same_sample(
     plant: dict[str, object], section: dict[str, object], limit: float, acts: list[tuple[str, float]]
 ) -> None:
     """To a ten-millionth of a count, and of what it goes by: counts/s, volts."""
-    seen, trips = told(plant, section, limit, acts, closed_form)
-    stepped, plain_trips = told(plant, section, limit, acts, _no_form)
+    seen, trips = told(plant, section, limit, acts, ClosedFormServo)
+    stepped, plain_trips = told(plant, section, limit, acts, Ahead)
     for one, other in zip(seen, stepped, strict=True):
         assert one == pytest.approx(other, rel=1e-7, abs=1e-7)
     assert trips == plain_trips
@@ -135,10 +126,10 @@ PRINT TIME
         "axis.0.servo.derivative": 0.15,
     }
 
-    def printed() -> list[str]:
-        return motionlang.run(Source("x", text), dialect="mint", machine=machine, cache=False).output
+    def printed(fast: bool) -> list[str]:
+        source = Source("x", text)
+        return motionlang.run(source, dialect="mint", machine=machine, cache=False, fast=fast).output
 
-    seen = printed()
+    seen = printed(True)
     assert len(seen) == 4
-    monkeypatch.setattr(ahead, "closed_form", _no_form)
-    assert printed() == seen
+    assert printed(False) == seen

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.controller.servo import Drive, Loop, Motor, Track, ahead
-from motionlang.controller.servo.ahead import Ahead
-from motionlang.controller.servo.closed_form import SEEN, closed_form
+from motionlang.controller.servo.ahead import SEEN, Ahead
+from motionlang.fast.closed_form import ClosedFormServo, closed_form
 from motionlang.profile import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
 from tests.cases import cases
 from tests.controller.servo.plain import run_plain
@@ -54,7 +54,7 @@ def looked(servo: Ahead, blocks: list[int]) -> dict[str, Array]:
 
 def assert_plain(loop: Loop, plant: Motor | Drive, blocks: list[int]) -> None:
     motion = track()
-    seen = looked(Ahead(loop, plant, motion), blocks)
+    seen = looked(ClosedFormServo(loop, plant, motion), blocks)
     count = len(seen["error"])
     points = points_of(loop, motion, SECONDS)
     time = np.arange(count) / loop.servo_rate
@@ -105,7 +105,7 @@ def test_blocks_of_any_length_are_the_plain_loop(name: str, plant: str, blocks: 
 
 def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
     """2 V on 5000 counts/s a volt, behind a lag of 20 ms: v = 10 000 (1 - e^(-t/T)), p its integral."""
-    servo = Ahead(Loop(servo_rate=1000.0), Drive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
+    servo = ClosedFormServo(Loop(servo_rate=1000.0), Drive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
     servo.open(2.0)
     seen = looked(servo, [300])
     for k in (0, 1, 17, 100, 299):
@@ -119,7 +119,7 @@ def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
 def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
     """Where 0.01 V a count must give 5000 counts/s out of 5000 counts/s a volt, it takes an error of 100 counts."""
     ramp = plan_trapezoid(0.0, 1e6, 5000.0, 1e6, 1e6)
-    seen = looked(Ahead(Loop(0.01), Drive(5000.0, 2e-3), Track([0.0], [ramp])), [8000])
+    seen = looked(ClosedFormServo(Loop(0.01), Drive(5000.0, 2e-3), Track([0.0], [ramp])), [8000])
     assert seen["error"][-1] == pytest.approx(100.0, abs=1e-9)
     assert seen["velocity"][-1] == pytest.approx(5000.0, abs=1e-7)
 
@@ -127,7 +127,7 @@ def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
 def test_a_constant_torque_is_a_parabola() -> None:
     """0.1 A on 0.05 N m/A turn 2e-5 kg m² at 250 rad/s²: after a second 125 rad, of 4000/2π counts."""
     motor = Motor(amplifier="current", amplifier_gain=0.1, viscous=0.0, load_inertia=0.0)
-    servo = Ahead(Loop(servo_rate=1000.0), motor, Track([0.0], [hold(0.0)]))
+    servo = ClosedFormServo(Loop(servo_rate=1000.0), motor, Track([0.0], [hold(0.0)]))
     servo.open(1.0)
     seen = looked(servo, [700, 301])
     assert seen["encoder"][1000] == pytest.approx(125.0 * motor.counts_per_radian, rel=1e-12)
@@ -140,7 +140,7 @@ def test_a_constant_torque_is_a_parabola() -> None:
 @given(st.integers(1, 3000), st.sampled_from(sorted(FORMS)))
 def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, name: str) -> None:
     """A motor that is taken over stands exactly where it was read: what was seen is what is run again."""
-    servo, twin = (Ahead(FORMS[name], LINEAR["gravity"], track()) for _ in range(2))
+    servo, twin = (ClosedFormServo(FORMS[name], LINEAR["gravity"], track()) for _ in range(2))
     servo.look(150)
     twin.look(150)
     there = servo.look(3000)
@@ -156,7 +156,7 @@ def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
 
     def taken_over(blocks: list[int]) -> Array:
         growing = Track([0.0], [hold(0.0)])
-        servo = Ahead(FORMS[name], Motor(), growing)
+        servo = ClosedFormServo(FORMS[name], Motor(), growing)
         servo.open(2.0)
         servo.look(200)
         now = (servo.sample - 0.5) / FORMS[name].servo_rate
@@ -171,7 +171,7 @@ def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
 def test_a_motor_comes_to_rest_to_the_last_bit() -> None:
     """What is left of a motion dies away to nothing: a long rest repeats itself, and costs nothing."""
     loop = Loop(0.04, 4e-4, 0.9, integral_limit=5.0)
-    free, held = (Ahead(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
+    free, held = (ClosedFormServo(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
     for servo in free, held:
         looked(servo, [2000] * 12)
         state = servo.state
@@ -193,9 +193,9 @@ def test_around_a_limit_there_are_plain_steps_and_elsewhere_there_are_none(
 
     monkeypatch.setattr(Ahead, "_step", counted)
     quick = plan_trapezoid(0.0, 4000.0, 12_000.0, 90_000.0, 140_000.0)
-    Ahead(PID, Motor(), Track([0.0], [quick])).look(3000)
+    ClosedFormServo(PID, Motor(), Track([0.0], [quick])).look(3000)
     assert stepped == []
-    seen = looked(Ahead(LOOPS["tight output limit"], Motor(), Track([0.0], [quick])), [3000])
+    seen = looked(ClosedFormServo(LOOPS["tight output limit"], Motor(), Track([0.0], [quick])), [3000])
     assert 0 < sum(stepped) < 1500
     assert np.abs(seen["output"]).max() == 0.4
 
@@ -203,7 +203,7 @@ def test_around_a_limit_there_are_plain_steps_and_elsewhere_there_are_none(
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("derivative", [40.0, 400.0, 1e300])
 def test_a_loop_that_runs_away_has_an_end(derivative: float) -> None:
-    servo = Ahead(Loop(0.04, 2e-5, derivative), Motor(), track())
+    servo = ClosedFormServo(Loop(0.04, 2e-5, derivative), Motor(), track())
     seen = looked(servo, [2000, 2000])
     assert all(np.isfinite(column).all() for column in seen.values())
     assert np.abs(seen["output"]).max() == 10.0
@@ -223,7 +223,7 @@ def test_a_loop_that_runs_away_has_an_end(derivative: float) -> None:
 )
 def test_what_has_no_closed_form_is_run_by_steps(loop: Loop, plant: Motor) -> None:
     assert closed_form(loop, plant) is None
-    stepped = Ahead(loop, plant, track()).run(900)
-    seen = looked(Ahead(loop, plant, track()), [900])
+    stepped = ClosedFormServo(loop, plant, track()).run(900)
+    seen = looked(ClosedFormServo(loop, plant, track()), [900])
     assert all(seen[name].tolist() == stepped[name].tolist() for name in ("velocity", "error", "output"))
     assert ahead.seen_of(stepped)[0].tolist() == seen["encoder"].tolist()

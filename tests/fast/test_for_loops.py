@@ -10,6 +10,7 @@ from motionlang import run
 from motionlang.lang import scheduler
 from motionlang.mint.compile import for_loops
 from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.compile.range_analysis import ranges
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 from tests.cases import cases
@@ -59,7 +60,7 @@ def test_a_loop_in_chunks_gives_way_at_the_same_moments(
 
 
 def test_such_loops_are_cut() -> None:
-    text = compile_module(parse(Source("a.mnt", LOOPS["a branch"]))).code.text
+    text = compile_module(parse(Source("a.mnt", LOOPS["a branch"])), None, ranges).code.text
     assert "for v_i in range(" in text
 
 
@@ -75,7 +76,7 @@ def test_such_loops_are_cut() -> None:
     ],
 )
 def test_others_are_not(loop: str) -> None:
-    assert "for v_i in range(" not in compile_module(parse(Source("a.mnt", loop))).code.text
+    assert "for v_i in range(" not in compile_module(parse(Source("a.mnt", loop)), None, ranges).code.text
 
 
 @cases("seed", range(60))

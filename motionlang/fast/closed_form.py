@@ -1,4 +1,15 @@
-"""The linear loop behind a demand that is a cubic: all samples of a stretch from its beginning, in one expression.
+"""The closed form of a linear servo: all samples along a cubic of its demand in one expression.
+
+Replaces: the plain steps of `Ahead` (controller/servo/ahead.py). A linear loop goes from one cubic of its demand to the
+next by its closed form; plain steps do what lies between them and around its limits, and all of what is not linear.
+
+Hook: `Accelerators.servo`; `Feedback` makes its servo of it.
+
+Gain: 1.7 to 2.2 times in runs with linear motors (`linear-in-a-run` of benchmarks/servo.py).
+
+Held equal by: tests/fast/test_closed_form.py and tests/fast/test_both_ways.py.
+
+The algorithm
 
 Between its limits loop and plant are one linear system, and a ramp of the demand is four numbers. So a sample depends
 on the state and the demand at the beginning of its stretch by factors that are the same wherever that is: a table of
@@ -17,6 +28,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.controller.servo.ahead import SEEN, SHORT, Ahead
+from motionlang.controller.servo.cubics import cubic_behind, moved, value
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.linear import Probe, kept_places
 from motionlang.controller.servo.steps import MEMORY
@@ -31,8 +44,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-SEEN = ("encoder", "velocity", "error", "output", "current")
-"""What is seen of a sample: measured position (counts, the motor's own), counts/s, counts, V, A."""
 LONGEST = 512
 """Samples from which on a table is long enough."""
 _MOST_UNIT = 64
@@ -42,6 +53,14 @@ _NOTHING = 1e-30
 # Beyond this a loop that runs away without an end is left to the plain steps.
 _FAR = 1e250
 _WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
+# Samples of the first block: by the closed form they cost little beside their block.
+_SHORT = 256
+# Samples of a cubic from which the closed form is quicker than plain steps.
+_WORTHWHILE = 48
+# Samples of plain steps behind one that breaks a limit; as many again each time that was too early, up to the most.
+_PATIENCE, _MOST_PATIENCE = 32, 1024
+# Samples that a new loop goes by plain steps first: its table takes as long to make as some thousands of them.
+_TRIAL = 256
 
 
 @lru_cache(maxsize=32)
@@ -178,8 +197,8 @@ class ClosedForm:
         np.add(made[0], base, out=out[0])
         out[1:] = made[1 : len(SEEN)]
         full = list(state)
-        for place, (value,) in zip(self._kept, after.tolist(), strict=True):
-            full[place] = value if abs(value) > _NOTHING else 0.0
+        for place, (number,) in zip(self._kept, after.tolist(), strict=True):
+            full[place] = number if abs(number) > _NOTHING else 0.0
         for i in self._places:
             full[self._kept[i]] += base
         full[_WAIT] = -good % self.every
@@ -219,3 +238,93 @@ def _product(a: Array, b: Array) -> Array:
     """The matrix product, term by term."""
     made: Array = (a[:, :, None] * b).sum(axis=1)
     return made
+
+
+class ClosedFormServo(Ahead):
+    """One axis under servo, seen before its time by its closed form."""
+
+    _form_of: tuple[Loop, ClosedForm | None] | None = None
+    # The loop that was in charge last, and the sample from which it counts as one that stays.
+    _loop: Loop | None = None
+    _stays = 0
+
+    @property
+    def short(self) -> int:
+        """Samples of the first block behind something that may be followed by something else."""
+        return SHORT if self._form(self._sample + _SHORT) is None else _SHORT
+
+    def look(self, count: int) -> Array:
+        """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
+        first, until = self._sample, self._sample + count
+        form = self._form(until)
+        if form is None:
+            return super().look(count)
+        self._marks, self._stepped, made = [self._mark()], None, np.empty((len(SEEN), count))
+        if first < self._stays:
+            self._step(self._stays, made)
+            self._marks.append(self._mark())
+        while self._sample < until:
+            cubic, begin, stop = self._next_cubic(form, until)
+            if self._sample < begin:
+                self._step(min(begin, until), made[:, self._sample - first :])
+                self._marks.append(self._mark())
+            if cubic is not None and begin < until:
+                self._glide(form, cubic, min(stop, until), made[:, begin - first :])
+                self._marks.append(self._mark())
+        return made
+
+    def _next_cubic(self, form: ClosedForm, until: int) -> tuple[Cubic | None, int, int]:
+        """The next cubic that is worth it, from which sample to which; None where there is none before `until`.
+
+        How long a cubic is decides, not how much of it comes before `until`: so what is run again is run alike.
+        """
+        ratio, sample = self.loop.ratio, self._sample
+        if self._state[_WAIT]:  # a closed form begins with a sample of the derivative
+            begin = (sample // ratio + 1) * ratio
+            return None, begin, begin
+        least = -(-_WORTHWHILE // ratio)
+        while sample < until:
+            cycle, part = divmod(sample, ratio)
+            cubic, end = (None, cycle + 1) if part else cubic_behind(self._generator, cycle, least)
+            if cubic is not None:
+                return cubic if (sample - self._sample) % form.every == 0 else None, sample, end * ratio
+            sample = end * ratio
+        return None, sample, sample
+
+    def _glide(self, form: ClosedForm, cubic: Cubic, until: int, out: Array) -> None:
+        """Go along a cubic to sample `until` (not included)."""
+        first, patience, ratio = self._sample, _PATIENCE, self.loop.ratio
+        unit = 2 * form.unit  # two cycles on, the points before the first one are out of it
+        while self._sample < until:
+            done = self._sample - first
+            count = min(until - self._sample, form.longest)
+            here = moved(cubic, done // ratio)
+            off = (0.0, 0.0) if done else (self._points[0] - value(cubic, -1), self._points[1] - cubic[0])
+            good, self._state = form.run(self._state, here, off, out[:, done : done + count])
+            done += good
+            if good:
+                cycle, part = divmod(done, ratio)
+                at = value(cubic, cycle) if cycle else self._points[1]
+                before = value(cubic, cycle - 1) if cycle > 1 else self._points[cycle]
+                self._points = [before, at, value(cubic, cycle + 1) if part else at]
+                self._sample = first + done
+                self._tell(out[:, done - 1])
+            if good < count:
+                stop = first + -(-(done + patience) // unit) * unit
+                self._step(min(stop, until), out[:, done:])
+                patience = min(2 * patience, _MOST_PATIENCE)
+
+    def _form(self, until: int) -> ClosedForm | None:
+        """The closed form of the loop in charge; None where none of it comes before sample `until`.
+
+        The first loop stays, one that comes later after a while: a torque that rises makes one a cycle.
+        """
+        loop = self._in_charge
+        if loop is not self._loop:
+            self._stays = 0 if self._loop is None else self._sample + _TRIAL
+            self._loop = loop
+        if until <= self._stays:
+            return None
+        if self._form_of is None or self._form_of[0] is not loop:
+            self._form_of = loop, closed_form(loop, self.plant)
+        return self._form_of[1]

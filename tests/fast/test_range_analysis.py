@@ -13,6 +13,7 @@ from motionlang import run
 from motionlang.mint import DIALECT
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.compile.range_analysis import ranges
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 from tests.mint.programs import Writer
@@ -63,7 +64,7 @@ def test_many_compiled_programs_agree_with_a_plain_interpreter() -> None:
 
 
 def text_of(program: str) -> str:
-    return compile_module(parse(Source("a.mnt", program))).code.text
+    return compile_module(parse(Source("a.mnt", program)), None, ranges).code.text
 
 
 LOOP = "For i = 1 To 1000000\n  x = x + i * 2\n  If x > 1000 Then x = 0\nNext"

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import execution
-from motionlang.lang.scheduler import Scheduler
+from motionlang.fast.time_slices import TimeSlices
 from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source
@@ -123,15 +123,15 @@ def both(source: Source, machine: dict[str, object], until: float | None = None)
 def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """The ends of the waits that tasks among others let pass where they stood."""
     ends: list[float] = []
-    passes = Scheduler.passes_in_turn
+    passes = TimeSlices.passes_in_turn
 
-    def counted(scheduler: Scheduler, since: float, end: float, by_bell: bool) -> float:
+    def counted(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:
         reach = passes(scheduler, since, end, by_bell)
         if reach:
             ends.append(end)
         return reach
 
-    monkeypatch.setattr(Scheduler, "passes_in_turn", counted)
+    monkeypatch.setattr(TimeSlices, "passes_in_turn", counted)
     return ends
 
 
@@ -182,11 +182,11 @@ def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> N
     assert [round(end, 4) for end in passed] == [0.08]
 
 
-def interrupting(after: int) -> Callable[[Scheduler, float, float, bool], float]:
+def interrupting(after: int) -> Callable[[TimeSlices, float, float, bool], float]:
     """What ends a run from the keyboard at a wait that passes where it stands."""
-    passes, left = Scheduler.passes_in_turn, after
+    passes, left = TimeSlices.passes_in_turn, after
 
-    def ends(scheduler: Scheduler, since: float, end: float, by_bell: bool) -> float:
+    def ends(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:
         nonlocal left
         left -= 1
         if not left:
@@ -201,7 +201,7 @@ def test_a_signal_in_such_a_wait_leaves_a_whole_log(after: int, monkeypatch: pyt
     program, machine = MEETS["nothing"]
     source = Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n")
     whole = execution.run(source, machine=machine, cache=False)
-    monkeypatch.setattr(Scheduler, "passes_in_turn", interrupting(after))
+    monkeypatch.setattr(TimeSlices, "passes_in_turn", interrupting(after))
     ended = execution.run(source, machine=machine, cache=False)
     assert ended.status == "interrupted"
     waits = list(ended.machine.log.waits)

@@ -1,0 +1,56 @@
+"""Accelerators: each gives the same result as the part of the engine that it replaces, only sooner.
+
+`motionlang.execution` reads the switch and hands them to a machine; nothing else imports this package. Each module says
+at its head what it replaces, where its hook is, what it gains and which test holds it equal.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.accelerators import Accelerators
+from motionlang.fast.time_slices import TimeSlices
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def everything() -> Accelerators:
+    """All accelerators; those that few programs need are imported when they are called."""
+    return Accelerators(
+        counted=_counted,
+        loader=_loader,
+        ranges=_ranges,
+        recurrence=_recurrence,
+        scheduler=TimeSlices,
+        servo=_servo,
+    )
+
+
+def _counted(*given: Any) -> float:
+    from motionlang.mint.runtime.loop_skipping import most_counted
+
+    return most_counted(*given)
+
+
+def _loader(*given: Any) -> Any:
+    from motionlang.controller.readers import loader
+
+    return loader(*given)
+
+
+def _ranges(function: Any) -> Any:
+    from motionlang.mint.compile.range_analysis import ranges
+
+    return ranges(function)
+
+
+def _servo(*given: Any, **columns: Any) -> Any:
+    from motionlang.fast.closed_form import ClosedFormServo
+
+    return ClosedFormServo(*given, **columns)
+
+
+def _recurrence(*given: Any) -> Any:
+    from motionlang.lang.recurrence import Recurrence
+
+    return Recurrence(*given)

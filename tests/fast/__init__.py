@@ -1,0 +1,1 @@
+"""Accelerators: each gives what the engine gives."""
