@@ -1,9 +1,43 @@
-"""The Python text of one function as it grows, and how virtual time is written into it.
+"""The Python text of one function, and how it counts virtual time.
 
-`t` is the number of the statement at the begin of a basic block, counted from the moment `S.base`, and `H` that of the
-first at which something else wants to happen. Both are cells: whoever lets the function go on writes them. Statements
-count one each; how many is kept in `pending` and written as one constant where somebody asks for the time. What takes
-note of it runs after everything that is due until then, of which `T` tells, as it tells the clock.
+Problem. A Mint program becomes Python functions. Each statement takes machine time (10 µs by default), events must
+take effect between the right two statements, and a task must give way in the middle of any loop or sub. Counting and
+comparing after each statement would take longer than most statements themselves.
+
+Idea. Time is counted in statements, and as late as possible. `pending` is the number of statements written since `t`
+was last up to date. It becomes a constant in the text where a statement needs the time, and at the end of a block. The
+exact time of a statement that only computes makes no difference, so several are paid for together.
+
+    n = 1             v_n = 1.0
+    n = n + 2         v_n = v_n + 2
+    MOVER(0) = n      if k0(2.0, v_n, 3): yield       pays for the 2 statements before it; 3 is the line
+    GO(0)             if k1(1.0, 4): yield            pays for MOVER
+    n = 0             v_n = 0.0
+                      t += 2.0                        pays for GO and n = 0, at the end of the block
+
+The names in the text:
+
+    t, H        the statement, and the first one at which something else may happen; cells that others write, so both
+                may differ after a `yield`
+    T(n)        pays for n statements and sets the clock; true if something else is due first, and the task gives way
+    kN          an operation or another object of the run, described in `Whole.specs`
+    E, P        the environment of the program, and its print function
+    v_ p_ s_    variables, parameters and subs; other prefixes are the compiler's own
+
+Data. `Whole` is what the functions of a program share: names, problems, specs. `Body` is one function, with its `lines`
+and what is known at the point that is being written. A `Line` has a text, the source offset that it comes from, and the
+names of its variables, so that later passes need not parse the text. A `Value` is an expression: its text, its type and
+what is known of its value.
+
+Invariants.
+- Machine time is base + t × cost and never a running sum, so it does not matter how often the clock is set.
+- A statement that reads the world or acts on it runs after all that is due before it: `settle` and `operate` write the
+  check in front of it.
+- `t` is up to date (`pending` is 0) at both ends of an indented block, so all branches agree on it.
+- Each line has the source offset of its statement. Errors, waits and the log's loops are located by it.
+- A function is a generator unless it is `plain` (`names.py`).
+
+Cost. A statement that computes adds nothing, a block one addition, and an iteration one comparison with `H`.
 """
 
 from __future__ import annotations

@@ -1,9 +1,45 @@
-"""The ways through one function: its statements and conditions as steps, and which step may follow which.
+"""The flow graph of a function: its steps, and which may follow which.
 
-Conditions are steps of their own, so that what is known on their true and on their false side can differ; so are the
-head of a For, whose true side is its body, and the `Next` behind that. A `Gosub` leads to its label, and a `Return` to
-behind every `Gosub` of the function. Steps are numbered in the order of the text. What is asked of the ways, be it what
-numbers can be, what an axis does or where labels lead, is worked out on this one graph.
+Problem. The linter and the range analysis ask what may have happened before a statement or may happen after it: where
+an axis is, whether a move is ever started, which numbers a variable can hold, which code is unreachable. Mint has
+loops, Exit, Select, Goto and Gosub. All these questions are answered on one graph, built once for a function.
+
+Idea. Conditions are steps of their own, so that a client can learn different facts on their true and false sides. So
+are both ends of a For loop. A client describes what one step does; the graph iterates to a fixed point.
+
+    n = 3                 0 start ─ 1 n = 3 ─ 2 n > 0 ─ yes ─ 3 n = n - 1
+    While n > 0                               │   └─────────────────┘
+     n = n - 1                                no
+    End While                                 │
+    Print n                                   4 Print n ─ 5 leave
+
+Data. A `Step` has a kind, a tree node and the list `next`. The sides of a condition, `yes` and `no`, are in `next` too.
+
+    start, leave   the two ends of the function; an Exit outside all loops leads to leave
+    do             any other statement; an Exit or a Goto has its target in `next`
+    test           a condition
+    turn, next     the head of a For, whose true side is the body, and its Next, where the variable counts
+    end            End: the program stops, and no step follows
+
+A Gosub leads to its label. In a function with a Gosub all Returns lead to one common step, and that leads behind every
+Gosub: calls are not matched with returns. In other functions a Return leads to leave. A label of the main program that
+has the name of an event and is the target of no jump is an event handler, and a further entry.
+
+Invariants.
+- `number` follows the text, except for leave and the common step of Returns, which come last. Every cycle has an edge
+  to the same or a lower number: that edge leads back.
+- `While 1` has no false side, and `Until 0` no true one. Unreachable steps are in `steps` as well; `reached`
+  leaves them out.
+- A `single` step has one edge into it, from a step with no other edge out. `forward` carries the state along such
+  steps without storing it.
+
+The questions. `reached` finds the steps that some path leads to. `forward` computes facts that hold before a step: the
+client follows a step, and joins states where edges meet. Waiting steps are visited in text order, and the last visit
+of a step has the final facts. `backward` computes what some path behind a step may meet, as bits of an integer.
+
+Cost. Building is linear in the statements. `forward` visits a step again whenever its state grows, so the client's
+join has to stop growing: the range analysis widens bounds where an edge leads back. `backward` visits a step at most
+once for each bit, and once more.
 """
 
 from __future__ import annotations

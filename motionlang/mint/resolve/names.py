@@ -1,4 +1,46 @@
-"""The first pass: every name a program declares or assigns, who uses it, and which subs can wait."""
+"""Name resolution: find what every name of a Mint program refers to.
+
+Problem. A name is written in any case and may be a variable, constant, parameter, Define, sub, task or keyword. A sub
+may be called above its declaration, a Define is replaced by its expression, and an assignment to an unknown name
+declares a Float. So no name can be resolved before all declarations and assignments are known. The compiler also needs
+to know which variables several functions share, and which subs can never wait.
+
+Idea. Each function is walked once (`Survey`). The passes of `declare_module` work on what that walk has collected:
+
+1. Declare: the types, then each function with its parameters and its Const, Define and Dim statements, in text order.
+   The number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
+2. Implicit: a name that a function assigns to and that is neither declared nor a keyword becomes a variable there. The
+   main program comes first, so a sub that assigns to one of its variables gets that variable.
+3. Use: the scopes are frozen and every `Name` node is bound. A Define is expanded at each use, and the names in its
+   expression are looked up in the function that uses it.
+4. Conclude: whether calls may nest too deep (`call_depth.py`), and which subs are `plain`.
+
+    Dim x                      main, the module     x, twice, show
+    Define twice = 2 * x         └ sub show         n, y
+    x = 3 : show twice
+    Sub show(n)                x      shared, since main and show use it
+     x = n : y = n             y      implicit in show, since main does not assign to it
+    End Sub                    twice  bound to a copy of 2 * x
+
+Data (`symbols.py`). A `Symbol` has a kind, a type and a Python spelling that is unique in the program. A `Scope` is a
+dict with the scope around it: a sub, then the task that it stands in, then the module. A `Function` becomes one Python
+function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `stands`, the expression. An
+unknown name gets none of these; the compiler reports it with a suggestion.
+
+Invariants.
+- A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
+  form, a word of v4 or one that is not simulated.
+- Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
+- `shared`: a function other than the one that declares the variable uses it. `boxed`: it is passed ByRef or outlives
+  the run, so it lives in a list of one element. `uses` counts reads, not assignments.
+- `plain`: the sub has no loop and no jump, does nothing that takes note of time (a keyword other than functions and
+  constants, PRINT, PAUSE, …) and calls only plain subs. It needs no generator. No sub is plain if the program handles
+  ONERROR, since that may run between any two statements.
+- At a prompt the names of the module outlive the line, and a later declaration replaces an earlier one.
+
+Cost. One walk over each function, and one lookup for each spelling in it. Each use of a Define copies its expression;
+expanded expressions nest to at most `MAX_DEFINED_DEPTH` levels.
+"""
 
 from __future__ import annotations
 

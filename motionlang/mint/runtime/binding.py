@@ -1,13 +1,34 @@
-"""Keyword rows bound to what they do: the mechanism, and what a setting or a reading of the controller does.
+"""Operations: the rows of keywords bound to the functions that carry them out.
 
-A row's `actions` are makers of operations: of a value that is read, written or put into the move buffer ("load"), and
-of a command ("do"). Without one, its `verb` is a setting of the controller or one of its readings, converted by the
-row's unit. What the maker returns is called with the indices, then the value, then (moves,
-commands of axes, the whole group "motion") the line of the statement. One for "load" answers true while there is no
-room and the statement must wait. What is read or written of an axis is bound to it when the program starts, or when
-it first names the axis (`bind_to_axis`); a maker with `by_axis` above it makes what is bound, as the controller's
-readers and writers are. Most operations are functions of a part of the environment: `of` and `of_word` make their
-makers. A value that is written lies in the range of its row: that is looked at here, and nowhere else.
+Problem. `MOVER(0) = n` is a row of a table (name, unit, range, functions) and a call in generated code. Between the two
+lie the axis, the unit, the range, the line and the time. Nearly all of this is known when the program starts, and a
+statement may run millions of times.
+
+Idea. All that is known at the start is bound at the start. A maker takes the environment of the program and the row. It
+returns the operation: a function of what only the statement itself knows.
+
+    at the start     row of MOVER ─▶ its maker for "load" ─▶ operation, bound to axis 0
+    in the text      if k0(2.0, v_n, 3): yield      k0 pays 2 statements, sets the clock and calls operation(v_n, 3)
+
+A keyword has four uses: "read", "write", "load" (a move into the buffer) and "do" (a command). A row has a maker for
+each of its uses in `actions`. Without one, its `verb` names a setting or a reading of the controller, which is
+converted by the row's unit. An operation is called with the indices, then the value, then (moves, commands of axes) the
+line. One for "load" returns true while the buffer has no room. `operations.py` adds the time to all but "read".
+
+    of, of_word               maker of a function of a component of the environment; with `of_word` also of the row
+    by_axis, to_each_axis     maker of what is bound to one axis, once for each (`Each`)
+    on_axes, on_every_axis    maker of what acts on each of several axes
+    unchecked                 marks a write that takes any number, or checks the range itself
+    repeatable                marks a write that is a no-op if the value is there already, as `held` reads it
+
+Invariants.
+- An operation on an axis is bound to one that exists (`axis_of`). A written value lies in the range of its row. That is
+  checked here and nowhere else; NaN is outside every range.
+- An axis that the text gives as a number is bound at the start; a computed one when it is first named.
+- A polling loop that writes a repeatable keyword has done nothing if that changed no value and set no event.
+
+Cost. Binding happens once for each keyword, axis and use. A call costs one Python function, and a write with a range
+one comparison more.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""What a statement writes, loads or does, as generated code calls it:
+"""Operations in time: writes, loads and commands as generated code calls them.
 
     if k0(2.0, 10.0): yield
 
-An operation pays for the statements before its own, is carried out at the machine time of that, and answers with False.
-Where something else is due by then, or a move finds no room, it is put off and answers with True: the task gives way,
-and the operation is what it does first when it goes on (`MintTask`).
+An operation pays for the statements before its own, runs at the machine time that this gives, and returns False. If
+something else is due by then, or a move finds no room, it is put off and returns True. The task gives way and, when it
+is resumed, carries the operation out first (`MintTask`).
 
-`t`, the statement, and `H`, the first one at which something else wants to happen, are cells, which the functions of a
-program share with each other and with their operations.
+`t`, the statement, and `H`, the first one at which something else may happen, are cells that the functions of a program
+share with each other and with their operations. The functions that they call are bound in `binding.py`.
 """
 
 from __future__ import annotations
