@@ -1,9 +1,46 @@
-"""Until when what a task has read stays as it is: the one answer for loops, waits for conditions, and polls.
+"""Dependencies: until when the values that a task has read stay as they are.
 
-A reading that changes with no event to tell makes a note as it is read: `(until, about)`, where `until(*about)` is the
-first moment, from the clock's on, at which it may answer differently. Most such readings change whenever something
-moves; one that is compared with a level says when it passes it. Whoever looks at the same things again and again asks
-for the first of these moments, and has no need to look before it.
+Problem. Programs poll, as in `While POS(0) < 50 : End While`. An iteration takes 10 µs of machine time, so eight hours
+of waiting are some 3 × 10⁹ iterations. Most values change only by an event, such as an input or the end of a move. But
+positions, velocities and times change by themselves, and no event announces it.
+
+Idea. A value that changes by itself records a dependency as it is read: `(until, about)`. The call `until(*about)`
+returns the first moment, from the clock's on, at which the value may differ. If the program compares the value with a
+level, that is the moment at which the value passes the level, solved from the profile of the motion. Up to that moment,
+or the next event if it comes first, an iteration takes the same branches as the one before.
+
+    position      _____
+                 /
+     50 ......../             `POS(0) < 50` stays true until 1.25 s,
+               /:             so all iterations before that are alike
+        ______/ :
+        ────────|─────── time
+             1.25 s
+
+The clients, each of which needs the first of these moments:
+- Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable as it was repeats until
+  then, in one step.
+- Conditions of PAUSE (`Condition` below): the wait sleeps until then.
+- Loops of MCCL (`poll.py`): the same for the accumulator.
+- Periods of several polling tasks, for which `read` collects the dependencies of all tasks.
+
+Data. `notes` is the list of dependencies of the running task, None if no client needs any. Nested loops share the list,
+and each remembers how long it was when its iteration began. Of the levels two are special. -infinity: the loop only
+stores the value and compares it with nothing, so there is no dependency. +infinity: the loop keeps the largest value
+so far, and its iterations stay alike until the value turns round. In `read` both count as changing at once.
+
+Invariants.
+- A dependency may be too early, never too late. Too early costs a check; too late would change the result. Solutions
+  are rounded, so a value is relied on only until `CLOSE` before the solved moment.
+- It holds for the motion in force and stores no result: each check solves it again. Events are left to the client,
+  which also stops at the next one.
+- `until` is called with the clock set to the moment in question; the clock is set back afterwards.
+- A value that cannot be solved may change at once. A PAUSE on it is tested every millisecond, at the profiler's ticks.
+- `POS > 50` is false at the exact moment of 50, so a PAUSE is also tested just after a solved moment (`_AFTER`).
+
+Cost. One test for each value read, plus one append while there is a client. A check solves each distinct dependency
+once. An iteration that reads more than `MOST` values is never skipped. Checks that fail cost little, by exponential
+back-off in the clients: after a failed check a loop runs unchecked for 1, 2, 4, … iterations, and records nothing.
 """
 
 from __future__ import annotations

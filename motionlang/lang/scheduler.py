@@ -1,8 +1,42 @@
-"""The scheduler: from event to event until the program has ended and every axis is at rest.
+"""The scheduler: run the tasks of a program in virtual time, from event to event.
 
-Nothing here ticks. While a task is runnable it is resumed with a horizon, the time of the next event; while all wait,
-the clock jumps to the earliest time at which something can change. When nothing can ever change again, the run says
-so and ends.
+Problem. Tasks share one processor on which statements take time (10 µs each by default), while axes move and inputs
+change. A task that computes must not keep the others waiting. Each run of a program must give the same result, and
+eight hours of waiting must not take eight hours.
+
+Idea. No clock ticks. A task is resumed with a horizon, the first moment at which anything else may happen. It runs on
+its own until it reaches the horizon, has to wait, or ends. Then the clock catches up, and each event on the way runs at
+its own time. If all tasks wait, the clock jumps to the earliest moment at which an event happens or a wait may end.
+
+    time        0        1 ms     2 ms                    12.5 ms
+    task A      ████████          ████ waits for 10 ms    ████
+    task B               ████████     ███ waits for an input
+                time slices of 1 ms     all wait: jump
+
+The horizon is the earliest of four moments: the next event of the clock, the end of the run, the end of the time slice
+(`QUANTUM`, or the task's own if shorter), and the first moment at which the wait of another task may end.
+
+Data. `tasks` has them in the order of their start, each with its `wait`, None while it can run. `interrupts` is the
+stack of event handlers; while there is one, only the innermost runs. Among the tasks that can run, those of the highest
+priority take turns, round robin. A wait whose end is a known moment (`ends`) is compared with the clock. For any other
+wait `ready` says whether it is over, and `due` when it may be over next.
+
+Invariants.
+- A task reads the world or acts on it only after all events that are due by then. No slice outlasts the wait of
+  another task.
+- Moments less than `ROUNDING` apart are one moment: the order of the tasks decides, not the last bit.
+- An event interrupts a time slice. The slice continues unless the event starts a handler or ends another task's wait.
+- While all tasks that can run compute with data of their own (`busy`), a slice may last many quanta, since no other
+  task can tell the difference.
+- When the parent ends, the program has ended, and `settle` lets the motion in progress finish.
+- `Stuck` is raised if every task waits and nothing can end any of the waits. A wait that is due and, by rounding, not
+  ready is asked again slightly later, with doubling steps.
+
+`pace` holds the run to real time. `outside` is a world that may act at any moment, such as a host; the clock then
+advances only as far as that allows.
+
+Cost. A single task runs from event to event without the scheduler in between. With several tasks each slice costs two
+passes over them. Other modules skip polls and waits that repeat; the result is the same without them.
 """
 
 from __future__ import annotations
