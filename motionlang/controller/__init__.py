@@ -1,6 +1,37 @@
-"""The virtual multi-axis controller: counts and seconds, no language and no user units.
+"""The virtual multi-axis controller: counts and seconds, no language.
 
 Start with `controller.Controller`; its public methods, listed in `verbs.VERBS`, are all that a language may do.
+
+Units, unless a docstring says otherwise:
+
+    position, target, distance, following error      counts, from the zero that the program has set
+    velocity, speed                                  counts/s
+    acceleration, accel, decel, error_decel          counts/s²
+    jerk, accel_jerk, decel_jerk                     counts/s³
+    time, duration                                   s; a moment counts from power-up
+    angle                                            degrees
+    ratio of a slave                                 counts of the slave per count of its master
+    override                                         a factor of the speed
+
+Other units are used for
+
+    paths: length, and speed, rates and jerk along it        uu, uu/s, uu/s², uu/s³; positions of axes stay in counts
+    `Axis.blend_distance`, `Axis.index_every`                uu
+    simulated motors: output; current; torque                V; A; N m; SI units for the plant, except for counts
+    gains                                                    see `servo/gains.py`
+    log: `value` and `limit` of an event                     uu of that moment; a `Setting` is in counts and seconds
+    trace                                                    the unit at the end of the column's name
+
+Suffixes and prefixes of names:
+
+    _time                            s: a moment (start_time, crossing_time) or a length (accel_time, suspend_time)
+    _speed, _accel, _decel, _jerk    as above; max_ is a limit of the axis
+    _rate                            Hz (servo_rate, trajectory_rate); error_rate is a deceleration, counts/s²
+    _uu                              user units, in `scale.py`, where both are in use
+    _s, _uu, _uu_per_s, _uu_per_s2   units in the names of a trace's columns: time_s, axis0_velocity_uu_per_s
+
+User units become counts, and counts user units, by the `Scale` of an axis: `counts` is counts per uu, `rate` seconds
+per user unit of time.
 """
 
 from __future__ import annotations

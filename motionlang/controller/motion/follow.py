@@ -1,7 +1,38 @@
-"""Following a master: gearing, and what it has in common with cams and flying shears.
+"""Following a master: gearing, and the basis of cams and flying shears.
 
-A slave's motion is worked out whenever its master gets a new profile, from that profile, exactly; nothing is sampled.
-What an offset adds lies on top of it.
+Problem. A slave follows an axis or an encoder, at a ratio or on a curve over the master's position. The master may be
+a slave itself, and may change its motion at any moment. An OFFSET may add a motion of its own on top.
+
+Idea. Nothing is sampled. The master's motion is a profile, so the slave's is known exactly: the master's times the
+ratio, or the curve at the master's position. Each new profile of the master calls its slaves, and each computes its own
+from that moment on (`renew`). An offset is a profile as well, and is added.
+
+    master's profile ── × ratio, or curve(master) ──▶ base ──┐
+                                                             + ──▶ slave's profile ──▶ its own slaves
+    offset's profile ────────────────────────────────────────┘
+
+A gear with a `ramp` first comes to its velocity at the slave's own rates: a straight ramp, up to the moment at which it
+meets ratio × master's velocity (`_chased`). `locked` is that moment.
+
+Data. `Follow` ties a slave to its master. It is the action of the slave's move in progress. `Gear` and the cams and
+shears of `cam.py` are its subclasses. Each says in `base` what the slave does while the master does what is `coming`.
+`FollowMove` is the slave's entry in the log. It stores the profiles that the slave has followed, and joins them when it
+is read.
+
+A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`, offsets that are
+ordered meanwhile wait in `_later`. A cam or a shear cannot be suspended.
+
+Invariants.
+- The base of a gear begins at the slave's position, less the offset done so far, so no position jumps. A curve is
+  always read at the master's position.
+- One offset is in progress at a time. A new one adds what the one before has left; what that has done becomes part of
+  the base (`fold`).
+- No axis follows itself, directly or through others (`check_chain`).
+- `renew` acts only while the tie is in force (`tied`). A stop replaces the tie and keeps the move.
+- A slave that leaves its master completes the profile in force (`leave_master`).
+
+Cost. One profile for each new profile of the master, for each slave along a chain. An entry of the log with more than
+`MOST_PARTS` profiles continues as a further entry.
 """
 
 from __future__ import annotations

@@ -1,12 +1,43 @@
-"""Running along paths: the motion of several axes along one path after the other, joined or blended.
+r"""Running along paths: several axes on one path after another, joined or blended.
 
-A run has a list of courses, the oldest first. Each is a path (and those ahead that are run through with it) with a plan
-of its own. There is one course, or two while a path is blended into the next one: an axis then does the sum of both.
-Whatever changes the motion changes all courses, in `_change`; each has its own entries in the log, which say how it
-ended. A blended course begins where the one before it ends. When a stop cuts the first one short, the second one is
-therefore moved back by what is missing (`_join`), and the end of the last entry is where the axis is.
+Problem. The axes of a path stay on one line or arc, while the program sets the speed along it. Between two paths the
+axes come to rest, run through the corner (contour mode), or blend: the next path begins while the one before still has
+a distance to go. A stop, a suspension or another speed must change all axes at the same moment, and the log must say
+what was run of each path.
 
-There is one event for the next end of a course, and one for the next blend.
+Idea. One profile is planned for the distance along the path; axis k is at curve[k](distance(t)). A `Course`
+(`course.py`) is the path in progress, the paths ahead that it runs into without coming to rest, and that profile. A run
+has one course. It has two while a path is blended into the next, and each axis then does the sum of both.
+
+    speed      course 1          course 2
+             _____________     _____________
+            /             \   /             \
+           /               \ /               \       in between, each axis adds both
+          /                 X                 \
+         /                 / \                 \
+        ──────────────────|───|────────────────── time
+                      blend   end of course 1
+
+Data. `courses` has the oldest first. Lengths and speeds along a path are in user units, positions of axes in counts. A
+path has an entry in the log for each axis, which its course extends and closes. There are two events: the next end of
+a course (`_event`) and the next blend (`_blend_event`).
+
+Life of a run. `start` enters the first course. At the end of a path its course enters the next one on the rest of the
+same profile (`_go_on`), or is over. When all courses are over, the axes are at rest and each takes the next move of its
+buffer (`_finish`). Changes arrive through `replan`, `more`, `stop`, `suspend` and `resume`. They plan new profiles for
+the courses in progress, and `_change` puts all of them in force. `blend` begins the next path now.
+
+Invariants.
+- All axes of a run get their new profiles at the same moment, and limits are checked when all have theirs (`together`).
+- At most two courses overlap. A blend that is due earlier waits for the end of the one before.
+- BLENDDISTANCE counts up to `MAX_SHARE` of a path; an explicit `blend` takes effect at any distance.
+- A course that runs through corners refuses `blend`.
+- A course begins where the one before it ends. If a stop cuts the first one short, the second is moved back by what is
+  missing (`_join`). So the last entry of the log ends where the axis comes to rest.
+- If new settings leave no room to come to rest at the end, the course goes on as planned.
+
+Cost. A change plans each course again over all its paths ahead, linear in their number, and makes one profile for each
+axis. Entering a path plans again only if further paths have been released. Nothing is sampled.
 """
 
 from __future__ import annotations

@@ -1,6 +1,40 @@
-"""A proof of a run: every profile of every axis held against what was ordered, by what the run left behind alone.
+"""A proof of a run: check all motion against what the program ordered.
 
-It shares no code with the planners: it evaluates the pieces by itself and asks the log, the track and the orders.
+Problem. A planner that is wrong in a rare case gives a plausible profile, and a test finds it only if it has that case.
+The same holds for the log and for the report. So a whole run can be checked afterwards, by code that shares nothing
+with the planners and uses only what the run has recorded.
+
+Idea. During the run `Orders` records the expected motion, an `Order` for each profile: the kind of motion and the
+settings in force when it began, never anything that a planner has computed. Afterwards each profile is compared with
+its order and with the profile before it, and each entry of the log with the tracks of the axes.
+
+    program ──▶ settings ──▶ planners ──▶ profiles ──▶ tracks, log ──▶ report, trace
+                   │                                       │                │
+                   └──────▶ expected motion ─────────▶ checkers ◀───────────┘
+
+Data. `Run` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how much was
+checked, the largest fraction used of each bound, exceptions by name, and violations, each a diagnostic at the line of
+its move. The files `judge_*.py` each check one kind of motion or record. They use the arithmetic of `spans.py`
+(extremes of polynomials and waves) and `due.py` (how long a motion may take).
+
+`prove` checks, in this order:
+1. the report and the trace, if there are any,
+2. each axis: every profile, and how it continues the one before,
+3. settings that were written in motion,
+4. each entry of the log,
+5. the entries of each axis together: none is missing, that of an OFFSET included, and the last one leads to where the
+   axis is.
+
+Invariants.
+- The checkers import no planner. Ramps, times and bounds are computed a second time.
+- No bound is checked by sampling. Extremes are found in closed form.
+- A rule that the program breaks on purpose, such as by CANCEL, a new zero or a kink within CONTOURANGLE, is an
+  exception. Exceptions are counted by name, so none goes unseen.
+- A figure may exceed its bound only by rounding (`SLACK`).
+- A run with too many different orders to record is not proved, and that is a violation.
+
+Cost. One pass over the profiles of each axis and one over the log; lookups are bisections. Packed records are read
+chunk by chunk, so memory grows only with the orders and with the entries of paths and offsets. Other runs record none.
 """
 
 from __future__ import annotations

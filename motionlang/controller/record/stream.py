@@ -1,6 +1,33 @@
-"""Records of one kind in their order, the newest as they are, the older ones packed: in memory, then on the disk.
+"""Streams of a log: records of one kind in time order, older ones packed.
 
-A packed part is one `marshal` of plain tuples. It is read back whole when something in it is asked for.
+Problem. A run may take weeks of machine time and write millions of records. They are read like a list, during the run
+and after it, and must not fill the memory. Writing one happens while the program runs and must be cheap.
+
+Idea. The newest records stay in a list, the tail. When the tail is long, its oldest records are packed into chunks. A
+chunk is one `marshal` of plain tuples. The first 16 MB of chunks stay in memory, the others go to a file. Reading a
+packed record brings back its whole chunk.
+
+    record      0          2048       4096               count               len
+                ├─ chunk ──┼─ chunk ──┼─ … ──────────────┼────── tail ───────┤
+                  memory     memory     file               list of up to 24 576
+
+Data. `Store` has the bytes of all streams of a log. `Parts` has the chunks of one stream: the number of the first
+record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written as a plain tuple
+and read as the named tuple of its kind (`records.py`). A subclass whose records are objects, such as moves, says in
+`_rows` and `_records` how they become tuples and objects again.
+
+Invariants.
+- Records are only appended, and packed ones never change. A record keeps its number when it is packed, and when older
+  ones are dropped (`forget`); `first` is then the oldest that is left.
+- Packed records read the same as others, but an object is created again when its chunk is unpacked again.
+- An interrupt at any moment leaves the stream whole. `_total` is set while a chunk replaces records of the tail, and
+  `keep_whole` completes that step or drops the chunk.
+- The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes or cannot
+  be written, the run ends with a diagnostic.
+
+Cost. Writing is one append; every 16 384 records the oldest are packed. Reading from one end to the other unpacks each
+chunk once. A single old record costs a bisection and the unpacking of its chunk; a stream caches its last one. Memory
+is bounded by 16 MB for the log, and one tail and one chunk for each stream.
 """
 
 from __future__ import annotations

@@ -1,11 +1,39 @@
-"""The feedback of an axis that has a simulated motor: what its encoder says now, and when it will say something else.
+"""Feedback of a simulated motor: what its encoder says, and when that matters.
 
-The servo is run ahead of the clock in blocks. A reading is a look into the block; whatever waits for the motor (a
-switch on its way, the following-error limit, a window to settle in) is found in the block and happens as an event, at
-the time of its servo sample, though nobody reads. A new profile or gain throws away what lies behind the present
-sample. Blocks grow from `Ahead.short` samples to LONG seconds while nothing interferes.
+Problem. A motor under servo is a sampled system: thousands of samples a second, each computed from the one before. The
+rest of the controller is solved in closed form and jumps from event to event. A program may read the position at any
+moment. A limit, a switch or a wait must act at the sample at which the motor reaches it, even if no program reads it.
 
-Until the axis is first commanded to move nothing is computed: the motor rests at its demand.
+Idea. The servo is simulated ahead of the clock, in blocks, as if nothing more were done to the axis. A reading is a
+lookup in the block. Whatever waits for the motor is searched for in the block and becomes an event of the clock, at the
+time of its sample. A new profile or gain makes the rest of the block wrong. Then the simulation is rolled back to the
+present sample and continues from there.
+
+    samples ─────────┬──────────────┬──────────────────┬───────────
+             dropped │ searched     │ to come          │ not computed
+                  scanned          now            end of the block
+
+Data. `_servo` is the simulation. `_sight` has the samples that are still needed: encoder, velocity, following error,
+output and current. Sample k is taken at the time k / servo rate. `changes` lists everything that was done to the loop,
+by time, so that a report or a trace can run the servo again. Three things are searched for:
+- positions that watches wait for, such as switches, latches and limits,
+- a following error beyond its limit or its warning level,
+- windows: the motor has settled within an error, and a speed, for long enough.
+
+The simulation has coordinates of its own. `offset` leads to those of the program, which change when the program gives
+the axis another zero.
+
+Invariants.
+- A sample does not depend on where a block begins or ends, nor on what is read and when.
+- All that was found up to `scanned` has happened. `_due` is the sample at which the search goes on.
+- The present sample and those before it are never rolled back.
+- The rest at the end of a move is what the simulation assumed, so it causes no rollback.
+- A time to come is exact, or, if the block does not show it, the moment at which to ask again.
+
+Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are made up
+for. The first block after a change has `Ahead.short` samples and each further one four times as many, up to `LONG`
+seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback repeats at most the last
+block. A motor that has come to a standstill for good (`Stillness`) costs nothing until something is done to it.
 """
 
 from __future__ import annotations
