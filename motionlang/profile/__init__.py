@@ -1,7 +1,29 @@
-"""Motion mathematics: planners that return a `Profile`, position as an exact function of time.
+"""Motion mathematics: planners, and the `Profile` that each of them returns.
 
-The planners are brought in when they are first asked for: a program that moves nothing should not wait for them.
-`sample` and `verify` use NumPy, the `pvt` modules serve drives: they are imported by name, never from here.
+A `Profile` is position as an exact function of time. Planners are imported at their first use, so a program that moves
+nothing does not wait for them. `sample` and `verify` need NumPy, and the modules of `pvt` serve drives. These are
+imported by name, never from here.
+
+Units. The unit of length, L, is the caller's: counts for an axis, user units along a path.
+
+    start, target, end, position, distance         L, signed
+    velocity, v0, v1                               L/s, signed
+    acceleration, a0                               L/s², signed
+    speed, accel, decel                            L/s, L/s², magnitudes
+    jerk, accel_jerk, decel_jerk                   L/s³; as limits magnitudes
+    time, duration, knots                          s; moments count from the start of the profile
+    ramp, ratio                                    a fraction of the duration of a ramp, 0 to 0.5
+    omega, phase of a sine piece                   rad/s, rad
+
+Names:
+
+    0 and 1 at the end of a name    at the beginning and at the end of a motion
+    u, b                            velocity and acceleration in the direction of motion
+    per_speed, per_square           distance per unit of a speed, and of its square
+    x                               time since the knot at which a piece begins
+
+Where a profile is a curve over a length (a path, a cam), its "time" is that length: user units of path, or counts of
+the master. `pvt/` is in counts and seconds; the segments of `fit` last whole milliseconds.
 """
 
 from __future__ import annotations

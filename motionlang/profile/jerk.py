@@ -1,4 +1,48 @@
-"""Mint's S-ramp: ACCEL is the peak acceleration, ACCELJERK and DECELJERK the slope of the acceleration."""
+r"""Jerk-limited planning: Mint's S-ramp, a move of up to seven sections.
+
+Problem. Move to a target and come to rest there, within limits on speed, acceleration and deceleration (ACCEL, DECEL),
+and on how fast these two change (ACCELJERK, DECELJERK). The move may begin at any velocity and acceleration, since a
+program may give a new target in motion. Nearly every move is planned while the program runs, so planning must be cheap.
+
+Idea. A ramp is symmetric: the acceleration rises at constant jerk, stays at its peak, and falls at the same jerk.
+
+    acceleration      ____
+                     /    \
+                    /      \
+                 ──/        \────────\        /── time
+                                      \      /
+                                       \____/
+    section        1   2   3     4    5   6   7        4 is the slew
+
+A ramp over a change of speed V takes V/A + A/J if it reaches its peak A (V ≥ A²/J), and else 2 √(V/J). Its distance is
+that time times the mean of both speeds. So the whole move follows from its top speed. That is the set speed or, if the
+distance is too short, the speed at which both ramps fill the distance exactly.
+
+The cases, in the order in which they are tried:
+1. At rest, or moving to the target with no acceleration, not above the set speed and with room to stop: two ramps and
+   a slew. The top speed of a short move from rest is the root of a quadratic if both ramps reach their peak, and a cube
+   root if neither does. Newton's method finds any other, and here it converges from one side.
+2. In motion with an acceleration, target ahead (`_directly`). If it speeds up, it is the middle of a ramp that began
+   earlier at a lower speed, and case 1 holds from there. If it slows down, it is taken back first.
+3. Away from the target, or too fast to stop there (`_back`): stop, then move back from rest.
+4. Anything else, such as a start above the set speed: `approach`, or `bent_approach` if there is an acceleration. They
+   use the same ramps and search for the top speed where no closed form exists.
+
+Data. The result is a `Profile` with a recipe (`ramps.py`): speeds joined by ramps, each with its duration and the
+fraction of it in which the acceleration rises. A move that begins with an acceleration is a `Bent`: sections of
+constant jerk, then a recipe. Both become polynomials only when the curve is read. `u` and `b` are velocity and
+acceleration in the direction of motion.
+
+Invariants.
+- The profile ends at rest at the target. Its acceleration is continuous and its duration finite.
+- Speed, acceleration and jerk keep their limits. A start above a limit returns within it.
+- A reversal is at rest and without acceleration, unless the initial acceleration carries the motion through zero speed.
+  A faster reversal would keep its acceleration; see `docs/decisions.md`.
+- Figures too many orders of magnitude apart raise ValueError.
+
+Cost. A few square roots. Newton's method, where it is needed, takes some five steps; the most in 20 000 random moves
+was 15.
+"""
 
 from __future__ import annotations
 
