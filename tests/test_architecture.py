@@ -390,14 +390,6 @@ def test_no_private_module_of_python_is_imported() -> None:
     assert private == set()
 
 
-@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
-def test_files_keep_one_reason(path: Path) -> None:
-    lines = text_of(path).count("\n")
-    generated = path.name == "tables.py"
-    limit = 700 if "keywords" in path.as_posix() else 500
-    assert generated or lines <= limit, f"{lines} lines"
-
-
 @cache
 def roots() -> tuple[Path, ...]:
     return (ROOT, ROOT / "tests", PACKAGE, *(path for path in PACKAGE.rglob("*") if path.is_dir()))
