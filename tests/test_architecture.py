@@ -63,6 +63,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "task",
             "statement_time",
             "lint",
+            "listing",
             "nesting",
             "run_errors",
             "dialect",

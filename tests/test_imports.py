@@ -24,10 +24,10 @@ LAZY = {
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
-    "mccl/__init__.py": "keywords keywords.switchable lint.check models resolve.asked runtime.program "
+    "mccl/__init__.py": "keywords keywords.switchable lint.check models resolve.asked resolve.listing runtime.program "
     "runtime.session syntax.parser syntax.tokens",
-    "mint/__init__.py": "interactive keywords keywords.machine_readings keywords.switchable lint models program "
-    "resolve.asked runtime.wait_sources syntax.extent syntax.parser",
+    "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
+    "models program resolve.asked runtime.wait_sources syntax.extent syntax.parser",
     "mint/keywords/__init__.py": "keywords.vocabulary",
     "mint/program.py": "compile.compiler syntax.parser",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
@@ -38,7 +38,7 @@ LAZY = {
     "profile/trapezoid.py": "approach",
     "cli/__init__.py": "commands complaints crash options run",
     "cli/input_files.py": "complaints",
-    "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress",
+    "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_code",
     # Those that need one another.
     "mint/compile/expressions.py": "compile.calls compile.words",
     "mint/compile/keyword_use.py": "compile.path_use",

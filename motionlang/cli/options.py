@@ -42,6 +42,7 @@ class Options:
         "realtime",
         "report",
         "settings",
+        "show_code",
         "trace",
         "until",
         "window",
@@ -77,6 +78,7 @@ class Options:
         self.paths = False
         self.profile_to: str | None = None
         self.certify = False
+        self.show_code = False
         # Gigabytes that the log may take on the disk; None for the usual ones.
         self.log_size: float | None = None
         # What of the run's events does not make the exit status 1: names of cli.event_status.ALLOWED.

@@ -85,6 +85,10 @@ def _result(options: Options) -> Run | int:
     missing = _missing_axes(options, settings) if settings else []
     if missing:
         return _refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
+    if options.show_code:
+        from motionlang.cli.show_code import show_code
+
+        return show_code(options, source, settings)
     if options.realtime is not None and options.file != STDIN and sys.stdin.isatty():
         from motionlang.cli.keyboard import run_live
 

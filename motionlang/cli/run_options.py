@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 HIGHEST_RATE = 10e6
+# What --show-code goes by; the other options are about a run.
+FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "no_cache"))
 RUN_EPILOG = """\
 The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
 Time is the machine's own: an hour of it takes a moment, unless --realtime is given.
@@ -34,6 +36,7 @@ examples:
   motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
   motionlang run pick.mcl --trace pick.csv --as-controller
   motionlang run pick.mnt --set controller.axes=2 --set pitch=5
+  motionlang run pick.mnt --show-code
   generate-program | motionlang run - --dialect mint --report json
 """
 
@@ -155,6 +158,12 @@ def add_parser(commands: Commands, summary: str) -> None:
         help="hold what each axis reached against the [axis.N.limits] of the machine file: a table to sign; status 1 "
         "where one is passed. FILE may be a folder. It proves the motion, too",
     )
+    parser.add_argument(
+        "--show-code",
+        action="store_true",
+        help="run nothing: print the Python that a Mint program is compiled to, next to the lines of the program; "
+        "of MCCL, which is interpreted, the function that carries out each command",
+    )
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
@@ -177,6 +186,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
         "certify",
         "allow",
         "log_size",
+        "show_code",
     ):
         setattr(options, name, getattr(arguments, name))
     options.prove = options.prove or options.certify
@@ -213,6 +223,10 @@ def _run(arguments: argparse.Namespace) -> int:
 
 def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
     """Options that would say something about nothing."""
+    if arguments.show_code:
+        for action in parser._actions:
+            if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
+                parser.error(f"{action.option_strings[0]} is about a run: --show-code runs nothing")
     if arguments.trace is None:
         for name in ("rate", "columns", "as_controller"):
             if getattr(arguments, name):

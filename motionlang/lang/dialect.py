@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.asked import Asked
     from motionlang.lang.keyword import Table
+    from motionlang.lang.listing import Listing
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
@@ -85,6 +86,12 @@ class Dialect:
     ) -> Program:
         """A program that is to be run with many `values` of its names; like `compile` where it is no matter."""
         return self.compile(source, settings, ranges)
+
+    def listing(
+        self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
+    ) -> Listing:
+        """What a run with these settings and overrides executes, to read; ProgramError with every mistake."""
+        raise NotImplementedError
 
     def compiled_in(self, key: str) -> bool:
         """Whether a compiled program depends on a key of the machine file."""

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from motionlang.lang.asked import Asked
     from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Table
+    from motionlang.lang.listing import Listing
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
@@ -35,6 +36,18 @@ class Mccl(Dialect):
         from motionlang.mccl.runtime.program import MacroFile
 
         return MacroFile(source)
+
+    def listing(
+        self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
+    ) -> Listing:
+        """Here a wrong command is a mistake, as for `check`, although a run goes on behind it."""
+        from motionlang.errors import ProgramError
+        from motionlang.mccl.resolve.listing import listing
+
+        mistakes = [each for each in self.check(source, settings) if each.severity == "error"]
+        if mistakes:
+            raise ProgramError(mistakes)
+        return listing(source)
 
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.mccl.lint.check import check

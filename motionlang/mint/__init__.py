@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from motionlang.lang.asked import Asked
     from motionlang.lang.dialect import Interactive, Ranges
     from motionlang.lang.keyword import Table
+    from motionlang.lang.listing import Listing
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
@@ -44,6 +45,17 @@ class Mint(Dialect):
         from motionlang.mint.program import compile_given
 
         return compile_given(source, settings, values, ranges)
+
+    def listing(
+        self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
+    ) -> Listing:
+        """The Python text of the program, compiled again: the cache has only its bytecode."""
+        from motionlang.mint.compile.listing import listing
+        from motionlang.mint.program import compile_source
+
+        program = compile_source(source, settings, overrides)
+        assert program.outline is not None
+        return listing(program.code, program.outline[1])
 
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")

@@ -61,7 +61,7 @@ def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     first = _first_values(whole)
     start = compile(first, FILE, "exec") if first else None
     blocks = {"main": "main", **_blocks(whole)}
-    code = Code(units.made, start, shared, whole.described(), blocks, units.places)
+    code = Code(units.made, start, shared, whole.described(), blocks, units.places, first)
     _compile_now(code, units.risky, whole.problems)
     return code
 

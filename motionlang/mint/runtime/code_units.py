@@ -106,9 +106,10 @@ class Code:
 
     `first` gives the cells named in `shared` their first values. `specs` says what the `kN` are; `blocks` are the
     functions by "main", "task blink", "event timer"; `places[n]` is the place in the program of line n of the code.
+    `first_text` is the Python of `first`; like that of the units, it is not cached.
     """
 
-    __slots__ = ("blocks", "first", "places", "shared", "specs", "units")
+    __slots__ = ("blocks", "first", "first_text", "places", "shared", "specs", "units")
 
     def __init__(
         self,
@@ -118,8 +119,10 @@ class Code:
         specs: Sequence[tuple[object, ...]],
         blocks: Mapping[str, str],
         places: Sequence[int],
+        first_text: str = "",
     ) -> None:
         self.units, self.first, self.shared, self.specs = units, first, shared, specs
+        self.first_text = first_text
         self.blocks, self.places = blocks, places
 
     @property

@@ -1,0 +1,29 @@
+"""`motionlang run FILE --show-code`: the code that a run would execute, next to the lines of the program."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect_for
+from motionlang.foreign import one_sentence
+from motionlang.views.listing import render_listing
+from motionlang.views.terminal import wants_colour
+
+if TYPE_CHECKING:
+    from motionlang.cli.options import Options
+    from motionlang.source import Source
+
+
+def show_code(options: Options, source: Source, settings: dict[str, object]) -> int:
+    """Print the listing; answers with the exit status, 1 if the program has a mistake."""
+    language = dialect_for(source, options.dialect)
+    try:
+        listing = language.listing(source, settings, options.overrides)
+    except ProgramError as error:
+        complain(one_sentence(language, source, error.diagnostics), source, options.file)
+        return 1
+    sys.stdout.writelines(render_listing(language, source, listing, colour=wants_colour(sys.stdout)))
+    return 0
