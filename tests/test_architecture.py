@@ -69,7 +69,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "attention", "parsing", "machine", "recurrence"),
+        ("asked", "attention", "parsing", "machine"),
         ("scheduler",),
     ),
     "controller": (

@@ -113,10 +113,11 @@ COMPILES = """
 import sys
 from pathlib import Path
 from motionlang.cache import program_entry
+from motionlang.fast.ranges import ranges
 from motionlang.mint import DIALECT
 from motionlang.source import Source
 for path in sorted(Path(sys.argv[1]).rglob('*.mnt')):
-    DIALECT.compile(Source.read(path), {})
+    DIALECT.compile(Source.read(path), {}, ranges)
 import motionlang
 program_entry(str(Path(motionlang.__file__).parent / "mint"), "a").put(b"program")
 print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')), sep='\\n')

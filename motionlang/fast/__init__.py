@@ -27,9 +27,9 @@ def everything() -> Accelerators:
 
 
 def _counted(*given: Any) -> float:
-    from motionlang.mint.runtime.loop_skipping import most_counted
+    from motionlang.fast.loop_counters import counted
 
-    return most_counted(*given)
+    return counted(*given)
 
 
 def _loader(*given: Any) -> Any:
@@ -39,7 +39,7 @@ def _loader(*given: Any) -> Any:
 
 
 def _ranges(function: Any) -> Any:
-    from motionlang.mint.compile.range_analysis import ranges
+    from motionlang.fast.ranges import ranges
 
     return ranges(function)
 
@@ -51,6 +51,6 @@ def _servo(*given: Any, **columns: Any) -> Any:
 
 
 def _recurrence(*given: Any) -> Any:
-    from motionlang.lang.recurrence import Recurrence
+    from motionlang.fast.recurrence import Recurrence
 
     return Recurrence(*given)

@@ -47,13 +47,24 @@ from motionlang.lang.task import INFINITY, ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from typing import Protocol
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.recurrence import Recurrence
     from motionlang.lang.task import Task, Wait
+
+    class Period(Protocol):
+        """What the accelerator `recurrence` makes: it finds the period of tasks that poll side by side."""
+
+        def forget(self) -> None:
+            """The tasks do more than poll and wait: no state so far counts."""
+
+        def has_run(self, task: Task) -> None:
+            """A task has run since its state was last compared."""
+
+        def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:
+            """Go on to what may change the joint state if it is one that was met before."""
 
     class Outside(Protocol):
         """A world that acts by itself."""
@@ -133,7 +144,7 @@ class Scheduler:
         self._asleep = False
         # What makes that which finds the period of tasks that poll side by side; None: every iteration is run.
         self._period = getattr(machine, "accelerators", NO_ACCELERATORS).recurrence
-        self._recurrence: Recurrence | None = None
+        self._recurrence: Period | None = None
         self._turn = 0
         self._stalls = 0
         self._log = machine.log

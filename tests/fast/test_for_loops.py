@@ -7,10 +7,10 @@ from random import Random
 import pytest
 
 from motionlang import run
+from motionlang.fast.ranges import ranges
 from motionlang.lang import scheduler
 from motionlang.mint.compile import for_loops
 from motionlang.mint.compile.compiler import compile_module
-from motionlang.mint.compile.range_analysis import ranges
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 from tests.cases import cases

@@ -10,10 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
+from motionlang.fast.ranges import ranges
 from motionlang.mint import DIALECT
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.compiler import compile_module
-from motionlang.mint.compile.range_analysis import ranges
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 from tests.mint.programs import Writer

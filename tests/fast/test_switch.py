@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -72,6 +73,6 @@ def test_the_engine_runs_the_gallery_without_the_folder(tmp_path: Path) -> None:
         text=True,
         check=False,
         cwd=tmp_path,
-        env={"MOTIONLANG_FAST": "0", "MOTIONLANG_NO_CACHE": "1", "PATH": ""},
+        env=os.environ | {"MOTIONLANG_FAST": "0", "MOTIONLANG_NO_CACHE": "1", "PYTHONPATH": str(tmp_path)},
     )
     assert ran.returncode == 0, ran.stdout + ran.stderr

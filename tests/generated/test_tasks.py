@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.lang.recurrence import Recurrence
+from motionlang.fast.recurrence import Recurrence
 from tests.generated.tasks import document, is_equal, program
 
 # Seeds of the normal run, and of a long one in batches.

@@ -16,8 +16,6 @@ from motionlang.lang.task import INFINITY, WATCH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from motionlang.lang.attention import Note
     from motionlang.mint.runtime.environment import Environment
 
@@ -30,7 +28,6 @@ if TYPE_CHECKING:
     # statement they do, and the counters.
     Turned = tuple[float, float, Look | None, float, Counters]
 
-LARGEST = 2147483647  # Integer
 # So many turns pass unlooked at, and more where arrays are to be compared. They are counted in floats, as Python has
 # no whole number of that size ready.
 MOST_ALONE = 4096.0
@@ -147,11 +144,3 @@ class Site:
             t = statements.repeat(base, since, turns)
             horizon = statements.limit(statements.until)
         return t, horizon, tuple([n + turns * step for n, step in zip(counters, steps, strict=True)])
-
-
-def most_counted(counters: Sequence[float], steps: Sequence[float]) -> float:
-    """How many turns counters can count on before they leave whole numbers or those that an Integer can be."""
-    if any(n != int(n) for n in (*counters, *steps)):
-        return 0
-    left = [(LARGEST - abs(n)) // abs(step) for n, step in zip(counters, steps, strict=True) if step]
-    return min(left, default=INFINITY)

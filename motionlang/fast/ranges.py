@@ -1,4 +1,14 @@
-"""The range analysis of one function: what is known of its own variables wherever they are read.
+"""Interval analysis of one Mint function: what is known of its own variables wherever they are read.
+
+Replaces: checks of values whose range is known, such as overflow of Integer and the bounds of an array. A For loop that
+only counts then runs in chunks (mint/compile/for_loops.py).
+
+Hook: `Accelerators.ranges`; the compiler calls it for each function and asks `Body.facts` for the range of a node.
+
+Gain: For loops 2.5 to 3.6 times, While 1.25 times (benchmarks/loop.py). Compiling takes 27 % longer.
+
+Held equal by: tests/fast/test_range_analysis.py and tests/fast/test_for_loops.py, tests/generated/test_loops.py with
+generated programs.
 
 An abstract run along the ways of the function with ranges in place of values. Where ways come together what is known
 of both is joined; where they lead back, bounds that keep moving jump to the next constant of the function, then to the

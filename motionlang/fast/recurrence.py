@@ -1,5 +1,14 @@
 """Tasks that poll side by side: when their joint state repeats, execution is periodic and whole periods are skipped.
 
+Replaces: running every iteration of tasks none of which does more than poll and wait.
+
+Hook: `Accelerators.recurrence`; `Scheduler._compare` calls it after each time slice of a task that has only polled.
+
+Gain: 32 tasks that poll take no longer for hours than for seconds, 10² to 10⁵ times (`poll_32_tasks_reading` of
+benchmarks/poll.py).
+
+Held equal by: tests/fast/test_recurrence.py, tests/generated/test_tasks.py with generated tasks.
+
 A joint state is all that decides what the tasks do next:
 
 * of each task where it is in its code, its local variables and what is left of its wait (`Task.state`),
