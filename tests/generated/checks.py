@@ -103,5 +103,10 @@ def _cut(program: Generated, first: Run, report: str) -> Iterator[str]:
         yield from differences(first, _run(program, time), time)
 
 
-# A run without the fast paths joins these, with its switch.
-_OTHER_WAYS = (_again, _cut, _cached, _cut)
+def _plain(program: Generated, first: Run, report: str) -> Iterator[str]:
+    """A run without accelerators."""
+    if report != _report(_run(program, fast=False)):
+        yield "fast: without accelerators a run has another report"
+
+
+_OTHER_WAYS = (_again, _cut, _cached, _plain, _cut)
