@@ -70,6 +70,8 @@ class AxisVerbs(Core):
         if getattr(a, name) != value:
             self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
+        if self.orders is not None and name in ("blend_mode", "blend_distance"):
+            self.orders.prompt(a, name)
         if name == "accel":
             a.accel_time = None
         elif name == "decel":
@@ -230,6 +232,8 @@ class AxisVerbs(Core):
             if a.loaded is not None and self.start_plain(a, now):
                 continue
             a = self.movable(axis)
+            if self.orders is not None:
+                self.orders.prompt(a, "go")
             for move in a.buffer:
                 if move.action is None:
                     move.released = True
@@ -336,6 +340,8 @@ class AxisVerbs(Core):
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Take a reason to be suspended off; go on where none is left."""
         a = self.axes[axis]
+        if self.orders is not None:
+            self.orders.prompt(a, "resume")
         motion.halt.resume(self, a, reason)
         if not a.suspended and a.move is None and a.buffer:
             self.start_next(a)

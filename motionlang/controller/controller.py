@@ -157,6 +157,8 @@ class Controller(AxisVerbs):
         """Begin the next path of the axis now, on top of what remains of the present one."""
         from motionlang.controller.moves.path import run_of
 
+        if self.orders is not None:
+            self.orders.prompt(self.axes[axis], "blend")
         run = run_of(self.axes[axis])
         if run is not None:
             run.blend()

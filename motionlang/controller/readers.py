@@ -163,6 +163,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
     """What `configure` does to one of `SETTINGS`, bound to an axis, of a value in `unit`."""
     a, configure = controller.axes[axis], controller.configure
     clock, add = controller.clock, controller.log.settings.add
+    blends = name in ("blend_mode", "blend_distance")
     live, time = name in LIVE, f"{name}_time" if name in ("accel", "decel") else ""
     power, factors = POWERS.get(unit), a.scale.factors
 
@@ -175,6 +176,8 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
             return
         if getattr(a, name) != value:
             add((clock.now, axis, name, value))
+            if blends and controller.orders is not None:
+                controller.orders.prompt(a, name)
         setattr(a, name, value)
         if time:
             setattr(a, time, None)

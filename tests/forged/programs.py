@@ -80,6 +80,12 @@ MINT = {
         "WAIT 600\nSUSPEND(0) = 1\nWAIT 300\nSUSPEND(0) = 0\n" + _REST
     ),
     "speed references": _RATES + "SPEEDREF(0) = 40\nWAIT 1500\nSPEEDREF(0) = 15\nWAIT 900\nSPEEDREF(0) = 0\nWAIT 900\n",
+    "speed references with slopes": (
+        _RATES + "SPEEDREFACCELJERKSTARTTIME(0) = 100 : SPEEDREFACCELJERKENDTIME(0) = 60\n"
+        "SPEEDREFDECELJERKSTARTTIME(0) = 40 : SPEEDREFDECELJERKENDTIME(0) = 80\n"
+        "SPEEDREF(0) = 40\nWAIT 300\nSPEEDREF(0) = 15\nWAIT 900\nSPEEDREF(0) = 17\nWAIT 300\n"
+        "SPEEDREF(0) = -5\nWAIT 900\nSPEEDREF(0) = 0\nWAIT 900\n"
+    ),
     "a dwell": _RATES + "MOVEBUFFERSIZE(0) = 9\nMOVER(0) = 30 : MOVEDWELL(0) = 250 : MOVER(0) = -30 : GO(0)\n" + _REST,
 }  # fmt: skip
 

@@ -213,7 +213,7 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
         for stop, line, words in found.unsaid:
             if stop not in found.said:
                 proof.breaks(line, words)
-        if found.last is not None and found.last.ended in FOLLOWED:
+        if found.last is not None and found.last.ended in FOLLOWED and not run.orders.was_cut:
             where = f"axis {number} from {found.last.start_time:.6f} s"
             proof.breaks(found.last.line, f"{where}: nothing follows what is said to be replaced")
         _judge_waiting(proof, run, a)

@@ -207,6 +207,8 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     if not profile.pieced:
         return
     entry, endless = profile.at(0.0), not isfinite(profile.duration)
+    if endless and not order.goal:
+        proof.breaks(order.line, f"{where}: it never comes to its end, where it stands")
     uses = Uses(proof)
     fades = order.slopes[0 if entry.acceleration * entry.velocity >= 0.0 else 1][2]
     eased = abs(entry.acceleration) if fades else 0.0

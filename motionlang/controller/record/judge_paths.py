@@ -152,12 +152,12 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     tracks: list[tuple[Profile, float]] = []
     if blended:
         proof.excuses("paths blended into each other")
-        along = _along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
+        along = spans_along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
     else:
         axes = [run.axes[number] for number in path.members]
         places = [a.place(begin) for a in axes]
         tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
-        along = _along(tracks, way, end - begin)
+        along = spans_along(tracks, way, end - begin)
     _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
@@ -165,8 +165,10 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # what was planned counts, also where something else has come before its end
             planned = min(profile.duration - time for profile, time in tracks)
+            if planned == inf and order.speed and min(order.rates) and way.length and not path.rests:
+                proof.breaks(order.line, f"{where}: it never comes to its end")
             if end - begin < planned < inf:
-                along = _along(tracks, way, planned)
+                along = spans_along(tracks, way, planned)
                 reached = [profile.position(time + planned) for profile, time in tracks]
         if not along:
             return
@@ -201,7 +203,7 @@ def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
     way = Way(path, [profile.start for profile in profiles])
-    along = _along([(profile, begin - path.begun) for profile in profiles], way, length)
+    along = spans_along([(profile, begin - path.begun) for profile in profiles], way, length)
     if along:
         _judge_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
 
@@ -390,7 +392,7 @@ def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[f
     return [part * k for part, (_, k) in zip(parts, axes, strict=True)]
 
 
-def _along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span]:
+def spans_along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span]:
     """The distance along the way over time, of profiles that have been in force for some time already.
 
     Empty where it cannot be told.

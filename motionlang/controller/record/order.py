@@ -23,6 +23,7 @@ class PathOrder(NamedTuple):
     began; `most`, `most_accel` and `most_decel` are the limits of its axes; it may be entered at an angle of up to
     `angle_into` degrees. Of several paths that begin at one moment, since they are blended into each other, it is the
     `nth`. `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
+    `blend` is the distance before the end of the path before it at which it is to begin, 0 for at its end.
     `tails` are those that it is blended with, begun before it.
     A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
     """
@@ -42,6 +43,7 @@ class PathOrder(NamedTuple):
     most_accel: tuple[float, ...]
     most_decel: tuple[float, ...]
     angle_into: float
+    blend: float = 0.0
     rests: bool = False
     ahead: tuple[Order, ...] = ()
     entry: int = -1

@@ -65,6 +65,7 @@ class Orders:
         self.offsets: dict[tuple[int, float], tuple[int, float]] = {}
         self.begun: dict[int, set[float]] = {number: set() for number in axes}
         self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
+        self.prompts: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         # When each axis was first stopped with each word.
         self._first_stops: dict[tuple[int, str], float] = {}
         # The number of each path among those that its master began at one moment.
@@ -149,6 +150,7 @@ class Orders:
             self.begun,
             self.stops,
             self._first_stops,
+            self.prompts,
             self._scales,
         ):
             more.clear()
@@ -303,6 +305,15 @@ class Orders:
         if last.kind == "jog" and last.goal != goal:
             key = a.index, self._controller.clock.now
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
+
+    def prompt(self, a: Axis, word: str) -> None:
+        """What may begin a blend: a release, BLEND, a setting of blends, the end of a suspension."""
+        self.prompts[a.index].append((self._controller.clock.now, word))
+
+    def prompted(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:
+        """What may have begun a blend of an axis from one time to another."""
+        prompts = self.prompts[axis]
+        return prompts[bisect_left(prompts, first, key=_TIME) : bisect_right(prompts, last, key=_TIME)]
 
     def gears(self, a: Axis, ratio: float) -> None:
         """A ratio of a slave to its master was ordered: note it if the axis follows at another one."""
@@ -483,6 +494,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         most_accel=tuple(each.max_accel for each in axes),
         most_decel=most_decel,
         angle_into=0.0,
+        blend=master.blend_distance if master.blend_mode else 0.0,
         rests=rests,
         ahead=_ahead(action) if rests else (),
         entry=entry,

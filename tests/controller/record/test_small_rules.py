@@ -14,7 +14,7 @@ from motionlang.controller.record.history import MoveFigures, servo_traces
 from motionlang.controller.record.judge import Proof, position
 from motionlang.controller.record.judge_axes import _judge_knots
 from motionlang.controller.record.judge_followers import FOUR, _judge_table, _moments, _wanted
-from motionlang.controller.record.judge_paths import Way, _along, _counts, _judge_along
+from motionlang.controller.record.judge_paths import Way, _counts, _judge_along, spans_along
 from motionlang.controller.record.order import Order, PathOrder, Tie
 from motionlang.controller.record.spans import Span, _from
 from motionlang.controller.record.track import WholeTrack
@@ -112,7 +112,7 @@ def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
     half = plan_trapezoid(0.0, 15.0, 30.0, 60.0, 60.0)
     whole = chained(half, half.shifted(15.0))
     rows = [(whole, 0.0), (whole.scaled(0.0, 4.0 / 3.0), 0.0)]
-    found = _along(rows, Way(path, [0.0, 0.0]), whole.duration)
+    found = spans_along(rows, Way(path, [0.0, 0.0]), whole.duration)
     assert found[-1].begin + found[-1].length == pytest.approx(whole.duration)
     assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
 
