@@ -10,8 +10,6 @@ from motionlang.profile.curve import Profile, hold
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from motionlang.profile.ramps import Curve
 
     # (shape, start, end, duration, recipe), with the curve behind it where no recipe gives it; (position,) for rest
@@ -54,13 +52,6 @@ def unpacked(row: Packed) -> Profile:
     return formula
 
 
-def size_of(profile: Profile) -> int:
-    """How many pieces a profile is kept as; those of ramps count as one."""
-    if profile.pieced:
-        return 1 if len(profile._recipe) > 2 else len(profile.pieces)
-    return 1 + max((size_of(part) for part in _profiles(profile)), default=0)
-
-
 _FOREVER = float("inf")
 # The attributes of each formula, in the order of its arguments.
 _PARTS = {
@@ -85,15 +76,6 @@ def _unpacked_part(part: object) -> object:
         return part
     kind, held = part
     return unpacked(held) if kind == "profile" else tuple(unpacked(each) for each in held)
-
-
-def _profiles(profile: Profile) -> Iterator[Profile]:
-    for each in _PARTS[type(profile).__name__]:
-        part = getattr(profile, each)
-        if isinstance(part, Profile):
-            yield part
-        elif isinstance(part, tuple):
-            yield from part
 
 
 def _formula(name: str, parts: tuple[object, ...]) -> Profile:

@@ -15,10 +15,10 @@ INFINITY = float("inf")
 class Region:
     """`low` to `high` counts on an axis, either end may be infinite; `change(inside)` is called when it changes.
 
-    A `physical` region stays where the machine has it when the program gives the axis a new zero.
+    A region stays where the machine has it when the program gives the axis a new zero.
     """
 
-    __slots__ = ("_controller", "_watches", "axis", "change", "high", "inside", "low", "physical")
+    __slots__ = ("_controller", "_watches", "axis", "change", "high", "inside", "low")
 
     def __init__(
         self,
@@ -27,9 +27,8 @@ class Region:
         low: float,
         high: float,
         change: Callable[[bool], None],
-        physical: bool = True,
     ) -> None:
-        self._controller, self.axis, self.change, self.physical = controller, axis, change, physical
+        self._controller, self.axis, self.change = controller, axis, change
         self.low, self.high = low, high
         self._watches: list[Watch] = []
         self.inside = False
@@ -41,7 +40,7 @@ class Region:
         self.low, self.high = low, high
         for end in (low, high):
             if abs(end) < INFINITY:
-                watch = self._controller.watch(self.axis, end, self._pass, self.physical)
+                watch = self._controller.watch(self.axis, end, self._pass, physical=True)
                 self._watches.append(watch)
         self._set(low <= self._here() <= high)
 
@@ -52,8 +51,7 @@ class Region:
         self._watches.clear()
 
     def _here(self) -> float:
-        datum = self._controller.axes[self.axis].datum if self.physical else 0.0
-        return self._controller.position(self.axis) - datum
+        return self._controller.position(self.axis) - self._controller.axes[self.axis].datum
 
     def _pass(self, direction: int) -> None:
         """A side was changed: the axis is inside when it is above the low end and below the high one."""
