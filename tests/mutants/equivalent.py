@@ -64,6 +64,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/keywords/registers.py: wrapped: value + 2147483648 -> value - 2147483648": (
         "both are the same in 32 bits"
     ),
+    "motionlang/cycle/motions.py: Motions: that_ended: found >= 0 -> found > 0": (
+        "the motion of number 0 is the last that is looked at"
+    ),
     "motionlang/measured/recording.py: _names: True -> False": "both rows are as wide as the numbers",
     "motionlang/mint/keywords/buffer.py: read_status: "
     "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
@@ -111,6 +114,9 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/profile/jerk.py: peak_speed: v - u >= accel * rise -> v - u > accel * rise": (
         "where both are the same the closed form and Newton's steps come to the same speed"
+    ),
+    "motionlang/profile/jerk.py: _back: beyond <= 0.0 -> beyond < 0.0": (
+        "0 is within the rounding that is asked for next"
     ),
     "motionlang/profile/jerk.py: peak_speed: low > 0.05 * (high - u) -> low >= 0.05 * (high - u)": (
         "where both are the same Newton's steps come to the same speed from either bound"

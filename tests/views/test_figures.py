@@ -40,19 +40,44 @@ def test_of_several_axes_each_is_named(axes: tuple[int, ...], titles: list[str])
     assert [title for title in named if title] == [title for title in titles if title]
 
 
-def test_panels_of_a_sweep_have_one_scale(monkeypatch: pytest.MonkeyPatch) -> None:
-    figures = []
+@pytest.fixture
+def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
+    """The pictures of sweeps that a test draws, in place of files."""
+    drawn: list[Figure] = []
 
     @contextmanager
     def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
-        figures.append(Figure())
-        yield figures[-1]
+        drawn.append(Figure())
+        yield drawn[-1]
 
     monkeypatch.setattr(sweep_plot, "drawing", drawing)
+    return drawn
+
+
+def test_panels_of_a_sweep_have_one_scale(figures: list[Figure]) -> None:
     curves = {"time": {"": [(0.0, 1.0), (1.0, 2.0)]}, "peak": {"": [(0.0, 3.0), (9.0, 4.0)]}}
     sweep_plot.plot_lines("x.svg", "speed", curves, {})
     upper, lower = figures[0].axes
     assert upper.get_xlim() == lower.get_xlim()
+
+
+@pytest.mark.parametrize(("count", "marker"), [(60, "o"), (61, "None")])
+def test_points_of_a_sweep_are_marked_up_to_60(count: int, marker: str, figures: list[Figure]) -> None:
+    points = [(float(k), 1.0) for k in range(count)]
+    sweep_plot.plot_lines("x.svg", "speed", {"time": {"": points}}, {})
+    (line,) = figures[0].axes[0].lines
+    assert line.get_marker() == marker
+
+
+@pytest.mark.parametrize(("count", "is_grid"), [(4, True), (5, False)])
+def test_a_map_is_a_grid_if_a_quarter_of_it_is_known(
+    count: int, is_grid: bool, figures: list[Figure]
+) -> None:
+    """Points on a diagonal: 4 of 16, and 5 of 25."""
+    points = [(float(k), float(k), 1.0) for k in range(count)]
+    sweep_plot.plot_map("x.svg", ("speed", "accel", "time"), points, {})
+    drawn = figures[0].axes[0].collections[0]
+    assert type(drawn).__name__ == ("QuadMesh" if is_grid else "PathCollection")
 
 
 def test_an_acceleration_is_drawn_from_just_before_its_motion_to_just_behind_it() -> None:

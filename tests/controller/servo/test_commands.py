@@ -87,6 +87,14 @@ def test_a_program_runs_through_the_servo(program: Path, capsys: pytest.CaptureF
     assert 0.3 < axis["settled_at"] < 0.6
 
 
+def test_a_program_that_ran_through_the_servo_is_drawn(
+    program: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "move.svg"
+    assert said(capsys, "run", str(program), "--report", "none", "--plot", str(file)) == (0, "", "")
+    assert file.read_bytes().startswith(b"<?xml")
+
+
 @pytest.mark.parametrize(
     "words",
     [

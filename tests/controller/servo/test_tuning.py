@@ -40,3 +40,14 @@ def test_a_plant_that_no_gains_close_is_given_up_after_few_searches(
     with pytest.raises(BeyondPlant):
         axis_loop({}, {}, Motor(inductance=inductance))
     assert len(asked) <= 16
+
+
+@pytest.mark.parametrize(
+    ("section", "mode", "limit"), [({"integral": 5.0}, "always", 10.0), ({}, "never", 10.0)]
+)
+def test_an_integral_of_the_machine_file_acts_beside_gains_of_the_program(
+    section: dict[str, object], mode: str, limit: float
+) -> None:
+    """The program sets a gain, and by the language its integral never acts; the machine file asks for one."""
+    loop = axis_loop(section, {"proportional": (2.0, "KPROP")}, Motor(inductance=1e-3)).loop
+    assert (loop.integral_mode, loop.integral_limit) == (mode, limit)

@@ -7,8 +7,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.lang.machine.machine import Machine
+from motionlang.mccl import DIALECT as MCCL
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.hosts.port import Port
+from motionlang.source import Source
 
 
 def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console, Port]:
@@ -213,6 +215,22 @@ def test_a_port_that_waits_for_a_key_is_not_working() -> None:
     assert console.settle()
     assert (port.busy, port.working) == (True, False)
     assert console.now < began + 0.1
+
+
+def test_a_board_works_as_long_as_a_file_is_downloaded() -> None:
+    console, _ = board()
+    said: list[str] = []
+    console.download(Source("home.mcl", "WA0.5\n1TP\n"), said.append, lambda _: None)
+    console.run(console.now + 0.1)
+    assert console.working
+    assert console.settle()
+    assert not console.working
+    assert "".join(said) == "01 0\n"
+
+
+def test_the_name_of_an_unknown_command_is_told_in_capitals() -> None:
+    (found,) = MCCL.check(Source("zz.mcl", "1zz\n"), {})
+    assert found.message.startswith("there is no command ZZ ")
 
 
 def test_what_background_tasks_say_to_a_host_that_does_not_read_is_lost_in_the_end() -> None:

@@ -11,6 +11,10 @@ RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 PLANT: dict[str, object] = {"axis.0.plant.inertia": 2e-4, "axis.0.plant.viscous": 1e-4}
 # A rule, the program, what it prints, and the machine.
 WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
+    "the last of 64 analogue inputs gives a speed reference": (
+        "SPEEDREFSOURCE(0) = 64 : PRINT SPEEDREFSOURCE(0)", ["64"], {}),
+    "the number 0 is no error, and 1 is one": (
+        "PRINT ERRORSTRING(0) : PRINT ERRORSTRING(1) <> ERRORSTRING(0)", ["no error", "1"], {}),
     "a second between the points of a capture is a million microseconds": (
         "CAPTUREPERIOD = 2000000 : PRINT CAPTUREPERIOD", ["2000000"], {}),
     "a clock that nobody set began when the controller did": (
