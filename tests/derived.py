@@ -12,7 +12,7 @@ import sys
 # In this order: a program cannot find a new word before the grammar knows its tokens and the indexes its row.
 WRITERS = (
     "motionlang.lang.parsing.generate",
-    "motionlang.mint.keywords.indexing",
+    "tests.keyword_index",
     "motionlang.readings.indexing",
     "tests.keyword_pages",
     "tests.mint_manual",

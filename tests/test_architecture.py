@@ -69,7 +69,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "attention", "parsing", "machine"),
+        ("asked", "attention", "parsing", "machine", "vocabulary"),
         ("scheduler",),
     ),
     "controller": (
@@ -169,7 +169,7 @@ def at_run_time(path: Path) -> set[str]:
 
 
 # What finds the file of a keyword, and what lower stages know of keywords.
-VOCABULARY = frozenset(("index", "vocabulary", "event_kinds", "switchable"))
+VOCABULARY = frozenset(("index", "event_kinds", "switchable"))
 
 
 def inner(package: str, parts: list[str]) -> str:

@@ -9,9 +9,16 @@ from pathlib import Path
 
 import pytest
 
+from tests import keyword_index
+
 ROOT = Path(__file__).parent.parent
 # Where the recipe is followed: what it touches, and what the writers read.
 COPIED = ("motionlang", "grammars", "docs", "tests")
+
+
+@pytest.mark.parametrize("package", keyword_index.PACKAGES)
+def test_the_index_names_the_file_of_each_keyword(package: str) -> None:
+    assert keyword_index.place(package).read_text(encoding="utf-8") == keyword_index.written(package)
 
 
 def insert(path: Path, before: str, text: str) -> None:

@@ -29,7 +29,8 @@ LAZY = {
     "runtime.session syntax.parser syntax.tokens",
     "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
     "models program resolve.asked runtime.wait_sources syntax.extent syntax.parser",
-    "mint/keywords/__init__.py": "keywords.vocabulary",
+    "mccl/keywords/__init__.py": "keywords.index",
+    "mint/keywords/__init__.py": "keywords.index",
     "mint/program.py": "compile.compiler syntax.parser",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
     "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",

@@ -50,6 +50,7 @@ class Mutant(NamedTuple):
 GENERATED = (
     "mccl/syntax/tables.py",
     "mint/syntax/tables.py",
+    "mccl/keywords/index.py",
     "mint/keywords/index.py",
     "readings/tables.py",
 )

@@ -7,30 +7,32 @@ when it is left out), "R" reports. The function that carries a command out is ca
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Table
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from motionlang.lang.keyword import Keyword
+    from motionlang.lang.vocabulary import Vocabulary
 
-_FILES = """
+# In the order of the pages.
+ORDER = """
 trajectory trajectory_backlash filter filter_stages limits units modes_gearing modes_jog motion motion_auxiliary
 motion_homing motion_points motion_record contour reports io macros registers registers_functions registers_variables
 flow flow_waits miscellaneous miscellaneous_texts
 """
-_table: Table | None = None
+_vocabulary: Vocabulary | None = None
 _tuning: tuple[Keyword, ...] = ()
 
 
-def table() -> Table:
+def table() -> Vocabulary:
     """All commands of MCCL."""
-    global _table  # noqa: PLW0603 - one vocabulary a process
-    if _table is None:
-        files = [__import__(f"motionlang.mccl.keywords.{name}", fromlist=["ROWS"]) for name in _FILES.split()]
-        _table = Table(row for file in files for row in file.ROWS)
-    return _table
+    global _vocabulary  # noqa: PLW0603 - one vocabulary a process
+    if _vocabulary is None:
+        from motionlang.lang.vocabulary import Vocabulary
+        from motionlang.mccl.keywords.index import FILES
+
+        _vocabulary = Vocabulary("motionlang.mccl.keywords", FILES)
+    return _vocabulary
 
 
 def tuning() -> tuple[Keyword, ...]:
@@ -43,4 +45,4 @@ def tuning() -> tuple[Keyword, ...]:
 
 def of_families(families: Collection[str]) -> frozenset[str]:
     """The commands of some families."""
-    return frozenset(row.name for row in table() if row.family in families)
+    return frozenset(row.name for row in table() if row.family in families) if families else frozenset()

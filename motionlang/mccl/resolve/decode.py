@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 _DIGITS = "0123456789"
-_ROWS = {row.name: row for row in table()}
 # A number beyond this is a mistake, also where a command has no range of its own.
 _LARGEST = 1e15
 # Enough for any program; a served board is sent other texts every day, and must not keep them all.
@@ -39,7 +38,7 @@ class Word:
     def __init__(self, text: str) -> None:
         self.name = text[-2:].upper()
         self.axis = int(text[:-2][:9] or 0)
-        row = self.row = _ROWS.get(self.name)
+        row = self.row = table().get(self.name)
         self.fault: Fault | None = None
         self.without: Fault | None = None  # what is wrong with it where it has no parameter
         self.takes_text = self.pure = False

@@ -7,8 +7,18 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.keywords.vocabulary import Vocabulary
+    from motionlang.lang.vocabulary import Vocabulary
 
+# In the order of the pages; the last one has what is not simulated.
+ORDER = """
+correction presets hold_to_analogue torque jogging drives
+axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
+table_motion_cams table_motion_splines state timing tasks terminal
+camboxes captures auxiliary_latches monitoring event_flags relays steppers
+io_inputs io_outputs io_signals comms modbus remote network network_groups serial limits limits_switches
+limits_resetting homing latches latches_position_compare sensing servo functions nonvolatile encoder_wrap
+no_effect identity legacy factory_defaults units constants language library
+"""
 _vocabulary: Vocabulary | None = None
 
 
@@ -16,7 +26,8 @@ def table() -> Vocabulary:
     """All words of Mint."""
     global _vocabulary  # noqa: PLW0603 - one vocabulary a process
     if _vocabulary is None:
-        from motionlang.mint.keywords.vocabulary import Vocabulary
+        from motionlang.lang.vocabulary import Vocabulary
+        from motionlang.mint.keywords.index import FILES
 
-        _vocabulary = Vocabulary()
+        _vocabulary = Vocabulary("motionlang.mint.keywords", FILES)
     return _vocabulary

@@ -1,4 +1,4 @@
-"""In which file each word of Mint stands, "" for the type library. Written by `indexing`; do not edit."""
+"""The keywords of each file, in lower case. Written by `python -m tests.keyword_index`; do not edit."""
 
 from __future__ import annotations
 
@@ -213,7 +213,7 @@ print ? input pause dim const define if then elseif else select case for next st
 exit goto gosub return sub function byval byref task run event startup auto end type as integer float string
 semaphore controller using and or xor not mod to is rem
 """,
-    "": """
+    "library": """
 aaabuild absencoder absencodercosoffset absencoderoffset absencodersingain absencodersinoffset absencoderturns
 accelscaleunits accelsensordelay accelsensorenable accelsensorfilterfreq accelsensorkint accelsensorkprop
 accelsensormode accelsensoroffset accelsensorscale accelsensortype accelsensorvel accelsensorvelerror

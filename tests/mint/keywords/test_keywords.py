@@ -8,15 +8,14 @@ from pathlib import Path
 from motionlang import run
 from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.lang.keyword import Keyword
+from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint import DIALECT
-from motionlang.mint.keywords import indexing, no_effect, table, unsimulated
-from motionlang.mint.keywords.all_words import files
-from motionlang.mint.keywords.vocabulary import Vocabulary
+from motionlang.mint.keywords import ORDER, index, no_effect, table, unsimulated
 from motionlang.source import Source
 from tests.cases import cases
 from tests.keyword_pages import shown
 
-LIBRARY = Path(indexing.__file__).with_name("type_library")
+LIBRARY = Path(index.__file__).with_name("type_library")
 SIMULATED = [row for row in table() if row.simulated and row.example]
 OTHERS = [row for row in table() if not row.simulated]
 
@@ -71,7 +70,8 @@ def test_nothing_in_the_library_is_shadowed() -> None:
     """A word that becomes simulated leaves the files of the library, and a short form that is taken is not there."""
     lines = [line for file in sorted(LIBRARY.glob("*.txt")) for line in file.read_text("utf-8").splitlines()]
     spellings = [spelling.lower() for line in lines for spelling in line.split("|")[:2] if spelling]
-    own = {spelling.lower() for file in files() for row in file.ROWS for spelling in (row.name, row.short)}
+    assert ORDER.split()[-1] == "library"
+    own = {word for file, words in index.FILES.items() if file != "library" for word in words.split()}
     assert len(lines) == 508
     assert len(spellings) == len(set(spellings))
     assert own.isdisjoint(spellings)
@@ -158,10 +158,6 @@ def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant
     assert f"did you mean {meant}?" in diagnostic.hint
 
 
-def test_the_index_knows_where_every_word_stands() -> None:
-    assert indexing.PLACE.read_text(encoding="utf-8") == indexing.written()
-
-
 # Written by the compiler itself: WAIT and LINE are statements.
 COMPILED = {("wait", "W"), ("line", "C")}
 
@@ -178,6 +174,6 @@ def test_what_a_word_does_is_a_function_of_its_file_or_is_the_controllers(row: K
 def test_a_word_is_found_whatever_was_looked_for_before() -> None:
     for row in table():
         for spelling in filter(None, (row.name, row.short)):
-            found = Vocabulary().get(spelling)
+            found = Vocabulary("motionlang.mint.keywords", index.FILES).get(spelling)
             assert found is not None
             assert found.name == row.name

@@ -132,7 +132,7 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
                          capture_output=True, text=True, check=False)  # fmt: skip
     heavy, files = out.stdout.splitlines() or ["", out.stderr]
     assert heavy == "[]"
-    assert files == "axis index motion state vocabulary"
+    assert files == "axis index motion state"
 
 
 class Prompt:

@@ -1,9 +1,8 @@
-"""All words of Mint: file by file what is simulated, then every further word of its type library."""
+"""The rest of Mint's type library: words that are recognised and explained, and not simulated."""
 
 from __future__ import annotations
 
-from importlib import import_module
-from pkgutil import get_data
+import os
 
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords import no_effect, unsimulated
@@ -11,23 +10,7 @@ from motionlang.mint.keywords import no_effect, unsimulated
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from types import ModuleType
 
-
-def files() -> tuple[ModuleType, ...]:
-    """The modules that have rows, in their order."""
-    return tuple(import_module(f"motionlang.mint.keywords.{name}") for name in _ORDER.split())
-
-
-_ORDER = """
-correction presets hold_to_analogue torque jogging drives
-axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
-table_motion_cams table_motion_splines state timing tasks terminal
-camboxes captures auxiliary_latches monitoring event_flags relays steppers
-io_inputs io_outputs io_signals comms modbus remote network network_groups serial limits limits_switches
-limits_resetting homing latches latches_position_compare sensing servo functions nonvolatile encoder_wrap
-no_effect identity legacy factory_defaults units constants language
-"""
 _UNITS = {
     "int": "integer",
     "bool": "bool",
@@ -38,8 +21,7 @@ _UNITS = {
 }
 
 
-def library() -> Iterator[Keyword]:
-    """The rest of the type library: recognised and explained, not simulated."""
+def _rows() -> Iterator[Keyword]:
     fates = {
         "kept": no_effect.KEPT,
         "value": unsimulated.ACTIONS[unsimulated.VALUE],
@@ -65,7 +47,9 @@ def _lines(file: str) -> Iterator[list[str]]:
 
     `values`: NAME, short form, index, type, access, what becomes of it, meaning; the commands have no type and access.
     """
-    text = get_data("motionlang.mint.keywords", f"type_library/{file}.txt")
-    assert text is not None
-    for line in text.decode("utf-8").splitlines():
+    path = os.path.join(os.path.dirname(__file__), "type_library", f"{file}.txt")
+    for line in __loader__.get_data(path).decode("utf-8").splitlines():  # type: ignore[name-defined]
         yield line.split("|")
+
+
+ROWS = tuple(_rows())

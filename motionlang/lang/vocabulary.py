@@ -1,0 +1,57 @@
+"""The keywords of a language, found one by one: a program uses a few dozen of a thousand.
+
+`index.py` beside the files of keywords names the keywords of each file. It is derived from their rows. A file is
+imported at the first use of one of its keywords, and all of them for a look through the whole vocabulary.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.keyword import Keyword, Table
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+    from typing import Any
+
+
+class Vocabulary(Table):
+    """A table whose rows are imported when they are looked up; `index` has the keywords of each file of `package`."""
+
+    __slots__ = ("_file_of", "_index", "_package", "_whole")
+
+    def __init__(self, package: str, index: Mapping[str, str]) -> None:
+        self._package, self._index = package, index
+        self._file_of = {word: file for file, words in index.items() for word in words.split()}
+        self._by_name = {}
+        self._whole: tuple[Keyword, ...] | None = None
+
+    @property
+    def rows(self) -> tuple[Keyword, ...]:  # type: ignore[override]
+        """All rows, file by file."""
+        if self._whole is None:
+            self._whole = tuple(row for file in self._index for row in self._module(file).ROWS)
+            self._enter(self._whole)
+        return self._whole
+
+    def get(self, word: str) -> Keyword | None:
+        """The row of a word, by its name or its short form, in any case."""
+        key = word.lower()
+        row = self._by_name.get(key)
+        if row is None and key in self._file_of:
+            module = self.file(key)
+            self._enter((*module.ROWS, *getattr(module, "HIDDEN", ())))
+            row = self._by_name[key]
+        return row
+
+    def file(self, word: str) -> Any:
+        """The module that has a word, imported at its first use."""
+        return self._module(self._file_of[word.lower()])
+
+    def _module(self, name: str) -> Any:
+        return __import__(f"{self._package}.{name}", fromlist=["ROWS"])
+
+    def _enter(self, rows: Iterable[Keyword]) -> None:
+        for row in rows:
+            self._by_name[row.name.lower()] = row
+            if row.short:
+                self._by_name[row.short.lower()] = row
