@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.record.due import law, lead
 from motionlang.controller.record.judge import SLACK
-from motionlang.controller.record.judge_paths import Way, _along, _gentlest, _least, judge_tail
+from motionlang.controller.record.judge_paths import Way, _gentlest, _least, judge_tail, spans_along
 
 if TYPE_CHECKING:
     from motionlang.controller.record.judge import Proof, Run
@@ -85,7 +85,7 @@ def _stops_within(run: Run, wanted: Order, time: float) -> bool:
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
     way, gone = Way(path, [profile.start for profile in profiles]), time - path.begun
-    along = _along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
+    along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
     if not along:
         return True
     first, last = along[0].at(0.0), along[-1].at(along[-1].length)
