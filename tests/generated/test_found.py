@@ -7,6 +7,7 @@ from math import hypot, sqrt
 import pytest
 
 from motionlang import run
+from motionlang.controller.motion import feedrate
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -459,3 +460,12 @@ def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> N
     assert slave.profile is not None
     assert slave.start_time + slave.profile.duration == pytest.approx(2.0, abs=1e-6)
     assert places(result, 1, 2) == pytest.approx([1000.0, -4.0])
+
+
+def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A controller that goes by the DECEL of the beginning stops at 100 where 50 are ordered, 41 before the end."""
+    monkeypatch.setattr(feedrate, "_new_rates", lambda controller, axis: None)
+    lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
+    program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
+    found = run(program, cache=False, prove=True).proof().violations
+    assert "the path deceleration reaches 100, above 50" in found[0].message

@@ -40,10 +40,14 @@ def _judge_setting(
         if _law(order) != _law(wanted) and not _stops_within(run, wanted, time):
             return  # by the settings of now it would stop behind its end, where it comes to rest as planned
         # Only what is lower: a path may keep its speed where it could not stop at its end otherwise.
-        most = tuple(map(min, order.path.most, wanted.path.most))
-        lower = order._replace(
-            speed=min(order.speed, wanted.speed), path=order.path._replace(most=most, rests=wanted.path.rests)
+        path = order.path._replace(
+            most=tuple(map(min, order.path.most, wanted.path.most)),
+            most_accel=tuple(map(min, order.path.most_accel, wanted.path.most_accel)),
+            most_decel=tuple(map(min, order.path.most_decel, wanted.path.most_decel)),
+            rests=wanted.path.rests,
         )
+        rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
+        lower = order._replace(speed=min(order.speed, wanted.speed), rates=rates, path=path)
         judge_tail(proof, run, lower, time, end - time)
         return
     kinds = order.kind, wanted.kind

@@ -112,5 +112,6 @@ class Order(NamedTuple):
     def asks(self) -> tuple[object, ...]:
         """What settings ask of a motion that is under way."""
         if self.path is not None:
-            return self.kind, self.path.entry, self.speed, self.path.most, self.path.rests
+            limits = self.path.most, self.path.most_accel, self.path.most_decel
+            return self.kind, self.path.entry, self.speed, self.rates, limits, self.path.rests
         return self.kind, self.speed, self.goal, self.rates, None if self.tie is None else self.tie.ratio

@@ -103,6 +103,8 @@ class Orders:
                 # The same motion at a new zero: settings that came since do not act.
                 order = self.of[a.index][-1]
             self._append(a, order)
+            if order.path is not None and order.path.members[0] == a.index:
+                self.heed(a)  # a path that was planned ahead keeps settings that have come since
             if move is not None and not self.is_full:
                 self.begun[a.index].add(move.start_time)
 
