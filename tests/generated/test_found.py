@@ -462,6 +462,21 @@ def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> N
     assert places(result, 1, 2) == pytest.approx([1000.0, -4.0])
 
 
+def test_an_offset_goes_on_from_the_velocity_at_which_a_suspension_ends() -> None:
+    """It speeds up to 10 in 100 ms and slows down to 5 in 50: 0.5 and 0.375, of 29. The rest goes on from 5 at once.
+
+    It takes 0.15 s and 1.875 up to 20, 0.2 s and 2 to rest, and between them the rest of the way at 20.
+    """
+    tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 1\n"
+    pause = "OFFSET(1) = 29 : GO(1)\nWAIT = 100\nSUSPEND(1) = 1\nWAIT = 50\nSUSPEND(1) = 0\nWAIT = 2000\n"
+    result = proved(f"{RATES}{tie}{pause}CANCEL(1)\n")
+    assert places(result, 1) == pytest.approx([29.0])
+    offset = next(each for each in result.controller.log.moves if each.overlaid).profile
+    assert offset is not None
+    assert offset.end == pytest.approx(29.0)
+    assert offset.duration == pytest.approx(0.15 + 0.15 + (29.0 - 0.875 - 3.875) / 20.0 + 0.2, abs=1e-6)
+
+
 def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """A controller that goes by the DECEL of the beginning stops at 100 where 50 are ordered, 41 before the end."""
     monkeypatch.setattr(feedrate, "_new_rates", lambda controller, axis: None)

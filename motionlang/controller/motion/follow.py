@@ -260,7 +260,7 @@ class Follow(Action):
 class Gear(Follow):
     """`ratio` times the master's motion; with `ramp` the slave ramps to that velocity at its own rates first."""
 
-    __slots__ = ("_chased_at", "_later", "_locks_at", "_paused", "ramp", "ratio")
+    __slots__ = ("_chased_at", "_halt", "_later", "_locks_at", "_paused", "ramp", "ratio")
 
     def __init__(
         self, controller: Core, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool
@@ -271,6 +271,8 @@ class Gear(Follow):
         self._locks_at = INFINITY if ramp else 0.0
         # What the offset under way still has to do when the slave is suspended no longer, and those that wait for it.
         self._paused = 0.0
+        # What the offset does as it comes to rest in a suspension, and from when on.
+        self._halt: tuple[Profile, float] | None = None
         self._later: list[Callable[[], None]] = []
         # The rates of the ramp to that velocity.
         self._chased_at = (0.0, 0.0)
@@ -298,14 +300,18 @@ class Gear(Follow):
     def resume(self, controller: Core, a: Axis) -> None:
         """Ramp to the ratio again, and do what an offset still has to; others that came meanwhile follow it."""
         self._locks_at = INFINITY
-        self.renew()
-        left, self._paused = self._paused, 0.0
-        if left:
+        (left, velocity), now = self.offset_left(), controller.clock.now
+        if self._halt is not None:  # it may not have come to rest yet
+            stop, began = self._halt
+            left, velocity = left + stop.end - stop.position(now - began), stop.velocity(now - began)
+        self._paused, self._halt = 0.0, None
+        if left or velocity:
             accel, decel = controller.rates(a, a.speed)
-            profile = plan(a.shape, 0.0, left, a.speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
+            jerks = a.accel_jerk, a.decel_jerk
+            profile = plan(a.shape, 0.0, left, a.speed, accel, decel, velocity, a.ramp, *jerks)
             self._log_offset(profile)
-            self.carry(profile, controller.clock.now, self.offset_entry)
-            self.renew()
+            self.carry(profile, now, self.offset_entry)
+        self.renew()
         later, self._later = self._later, []
         for begin in later:
             begin()
@@ -331,6 +337,7 @@ class Gear(Follow):
         done = stop.scaled(self.offset.end - left, share)
         self._log_offset(halted(done, "suspend"))
         self._paused, self.offset = left - done.distance, None
+        self._halt = done, self.controller.clock.now
 
     def _log_offset(self, profile: Profile) -> None:
         """The log entry of the offset goes on with a profile from now on."""
