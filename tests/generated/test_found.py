@@ -8,6 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.controller.motion import feedrate
+from motionlang.controller.motion.takeup import Takeup
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -484,3 +485,17 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
     found = run(program, cache=False, prove=True).proof().violations
     assert "the path deceleration reaches 100, above 50" in found[0].message
+
+
+def test_the_play_of_an_axis_is_looked_up_once_for_a_rest(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A jog at 1 is suspended and stands after 10 µs; a second later that is three stretches, not one a nanosecond."""
+    stretches, find = list[float](), Takeup._stretch
+
+    def noted(play: Takeup, now: float) -> tuple[float, int]:
+        stretches.append(now)
+        assert len(stretches) < 20
+        return find(play, now)
+
+    monkeypatch.setattr(Takeup, "_stretch", noted)
+    jog = "BACKLASH(0) = 1 : BACKLASHMODE(0) = 1\nJOG(0) = 1\nWAIT = 5\nSUSPEND(0) = 1\nWAIT = 1000\n"
+    assert proved(f"{jog}PRINT ENCODER(0) > 0\nCANCEL(0)\n").output == ["1"]

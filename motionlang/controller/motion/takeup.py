@@ -5,6 +5,10 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
+    from motionlang.profile import Profile
+
+# Seconds behind a turn at which the axis goes the other way, or rests.
+_MOMENT = 1e-9
 
 
 class Takeup:
@@ -54,8 +58,16 @@ class Takeup:
         end = min(now, self._axis.next_start(begin))
         if start > begin:  # a session that has run for long has forgotten what was in force
             return min(start, end), 0
-        turn = profile.velocity_crossing(0.0, begin - start + 1e-9) if profile.peak_speed else None
+        turn, after = None, begin - start + _MOMENT
+        if profile.peak_speed:
+            rests = not profile.velocity(after)
+            turn = _next_knot(profile, after) if rests else profile.velocity_crossing(0.0, after)
         if turn is not None and begin < start + turn < end:
             end = start + turn
         velocity = profile.velocity(0.5 * (begin + end) - start)
         return end, (velocity > 0.0) - (velocity < 0.0)
+
+
+def _next_knot(profile: Profile, after: float) -> float | None:
+    """When the next piece of a profile begins, before which one that rests does not move."""
+    return next((knot for knot in profile.knots if knot > after), None)
