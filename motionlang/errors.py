@@ -41,6 +41,7 @@ CODES: dict[str, str] = {
     "enable-input": "The hardware enable input of the drive is off.",
     "brake": "The brake of the axis is set; it takes no motion until that is lifted.",
     "axis-error": "The axis has an error; it takes no motion until that is cleared.",
+    "blend-distance": "A blend takes half of a path at the most, whatever BLENDDISTANCE is.",
     "zero-speed": "A move with no speed would never end.",
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
     "moving": "The command needs the axis at rest.",

@@ -24,6 +24,7 @@ WARNINGS: dict[str, str] = {
     "scale-after-speed": "Mint",
     "time-before-speed": "Mint",
     "unused-setting": "Mint",
+    "blend-distance": "Mint",
     "zero-speed": "Mint",
     "zero-acceleration": "Mint",
     "never-waits": "Mint, MCCL",

@@ -12,6 +12,7 @@ from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.compile.error_recovery import with_other_lines
 from motionlang.mint.keywords import table
 from motionlang.mint.lint.axis_state import Follower
+from motionlang.mint.lint.blends import check_blends
 from motionlang.mint.lint.brackets import check_brackets
 from motionlang.mint.lint.buffer import Buffers
 from motionlang.mint.lint.effects import Facts
@@ -84,6 +85,7 @@ def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[D
     Motion(follower, reach, add).check()
     Buffers(facts, follower, add).check()
     Settings(facts, follower, add).check()
+    check_blends(facts, add)
     Ways(facts, follower, settings, add).check()
     check_turns(facts, add)
     check_brackets(facts, module.places, add)

@@ -1,0 +1,46 @@
+"""The check of BLENDDISTANCE: longer than half of a path, which is as much as a blend may take."""
+
+from __future__ import annotations
+
+from math import hypot
+from typing import TYPE_CHECKING
+
+from motionlang.mint.keywords import table
+from motionlang.mint.lint.effects import Act, Facts, spelt
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Add = Callable[..., None]
+
+# The part of a path that a blend into the next one may take.
+SHARE = 0.5
+
+
+def check_blends(facts: Facts, add: Add) -> None:
+    """Warn of each path, but the last one of its axes, whose blend is shorter than any BLENDDISTANCE of its axis."""
+    words = {row.verb: row.name for row in table()}
+    distances, modes = (facts.constants(words[verb]) for verb in ("blend_distance", "blend_mode"))
+    paths = [act for _, _, act in facts.all_acts() if act.role == "path"]
+    last = {act.axes: act for act in sorted(paths, key=lambda act: act.at)}
+    for act in paths:
+        key, length = act.axes[0], _length(facts, act)
+        given = None if None in distances else distances.get(key)
+        if not length or not given or not modes.get(key) or act is last[act.axes]:
+            continue
+        if min(given) > SHARE * length:
+            assert act.row is not None
+            message = (
+                f"{words['blend_distance']} of axis {spelt(key)} is {min(given):g}, "
+                f"and a blend takes {SHARE * length:g} of this {act.row.name} at the most"
+            )
+            add("blend-distance", message, act.at, "set it to half of the shortest path, or less")
+
+
+def _length(facts: Facts, act: Act) -> float | None:
+    """How long a straight path is that begins wherever its axes are, None where that is not known."""
+    values = [facts.number(value) for value in act.values]
+    numbers = [value for value in values if value is not None]
+    if act.row is None or not (act.row.does("line") and act.row.does("relative")):
+        return None
+    return hypot(*numbers) if len(numbers) == len(values) else None
