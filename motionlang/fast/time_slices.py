@@ -1,13 +1,12 @@
 """Time slices of tasks that wait, found without asking each task.
 
-Replaces: the round of `Scheduler` in which every task is asked whether its wait is over, and giving way for a wait that
-nothing can interrupt. `idle_round` lets tasks that wait for a time or for motion to end go on one after the other, each
-found in one look at when the waits end. `passes` and `comes_to_rest` let the only task's wait pass where it stands,
-and `passes_in_turn` the wait of the task that would be the next to go on anyway. Whatever else happens (two tasks at
-one moment, an event in between, a wait for a condition) is left to the scheduler.
+Replaces: the round of `Scheduler` in which every task is asked whether its wait is over. `idle_round` lets tasks that
+wait for a time or for motion to end go on one after the other, each found in one look at when the waits end.
+`passes_in_turn` lets a wait pass where it stands if its task is the next to go on anyway. Whatever else happens (two
+tasks at one moment, an event in between, a wait for a condition) is left to the scheduler.
 
 Hook: `Accelerators.scheduler`. The run loop of `Scheduler` calls `idle_round` while all tasks may be waiting; a WAIT or
-PAUSE of Mint calls the others.
+PAUSE of Mint calls `passes_in_turn`.
 
 Gain: four tasks 1.8 to 2.0 times (`shift_four_tasks` of benchmarks/shift.py).
 
@@ -157,24 +156,6 @@ class TimeSlices(Scheduler):
             horizon = event
         return due if due < horizon else horizon
 
-    def passes(self, wait: Wait) -> bool:
-        """Let the time of a wait pass under the task that runs, as it would pass while it gave way; false: it must.
-
-        So it is where there is one task, nobody holds the clock, nothing else begins meanwhile, and an end is in sight.
-        """
-        clock = self.clock
-        if not self.by_itself or self._end:
-            return False
-        clock.advance(wait.since)
-        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
-            if wait.ready():
-                return True
-            time = min(wait.due(), clock.next_time())
-            if not clock.now < time < self.until:
-                return False
-            clock.advance(time)
-        return False
-
     def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
         """The same for one of several tasks, while they wake in turn: how far it may then go, 0.0 where it gives way.
 
@@ -210,20 +191,3 @@ class TimeSlices(Scheduler):
             log.turns.trim()
         due = (min(surely) if self._resting else second) - 0.5 * ROUNDING
         return self._horizon(self.current, end, due)
-
-    def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
-        """The same as `passes` of the wait from `since` until axes are at rest, whose end is known without asking."""
-        clock, until = self.clock, self.until
-        if not self.by_itself or self._end:
-            return False
-        if clock.horizon <= since or clock.now != since:
-            clock.advance(since)
-        while clock.now < until and len(self.tasks) == 1 and not self.interrupts:
-            end = end_of_moves()
-            if end < 0.0:
-                return True
-            if not clock.now < end < until:
-                return False
-            if clock.advance_to_news(end):
-                return True
-        return False

@@ -223,7 +223,22 @@ class Scheduler:
         self._statements.share()
 
     def passes(self, wait: Wait) -> bool:
-        """Let the time of a wait pass under the task that runs, as it would while it gave way; False if it must."""
+        """Let a wait pass under the task that runs; False if the task must give way.
+
+        It must unless it is the only task, nothing outside holds the clock, nothing else begins meanwhile, and the wait
+        has an end.
+        """
+        clock = self.clock
+        if not self.by_itself or self._end:
+            return False
+        clock.advance(wait.since)
+        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
+            if wait.ready():
+                return True
+            time = min(wait.due(), clock.next_time())
+            if not clock.now < time < self.until:
+                return False
+            clock.advance(time)
         return False
 
     def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
@@ -231,7 +246,20 @@ class Scheduler:
         return 0.0
 
     def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
-        """Like `passes` of the wait from `since` until axes are at rest, whose end is known without asking."""
+        """Like `passes`, for a wait from `since` until axes are at rest, whose end is known without asking."""
+        clock, until = self.clock, self.until
+        if not self.by_itself or self._end:
+            return False
+        if clock.horizon <= since or clock.now != since:
+            clock.advance(since)
+        while clock.now < until and len(self.tasks) == 1 and not self.interrupts:
+            end = end_of_moves()
+            if end < 0.0:
+                return True
+            if not clock.now < end < until:
+                return False
+            if clock.advance_to_news(end):
+                return True
         return False
 
     def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
