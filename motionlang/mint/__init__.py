@@ -49,7 +49,7 @@ class Mint(Dialect):
     def listing(
         self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
     ) -> Listing:
-        """The Python text of the program, compiled again: the cache has only its bytecode."""
+        """The Python text of the program, compiled again: the cache has no text of compiled units."""
         from motionlang.mint.compile.listing import listing
         from motionlang.mint.program import compile_source
 

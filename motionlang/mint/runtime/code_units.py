@@ -106,7 +106,7 @@ class Code:
 
     `first` gives the cells named in `shared` their first values. `specs` says what the `kN` are; `blocks` are the
     functions by "main", "task blink", "event timer"; `places[n]` is the place in the program of line n of the code.
-    `first_text` is the Python of `first`; like that of the units, it is not cached.
+    `first_text` is the Python of `first`, which is not cached.
     """
 
     __slots__ = ("blocks", "first", "first_text", "places", "shared", "specs", "units")

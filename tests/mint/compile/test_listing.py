@@ -49,7 +49,7 @@ def test_the_code_is_what_runs_from_the_cache(tmp_path: Path, monkeypatch: pytes
     program = run(source).program
     assert isinstance(program, MintProgram)
     (cached,) = program.code.units
-    assert cached.text == ""  # the cache has no text
+    assert cached.text == ""  # the cache has no text of what is compiled
     text = "\n".join(code for _, code, _ in DIALECT.listing(source, {}, {}).lines)
     assert Unit(cached.names, text, cached.before, cached.cells).compile() == cached.compile()
 
