@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect_for
+from motionlang.execution import accelerators, dialect_for
 from motionlang.foreign import one_sentence
 from motionlang.views.listing import render_listing
 from motionlang.views.terminal import wants_colour
@@ -21,7 +21,7 @@ def show_code(options: Options, source: Source, settings: dict[str, object]) -> 
     """Print the listing; answers with the exit status, 1 if the program has a mistake."""
     language = dialect_for(source, options.dialect)
     try:
-        listing = language.listing(source, settings, options.overrides)
+        listing = language.listing(source, settings, options.overrides, accelerators().ranges)
     except ProgramError as error:
         complain(one_sentence(language, source, error.diagnostics), source, options.file)
         return 1

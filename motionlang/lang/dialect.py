@@ -88,9 +88,16 @@ class Dialect:
         return self.compile(source, settings, ranges)
 
     def listing(
-        self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
+        self,
+        source: Source,
+        settings: dict[str, object],
+        overrides: Mapping[str, float | str],
+        ranges: Ranges | None = None,
     ) -> Listing:
-        """What a run with these settings and overrides executes, to read; ProgramError with every mistake."""
+        """What a run with these settings and overrides executes, to read; ProgramError with every mistake.
+
+        `ranges` is as in `compile`.
+        """
         raise NotImplementedError
 
     def compiled_in(self, key: str) -> bool:

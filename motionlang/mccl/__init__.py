@@ -38,7 +38,11 @@ class Mccl(Dialect):
         return MacroFile(source)
 
     def listing(
-        self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
+        self,
+        source: Source,
+        settings: dict[str, object],
+        overrides: Mapping[str, float | str],
+        ranges: Ranges | None = None,
     ) -> Listing:
         """Here a wrong command is a mistake, as for `check`, although a run goes on behind it."""
         from motionlang.errors import ProgramError

@@ -47,13 +47,17 @@ class Mint(Dialect):
         return compile_given(source, settings, values, ranges)
 
     def listing(
-        self, source: Source, settings: dict[str, object], overrides: Mapping[str, float | str]
+        self,
+        source: Source,
+        settings: dict[str, object],
+        overrides: Mapping[str, float | str],
+        ranges: Ranges | None = None,
     ) -> Listing:
         """The Python text of the program, compiled again: the cache has no text of compiled units."""
         from motionlang.mint.compile.listing import listing
         from motionlang.mint.program import compile_source
 
-        program = compile_source(source, settings, overrides)
+        program = compile_source(source, settings, overrides, ranges=ranges)
         assert program.outline is not None
         return listing(program.code, program.outline[1])
 

@@ -48,6 +48,13 @@ def test_the_code_is_that_of_the_values_and_the_machine_given(cell: Cell) -> Non
     assert "no constant or variable strok" in ran.err
 
 
+def test_the_code_is_that_with_or_without_accelerators(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    cell.write("feed.mnt", "Dim v = 40\nWhile v < 50\n  v = v + 1\nEnd While\nSPEED(0) = v\n")
+    assert "\n  v_v = 40\n" in cell("run", "feed.mnt", "--show-code").out
+    monkeypatch.setenv("MOTIONLANG_FAST", "0")
+    assert "\n  v_v = 40.0\n" in cell("run", "feed.mnt", "--show-code").out
+
+
 def test_mccl_has_operations_instead_of_code(cell: Cell) -> None:
     cell.write("feed.mcl", '1SV@10 ; speed\n1MR-2.5,1WS0,OT"ok"\n')
     ran = cell("run", "feed.mcl", "--show-code")

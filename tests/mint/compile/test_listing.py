@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.execution import run
+from motionlang.execution import accelerators, run
 from motionlang.mint import DIALECT
 from motionlang.mint.program import MintProgram
 from motionlang.mint.runtime.code_units import Unit
@@ -42,15 +42,22 @@ def executed(text: str) -> str:
     return ast.dump(ast.parse(f"def _():\n{text}"))
 
 
-def test_the_code_is_what_runs_from_the_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("fast", [True, False])
+def test_the_code_is_what_runs_from_the_cache(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fast: bool
+) -> None:
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / "cache"))
-    source = Source("a.mnt", "SPEED(0) = 50\nMOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\n")
-    run(source)
-    program = run(source).program
+    source = Source(
+        "a.mnt",
+        "Dim v = 45\nWhile v < 50\n  v = v + 1\nEnd While\nSPEED(0) = v\nMOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\n",
+    )
+    run(source, fast=fast)
+    program = run(source, fast=fast).program
     assert isinstance(program, MintProgram)
     (cached,) = program.code.units
     assert cached.text == ""  # the cache has no text of what is compiled
-    text = "\n".join(code for _, code, _ in DIALECT.listing(source, {}, {}).lines)
+    listing = DIALECT.listing(source, {}, {}, accelerators(fast).ranges)
+    text = "\n".join(code for _, code, _ in listing.lines)
     assert Unit(cached.names, text, cached.before, cached.cells).compile() == cached.compile()
 
 
