@@ -82,7 +82,7 @@ def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: boo
 
 def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
     """A row as JSON shows it."""
-    names = (name for name in type(row).__slots__ if name not in ("simulated", "verb"))
+    names = (name for name in type(row).__slots__ if name not in ("actions", "simulated", "verb"))
     known = of_word(dialect, row)
     evidence = {fact: {"strength": each.strength, "source": each.source} for fact, each in known.items()}
     return {
