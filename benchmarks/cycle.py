@@ -18,7 +18,7 @@ from shift import PROGRAM
 from start import command
 from start import seconds as process_seconds
 
-from motionlang.cycle.profile import TimeProfile
+from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.execution import run
 from motionlang.report import text
 from motionlang.source import Source

@@ -14,8 +14,8 @@ from time import process_time
 from shift import PROGRAM
 from start import command, seconds
 
-from motionlang.diff.motion import parting
-from motionlang.diff.reports import difference
+from motionlang.analysis.diff.motion import parting
+from motionlang.analysis.diff.reports import difference
 from motionlang.execution import run
 from motionlang.report import build
 from motionlang.source import Source

@@ -10,7 +10,7 @@ from random import Random
 from time import process_time
 from typing import TYPE_CHECKING, Any
 
-from motionlang.profile import plan_jerk, plan_parabolic, plan_ratio, plan_sinusoidal, plan_trapezoid
+from motionlang.planners import plan_jerk, plan_parabolic, plan_ratio, plan_sinusoidal, plan_trapezoid
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -17,10 +17,10 @@ from motionlang.copley.bus import LockstepBus
 from motionlang.copley.drive import Drive
 from motionlang.copley.master import Master
 from motionlang.copley.point import to_wire
-from motionlang.profile import Profile, plan_sinusoidal
-from motionlang.profile.pvt.fit import fit_track
-from motionlang.profile.pvt.points import points_from
-from motionlang.profile.pvt.velocities import smooth_velocities
+from motionlang.planners import Profile, plan_sinusoidal
+from motionlang.planners.pvt.fit import fit_track
+from motionlang.planners.pvt.points import points_from
+from motionlang.planners.pvt.velocities import smooth_velocities
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.profile import Profile, plan_jerk, plan_sinusoidal
-from motionlang.profile.sample import PieceTable, sample_profile
+from motionlang.planners import Profile, plan_jerk, plan_sinusoidal
+from motionlang.planners.sample import PieceTable, sample_profile
 
 if TYPE_CHECKING:
     from collections.abc import Callable

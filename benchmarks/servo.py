@@ -17,13 +17,13 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
-from motionlang.controller.servo import Loop, Motor, Track, simulate
-from motionlang.controller.servo.discrete import discretise
-from motionlang.controller.servo.steps import COLUMNS, empty_columns, initial_state, stepper
-from motionlang.controller.servo.stretch import run_stretch
-from motionlang.controller.servo.tuning import suggested_loop
 from motionlang.execution import run
-from motionlang.profile import hold, plan_sinusoidal
+from motionlang.planners import hold, plan_sinusoidal
+from motionlang.servo import Loop, Motor, Track, simulate
+from motionlang.servo.discrete import discretise
+from motionlang.servo.steps import COLUMNS, empty_columns, initial_state, stepper
+from motionlang.servo.stretch import run_stretch
+from motionlang.servo.tuning import suggested_loop
 from motionlang.source import Source
 
 if TYPE_CHECKING:

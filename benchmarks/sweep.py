@@ -16,10 +16,10 @@ from tempfile import TemporaryDirectory
 from time import perf_counter, process_time
 from typing import Any
 
+from motionlang.analysis.sweeps import Sweep
+from motionlang.analysis.sweeps.job import worker_of
 from motionlang.execution import run
 from motionlang.source import Source
-from motionlang.sweeps import Sweep
-from motionlang.sweeps.job import worker_of
 
 ROUNDS, RUNS, LOOPS = 5, 100, 12
 KEEP = ("time", "peak.0", "prints")

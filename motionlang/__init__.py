@@ -5,9 +5,9 @@
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.analysis.sweeps import sweep
     from motionlang.execution import run
     from motionlang.result import Run
-    from motionlang.sweeps import sweep
 
 __version__ = "0.1.0"
 __all__ = ["Run", "__version__", "run", "sweep"]
@@ -24,6 +24,6 @@ def __getattr__(name: str) -> object:
     if name == "sweep":
         from importlib import import_module
 
-        globals()["sweep"] = import_module("motionlang.sweeps").sweep
+        globals()["sweep"] = import_module("motionlang.analysis.sweeps").sweep
         return globals()["sweep"]
     raise AttributeError(name)

@@ -131,7 +131,7 @@ def run(
             compiled = None
     if compiled is not None:
         if prove:
-            from motionlang.controller.record.orders import Orders
+            from motionlang.log.orders import Orders
 
             result.orders = Orders(result.controller)
         if begun is not None:
@@ -147,7 +147,7 @@ def run(
             result.crash, result.status = error, "fault"
         result.diagnostics[:0] = result.machine.diagnostics
         if result.machine.has_motors:
-            from motionlang.controller.record.history import notes
+            from motionlang.log.history import notes
 
             result.not_counted += notes(result.controller)
         result.not_counted += result.machine.notes
@@ -166,7 +166,7 @@ def run(
     result.machine.close_terminals()
     result.time = result.machine.clock.now
     if result.status == "ended" and any(key.startswith("budget.") for key in settings):
-        from motionlang.cycle.budget import over_budget
+        from motionlang.analysis.cycle.budget import over_budget
 
         result.diagnostics += over_budget(result, settings)
     return result
@@ -247,13 +247,13 @@ def _compile(
         result.status = "interrupted"
         return None
     except ProgramError as error:
-        from motionlang.foreign import one_sentence
+        from motionlang.lang.foreign import one_sentence
 
         result.diagnostics = one_sentence(language, source, error.diagnostics)
         result.status = "fault"
         return None
     if compiled.is_doubtful:
-        from motionlang.foreign import one_sentence
+        from motionlang.lang.foreign import one_sentence
 
         found = one_sentence(language, source, language.check(source, settings))
         if [each.code for each in found] == ["language"]:

@@ -10,7 +10,7 @@ from itertools import islice
 from marshal import dumps
 
 from motionlang.controller.plain_moves import move_of
-from motionlang.profile.packed import RAMPS, packed
+from motionlang.planners.packed import RAMPS, packed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
     from motionlang.controller.plain_moves import Row as PlainRow
-    from motionlang.controller.record.history import Figures, MotorFigures
     from motionlang.errors import Diagnostic
-    from motionlang.profile import Profile
+    from motionlang.log.history import Figures, MotorFigures
+    from motionlang.planners import Profile
     from motionlang.result import Run
 
     Row = dict[str, object]
@@ -244,7 +244,7 @@ def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
     """What simulated motors made of the moves; nothing, and no time spent, where there are none."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}
-    from motionlang.controller.record.history import figures
+    from motionlang.log.history import figures
 
     return figures(controller)
 
@@ -279,7 +279,7 @@ def axes(run: Run) -> list[Row]:
 
 def readings(run: Run) -> list[str]:
     """The open readings that the program depended on, by the names under which docs/fidelity.md explains them."""
-    from motionlang.readings.used import depended_on
+    from motionlang.assumptions.used import depended_on
 
     return depended_on(run.dialect, run.source.text, run.machine.settings)
 

@@ -7,15 +7,15 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.analysis.certificate import Limit
+    from motionlang.analysis.proof.checker import Proof
     from motionlang.controller.controller import Controller
-    from motionlang.controller.record.certificate import Limit
-    from motionlang.controller.record.judge import Proof
-    from motionlang.controller.record.orders import Orders
-    from motionlang.controller.record.trace import Trace
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Program
+    from motionlang.log.orders import Orders
+    from motionlang.log.trace import Trace
     from motionlang.source import Source
 
 
@@ -41,9 +41,10 @@ class Run:
     )
 
     def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
-        self.source, self.dialect, self.machine = source, dialect, machine
-        self.status = "ended"
-        self.time = 0.0
+        self.source, self.dialect = source, dialect
+        self.machine: Machine = machine
+        self.status: str = "ended"
+        self.time: float = 0.0
         self.diagnostics: list[Diagnostic] = []
         self.not_counted: list[str] = []
         # An error of motionlang's own, which ended the run.
@@ -76,9 +77,9 @@ class Run:
 
         With `views` its report and its trace are held against it, too.
         """
-        from motionlang.controller.record.judge_views import ROWS
-        from motionlang.controller.record.proof import prove
-        from motionlang.controller.record.track import Recorded
+        from motionlang.analysis.proof.outputs import ROWS
+        from motionlang.analysis.proof.prove import prove
+        from motionlang.log.track import Recorded
 
         if self.orders is None:
             raise ValueError("a run is proved that was made with prove=True")

@@ -39,9 +39,9 @@ settings.load_profile("motionlang")
 def _prove_every_run() -> None:
     """Every run of the suite is proved, whether its test asks for that or not."""
     from motionlang import execution
-    from motionlang.controller.record.orders import Orders
-    from motionlang.controller.record.proof import prove
-    from motionlang.controller.record.track import Recorded
+    from motionlang.analysis.proof.prove import prove
+    from motionlang.log.orders import Orders
+    from motionlang.log.track import Recorded
 
     execute = execution._execute
 

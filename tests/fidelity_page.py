@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.readings.page import markdown
+from motionlang.assumptions.page import markdown
 
 PAGE = Path(__file__).parent.parent / "docs" / "fidelity.md"
 

@@ -40,7 +40,7 @@ def test_every_benchmark_is_listed() -> None:
 FORGED = """
 from motionlang import run
 from motionlang.controller.core import Core
-from motionlang.profile import plan
+from motionlang.planners import plan
 from motionlang.source import Source
 
 Core.plan_move = lambda *_: plan("trapezoid", 0.0, 100.0, 500.0, 9000.0, 9000.0)

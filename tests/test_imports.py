@@ -34,10 +34,10 @@ LAZY = {
     "mint/program.py": "compile.compiler syntax.parser",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
     "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",
-    "profile/packed.py": "ahead chain composed rate summed",
-    "profile/shapes.py": "jerk parabolic scurve",
+    "planners/packed.py": "extrapolation rate reparametrised sequence superposition",
+    "planners/shapes.py": "jerk parabolic scurve",
     # The plainest runs, which load as little as they can.
-    "profile/trapezoid.py": "approach",
+    "planners/trapezoid.py": "feasibility",
     "cli/__init__.py": "commands complaints crash options run",
     "cli/input_files.py": "complaints",
     "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_code",
@@ -45,11 +45,11 @@ LAZY = {
     "mint/compile/expressions.py": "compile.calls compile.words",
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
-    "profile/curve.py": "chain",
-    "profile/formula.py": "chain",
+    "planners/curve.py": "sequence",
+    "planners/formula.py": "sequence",
     # What few programs, or few commands, come to.
     "client/client.py": "virtual",
-    "controller/record/stream.py": "record.records",
+    "log/stream.py": "records",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",
@@ -113,7 +113,8 @@ def heavy(module: str) -> frozenset[str]:
 def brought_in(path: Path) -> set[str]:
     """The modules of its own package that functions of a file import, without what loads a heavy library by that."""
     parts = path.relative_to(PACKAGE).with_suffix("").parts
-    package = f"motionlang.{parts[0]}."
+    # `analysis` holds a package for each question.
+    package = ".".join(("motionlang", *parts[: 2 if parts[0] == "analysis" else 1], ""))
     already = heavy(".".join(("motionlang", *parts)).removesuffix(".__init__"))
     functions = (
         node

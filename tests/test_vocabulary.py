@@ -7,12 +7,12 @@ from collections import defaultdict
 from pathlib import Path
 
 import motionlang
-from motionlang.controller.servo import gains
 from motionlang.lang.keyword import ROLES, TRAITS
 from motionlang.mccl.keywords import table as commands
 from motionlang.mccl.models import MODELS
 from motionlang.mint.keywords import table
 from motionlang.mint.models import ABSENT, LARGEST
+from motionlang.servo import gains
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}

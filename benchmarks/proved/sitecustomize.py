@@ -8,11 +8,11 @@ from __future__ import annotations
 import atexit
 import sys
 
-from motionlang.controller.record.orders import Orders
-from motionlang.controller.record.proof import prove
-from motionlang.controller.record.track import Recorded
+from motionlang.analysis.proof.prove import prove
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
+from motionlang.log.orders import Orders
+from motionlang.log.track import Recorded
 
 _run = Scheduler.run
 _count = [0]

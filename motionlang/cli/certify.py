@@ -6,9 +6,9 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.certificate import certificate, violations
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.golden import programs
-from motionlang.controller.record.certificate import certificate, violations
 from motionlang.errors import ProgramError
 from motionlang.execution import MACHINE_SUFFIX, machine_of, run
 from motionlang.source import STDIN_NAME, Source
@@ -16,9 +16,9 @@ from motionlang.source import STDIN_NAME, Source
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from motionlang.analysis.certificate import Limit
+    from motionlang.analysis.proof.checker import Proof
     from motionlang.cli.options import Options
-    from motionlang.controller.record.certificate import Limit
-    from motionlang.controller.record.judge import Proof
     from motionlang.result import Run
 
 # Programs without limits that are named.

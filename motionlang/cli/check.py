@@ -18,8 +18,8 @@ from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import add_command
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
-from motionlang.foreign import one_sentence
 from motionlang.lang.dialect import unknown_model
+from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
@@ -173,8 +173,8 @@ def _tell_evidence(
     language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
 ) -> None:
     """The open readings that a program depends on, with their strength: printed, or put into its row."""
-    from motionlang.readings.entries import readings
-    from motionlang.readings.used import depended_on
+    from motionlang.assumptions.entries import readings
+    from motionlang.assumptions.used import depended_on
     from motionlang.views.readings import as_dict, listing
 
     known = readings()

@@ -19,8 +19,8 @@ from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 
 if TYPE_CHECKING:
+    from motionlang.analysis.compare.comparison import Comparison, Mapped
     from motionlang.cli.parser import Commands
-    from motionlang.measured.comparison import Comparison, Mapped
     from motionlang.result import Run
 
 EPILOG = """\
@@ -83,7 +83,7 @@ def add_mapping(parser: argparse.ArgumentParser) -> None:
 
 
 def _mapped(text: str) -> Mapped:
-    from motionlang.measured.comparison import Mapped
+    from motionlang.analysis.compare.comparison import Mapped
 
     what, equals, column = text.partition("=")
     name, star, factor = column.rpartition("*")
@@ -133,7 +133,7 @@ def hold_against(result: Run, path: str, tolerances: dict[str, float], arguments
 
     The other arguments are `map`, `delay`, `plot`, `all` and `json`, as `compare` and `diff` have them.
     """
-    from motionlang.measured.comparison import compare
+    from motionlang.analysis.compare.comparison import compare
 
     try:
         recording = read_source(path)

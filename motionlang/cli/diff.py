@@ -7,6 +7,9 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
+from motionlang.analysis.diff.charged import charged
+from motionlang.analysis.diff.reports import check, difference
+from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.cli.compare import add_mapping, hold_against
 from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.golden import golden_files
@@ -14,9 +17,6 @@ from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
-from motionlang.diff.charged import charged
-from motionlang.diff.reports import check, difference
-from motionlang.diff.tolerance import Tolerance
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.lang.machine.file import read_machine
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Sequence
 
+    from motionlang.analysis.diff.charged import Charge
     from motionlang.cli.parser import Commands
-    from motionlang.diff.charged import Charge
     from motionlang.result import Run
 
 EPILOG = """\
@@ -117,7 +117,7 @@ def diff_command(arguments: argparse.Namespace) -> int:
     found = difference(old, new, tolerance)
     parted, charges = None, []
     if old_run is not None and new_run is not None:
-        from motionlang.diff.motion import parting
+        from motionlang.analysis.diff.motion import parting
 
         parted = parting(old_run, new_run, tolerance.size("position"))
         charges = charged(old_run, new_run) if found.time is not None else []
@@ -191,8 +191,8 @@ def _variant(
     program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
 ) -> tuple[dict[str, object], dict[str, float | str]]:
     """Settings and overrides of a variant of the sweep that lies beside a program; ValueError where there is none."""
-    from motionlang.sweeps import Sweep
-    from motionlang.sweeps.description import SUFFIX, read_description
+    from motionlang.analysis.sweeps import Sweep
+    from motionlang.analysis.sweeps.description import SUFFIX, read_description
 
     path = os.path.splitext(program)[0] + SUFFIX
     if not os.path.isfile(path):

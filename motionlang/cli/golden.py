@@ -10,8 +10,8 @@ import json
 import os
 from typing import TYPE_CHECKING
 
-from motionlang.diff.reports import difference
-from motionlang.diff.tolerance import EXACT
+from motionlang.analysis.diff.reports import difference
+from motionlang.analysis.diff.tolerance import EXACT
 from motionlang.execution import dialect, dialects
 from motionlang.files import replacing
 from motionlang.report import text

@@ -7,13 +7,13 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.assumptions.facts import of_word as of_word_facts
+from motionlang.assumptions.questions import of_word
+from motionlang.assumptions.reading import SETTLED
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
-from motionlang.readings.facts import of_word as of_word_facts
-from motionlang.readings.questions import of_word
-from motionlang.readings.reading import SETTLED
 from motionlang.views import readings
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.cli.options import Options
-    from motionlang.controller.servo.trace import ServoTrace
     from motionlang.result import Run
+    from motionlang.servo.trace import ServoTrace
 
 # The optional library that writes a format.
 _WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap"}
@@ -126,8 +126,8 @@ def _write_plot(result: Run, options: Options) -> None:
 
 
 def _write_profile(result: Run, options: Options) -> None:
-    from motionlang.cycle.export import write_profile
-    from motionlang.cycle.profile import TimeProfile
+    from motionlang.analysis.cycle.export import write_profile
+    from motionlang.analysis.cycle.profile import TimeProfile
 
     assert options.profile_to is not None
     write_profile(TimeProfile(result), options.profile_to)
@@ -137,6 +137,6 @@ def _motors(result: Run) -> dict[int, ServoTrace]:
     """What the simulated motors of a run did, by axis."""
     if all(axis.feedback is None for axis in result.controller.axes.values()):
         return {}
-    from motionlang.controller.record.history import servo_traces
+    from motionlang.log.history import servo_traces
 
     return servo_traces(result.controller)

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from motionlang.cli.parser import add_command
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
-from motionlang.profile.reach import needed_distance, remedies, triangle
-from motionlang.profile.solve import NAMES, RULES, solve_move
+from motionlang.planners.reach import needed_distance, remedies, triangle
+from motionlang.planners.solve import NAMES, RULES, solve_move
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 from motionlang.views.words import dialect_name

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.profile.counts import linear_scale, rotary_scale
+from motionlang.planners.counts import linear_scale, rotary_scale
 
 if TYPE_CHECKING:
     import argparse

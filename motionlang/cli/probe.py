@@ -8,22 +8,22 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
+from motionlang.assumptions.answers import HOLDS, OTHER, UNKNOWN, counted, machine_text, read
+from motionlang.assumptions.probe import Motion, alone, asked, written
+from motionlang.assumptions.questions import of_word, questions
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
 from motionlang.cli.parser import add_command
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
-from motionlang.readings.answers import HOLDS, OTHER, UNKNOWN, counted, machine_text, read
-from motionlang.readings.probe import Motion, alone, asked, written
-from motionlang.readings.questions import of_word, questions
 from motionlang.source import STDIN, STDIN_NAME, name_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from motionlang.assumptions.answers import Answers, Verdict
+    from motionlang.assumptions.reading import Probe, Reading
     from motionlang.cli.parser import Commands
-    from motionlang.readings.answers import Answers, Verdict
-    from motionlang.readings.reading import Probe, Reading
 
 EPILOG = """\
 The probe goes to standard output. The one of a language moves nothing and writes no setting, prints one answer a

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command
-from motionlang.profile.tn1069 import ERRATA, Demand, comparison
+from motionlang.notes.tn1069 import ERRATA, Demand, comparison
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.cli.parser import Commands
-    from motionlang.profile.tn1069 import Row
+    from motionlang.notes.tn1069 import Row
 
 SCHEMA = "motionlang.profiles/1"
 # What the names of the rows stand for.

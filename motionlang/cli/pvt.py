@@ -14,16 +14,16 @@ from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, re
 from motionlang.cli.pvt_options import OPTIONS, add_input
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.extras import need
-from motionlang.profile.pvt.points import absolute, plan_points, relative, until_end
-from motionlang.profile.pvt.velocities import compare_velocities, knot_accelerations
-from motionlang.profile.total import total
+from motionlang.planners.pvt.points import absolute, plan_points, relative, until_end
+from motionlang.planners.pvt.velocities import compare_velocities, knot_accelerations
+from motionlang.planners.total import total
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Sequence
 
-    from motionlang.profile.curve import Profile
-    from motionlang.profile.pvt.points import Point
+    from motionlang.planners.curve import Profile
+    from motionlang.planners.pvt.points import Point
     from motionlang.source import Source
 
     Handler = Callable[[argparse.Namespace], int]
@@ -182,7 +182,7 @@ def _replaced(points: Sequence[Point], velocities: Sequence[float]) -> list[Poin
 
 def _error(move: Move, sent: Sequence[Point], start: float) -> tuple[float, float]:
     """How far the motion that is sent departs from the one that was meant, counts, and when."""
-    from motionlang.profile.pvt.fit import motion_error
+    from motionlang.planners.pvt.fit import motion_error
 
     if move.track is not None:
         track = move.track
@@ -191,7 +191,7 @@ def _error(move: Move, sent: Sequence[Point], start: float) -> tuple[float, floa
 
 
 def _motion_json(points: Sequence[Point], start: float | None) -> dict[str, object]:
-    from motionlang.profile.pvt.points import knots, segments
+    from motionlang.planners.pvt.points import knots, segments
 
     profile = _planned(points, start)
     return {

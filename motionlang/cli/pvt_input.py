@@ -9,17 +9,17 @@ from itertools import pairwise
 from math import inf
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.track import WholeTrack
 from motionlang.copley.point import check_points
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.profile.pvt.points import Point, absolute, points_from, split_long, until_end
-from motionlang.profile.pvt.velocities import pvt_velocities
+from motionlang.log.track import WholeTrack
+from motionlang.planners.pvt.points import Point, absolute, points_from, split_long, until_end
+from motionlang.planners.pvt.velocities import pvt_velocities
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Sequence
 
-    from motionlang.profile.curve import Profile
+    from motionlang.planners.curve import Profile
     from motionlang.source import Source
 
 GRID = 0.001
@@ -135,7 +135,7 @@ def _from_positions(args: argparse.Namespace) -> Move:
 
 
 def _from_scurve(args: argparse.Namespace) -> Move:
-    from motionlang.profile.pvt.scurve import limited_scurve, scurve
+    from motionlang.planners.pvt.scurve import limited_scurve, scurve
 
     if (args.time is None) == (args.jerk is None):
         raise UsageError("--scurve needs --time (of one of its four segments, ms) or --jerk (counts/s3)")
@@ -193,7 +193,7 @@ class SourceError(Exception):
 def _from_program(args: argparse.Namespace) -> Move:
     """Run the program and fit what one axis did."""
     from motionlang.execution import run
-    from motionlang.profile.pvt.fit import OutOfTolerance, fit_track, least_tolerance
+    from motionlang.planners.pvt.fit import OutOfTolerance, fit_track, least_tolerance
 
     try:
         result = run(args.file, dialect=args.dialect)

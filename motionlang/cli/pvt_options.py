@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.profile.pvt.velocities import METHODS
+from motionlang.planners.pvt.velocities import METHODS
 
 if TYPE_CHECKING:
     import argparse

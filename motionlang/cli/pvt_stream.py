@@ -13,8 +13,8 @@ from motionlang.copley.drive import Drive
 from motionlang.copley.master import WAYS, Master, StreamError
 from motionlang.copley.point import from_wire, to_wire
 from motionlang.errors import Diagnostic
-from motionlang.profile.pvt.fit import track_error
-from motionlang.profile.pvt.points import Point, absolute, plan_points, relative
+from motionlang.planners.pvt.fit import track_error
+from motionlang.planners.pvt.points import Point, absolute, plan_points, relative
 from motionlang.views.diagnostics import render
 from motionlang.views.pvt import figure, pairs_lines
 

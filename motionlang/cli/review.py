@@ -7,15 +7,15 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.diff.accept import changes, merged
+from motionlang.analysis.diff.reports import difference
 from motionlang.cli.golden import golden_files, write
-from motionlang.diff.accept import changes, merged
-from motionlang.diff.reports import difference
 from motionlang.report import rendered, text
 from motionlang.views.diff import change_lines
 from motionlang.views.terminal import draws, plain
 
 if TYPE_CHECKING:
-    from motionlang.diff.accept import Change
+    from motionlang.analysis.diff.accept import Change
     from motionlang.result import Run
 
 HELP = """\

@@ -14,8 +14,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from motionlang.analysis.proof.checker import Proof
     from motionlang.cli.options import Options
-    from motionlang.controller.record.judge import Proof
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
@@ -271,14 +271,14 @@ def _report(result: Run, options: Options) -> None:
         everything=options.everything,
     )
     if options.paths:
-        from motionlang.controller.record.paths import paths
+        from motionlang.log.paths import paths
         from motionlang.views.paths import render_paths
 
         rows = paths(result.trace)
         colour = wants_colour(sys.stdout)
         table += "\n" + render_paths(rows, width=width, colour=colour, everything=options.everything)
     if options.profile:
-        from motionlang.cycle.profile import TimeProfile
+        from motionlang.analysis.cycle.profile import TimeProfile
         from motionlang.views.cycle import render_profile
 
         colour = wants_colour(sys.stdout)

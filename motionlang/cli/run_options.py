@@ -249,7 +249,7 @@ def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser
 
 
 def _columns(text: str) -> list[str]:
-    from motionlang.controller.record.trace import quantity_of
+    from motionlang.log.trace import quantity_of
 
     columns = [each.strip() for each in text.split(",")]
     try:

@@ -23,13 +23,13 @@ from motionlang.cli.servo_options import (
     step_options,
     tune_options,
 )
-from motionlang.profile import dissect
+from motionlang.planners import dissect
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Sequence
 
-    from motionlang.controller.servo.slip import Slip
+    from motionlang.notes.slip import Slip
 
     Handler = Callable[[argparse.Namespace], int]
     from motionlang.cli.parser import Commands
@@ -83,7 +83,7 @@ def slip(args: argparse.Namespace) -> int:
 
 def dac(args: argparse.Namespace) -> int:
     """What a DAC step asks of the motor, and what holding it back gains."""
-    from motionlang.controller.servo.override import demonstrate
+    from motionlang.notes.dac_override import demonstrate
     from motionlang.views import servo as view
 
     limit = dissect.slip_acceleration(args.friction, args.gravity)
@@ -110,8 +110,8 @@ def dac(args: argparse.Namespace) -> int:
 
 def compare(args: argparse.Namespace) -> int:
     """The four profiles of TN1069 on one simulated axis."""
-    from motionlang.controller.servo.compare import BASES
-    from motionlang.controller.servo.compare import compare as compared
+    from motionlang.notes.tn1069_servo import BASES
+    from motionlang.notes.tn1069_servo import compare as compared
     from motionlang.views import servo as view
 
     plant = plant_of(args)
@@ -137,7 +137,7 @@ def compare(args: argparse.Namespace) -> int:
 
 def step(args: argparse.Namespace) -> int:
     """The answer of an axis to a step: rise, overshoot, settling."""
-    from motionlang.controller.servo.response import loop_figures, step_figures, step_response
+    from motionlang.servo.response import loop_figures, step_figures, step_response
     from motionlang.views import servo as view
 
     plant = plant_of(args)
@@ -161,11 +161,11 @@ def step(args: argparse.Namespace) -> int:
 
 def tune(args: argparse.Namespace) -> int:
     """First gains for a motor and a bandwidth, as Mint and as MCCL have them."""
-    from motionlang.controller.servo.gains import mccl_values, mint_values
-    from motionlang.controller.servo.response import step_figures, step_response
-    from motionlang.controller.servo.settings import SERVO, make_loop
-    from motionlang.controller.servo.tuning import suggest
     from motionlang.lang.gains import spoken
+    from motionlang.servo.gains import mccl_values, mint_values
+    from motionlang.servo.response import step_figures, step_response
+    from motionlang.servo.settings import SERVO, make_loop
+    from motionlang.servo.tuning import suggest
     from motionlang.views import servo as view
 
     plant = plant_of(args)
@@ -207,7 +207,7 @@ def figure(args: argparse.Namespace) -> int:
 
 def listing(args: argparse.Namespace) -> int:
     """Chapter 12's C program, run on its own drive."""
-    from motionlang.controller.servo.chapter12 import NOTES, Settings, run_listing
+    from motionlang.notes.chapter12 import NOTES, Settings, run_listing
     from motionlang.views import servo as view
 
     settings = Settings(
@@ -239,9 +239,9 @@ def listing(args: argparse.Namespace) -> int:
 def run(args: argparse.Namespace) -> int:
     """Run a program on its machine and show what the motors made of it: the machine's own, or those of the options."""
     from motionlang import run as run_program
-    from motionlang.controller.record.history import servo_trace
-    from motionlang.controller.record.track import WholeTrack
-    from motionlang.controller.servo import simulate
+    from motionlang.log.history import servo_trace
+    from motionlang.log.track import WholeTrack
+    from motionlang.servo import simulate
     from motionlang.views import servo as view
 
     settings = machine_of(args)
@@ -294,9 +294,9 @@ _COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], Non
 
 
 def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
-    from motionlang.controller.servo.compare import SHAPES
-    from motionlang.controller.servo.slip import check_profile
-    from motionlang.profile import plan
+    from motionlang.notes.slip import check_profile
+    from motionlang.notes.tn1069_servo import SHAPES
+    from motionlang.planners import plan
 
     if args.distance is None:
         if args.accel is not None or args.profile is not None:

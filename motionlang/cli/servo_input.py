@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.gains import MODELS, mccl_loop, mint_loop
-from motionlang.controller.servo.loop import Loop
-from motionlang.controller.servo.settings import PLANT, SERVO, make_loop, make_plant
 from motionlang.execution import dialect
 from motionlang.lang.gains import gain_words, written
+from motionlang.servo.gains import MODELS, mccl_loop, mint_loop
+from motionlang.servo.loop import Loop
+from motionlang.servo.settings import PLANT, SERVO, make_loop, make_plant
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Mapping
 
-    from motionlang.controller.servo.plant import Drive, Motor
-    from motionlang.controller.servo.settings import Key
     from motionlang.errors import ProgramError
+    from motionlang.servo.plant import Drive, Motor
+    from motionlang.servo.settings import Key
 
 EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5}
 """What the motor of the commands has otherwise than [axis.N.plant] by itself, when no machine file describes one."""
@@ -93,7 +93,7 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
     loop = make_loop(section)
     if any((loop.proportional, loop.integral, loop.derivative, loop.velocity_feedback)):
         return loop
-    from motionlang.controller.servo.tuning import suggest
+    from motionlang.servo.tuning import suggest
 
     tuned = suggest(plant, args.bandwidth or 50.0, loop).loop
     kept = {

@@ -7,7 +7,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang.cli.servo_input import add_loop, add_plant
-from motionlang.profile import dissect
+from motionlang.planners import dissect
 
 if TYPE_CHECKING:
     import argparse

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from motionlang.cli.complaints import complain
 from motionlang.errors import ProgramError
 from motionlang.execution import accelerators, dialect_for
-from motionlang.foreign import one_sentence
+from motionlang.lang.foreign import one_sentence
 from motionlang.views.listing import render_listing
 from motionlang.views.terminal import wants_colour
 

@@ -6,6 +6,10 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.sweeps import KEEP, Sweep
+from motionlang.analysis.sweeps.description import SUFFIX, Description, read_description
+from motionlang.analysis.sweeps.journal import Journal, OtherSweep, read
+from motionlang.analysis.sweeps.space import dimension
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import set_values
@@ -20,17 +24,13 @@ from motionlang.execution import dialect_of, machine_of
 from motionlang.extras import need
 from motionlang.files import unwritable
 from motionlang.source import STDIN, Source
-from motionlang.sweeps import KEEP, Sweep
-from motionlang.sweeps.description import SUFFIX, Description, read_description
-from motionlang.sweeps.journal import Journal, OtherSweep, read
-from motionlang.sweeps.space import dimension
 from motionlang.views.progress import Progress
 
 if TYPE_CHECKING:
     import argparse
 
+    from motionlang.analysis.sweeps.job import Result
     from motionlang.cli.parser import Commands
-    from motionlang.sweeps.job import Result
 
 OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
 # What is added to the name of --out for the rows of a sweep that is not at its end.

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
+from motionlang.analysis.sweeps.quantities import ROWS
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.run_options import machine_time
-from motionlang.sweeps.quantities import ROWS
 
 REPORTS = ("table", "csv", "none")
 # Rows of the table without --rows.

@@ -6,18 +6,18 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any
 
+from motionlang.analysis.sweeps.expression import Expression, pareto
+from motionlang.analysis.sweeps.quantities import unit_of
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.errors import Diagnostic
-from motionlang.sweeps.expression import Expression, pareto
-from motionlang.sweeps.quantities import unit_of
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator, Sequence
 
-    from motionlang.sweeps import Sweep
-    from motionlang.sweeps.description import Description
-    from motionlang.sweeps.job import Problem, Result
+    from motionlang.analysis.sweeps import Sweep
+    from motionlang.analysis.sweeps.description import Description
+    from motionlang.analysis.sweeps.job import Problem, Result
 
     Cells = list[object]
 

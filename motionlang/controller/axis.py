@@ -2,7 +2,7 @@
 
 The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began; the
 last profile goes on for ever (it holds its end position, or keeps its end velocity), so position and velocity are
-known at any time, exactly. What lies far back is packed in the log (`record/log.py`).
+known at any time, exactly. What lies far back is packed in the log (`log/log.py`).
 
 Moves that nobody looks at are rows of numbers (`plain_moves.py`). Whoever asks for the move, the buffer or the track
 of the axis is such a look, and finds them as if there were no other kind.
@@ -16,22 +16,22 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.plain_moves import NO_PLAN, entry_of, move_of, written
 from motionlang.controller.scale import Scale
 from motionlang.controller.watches import Watches
-from motionlang.profile import hold
-from motionlang.profile.limits import LARGEST
+from motionlang.planners import hold
+from motionlang.planners.limits import LARGEST
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
+    from motionlang.controller.feedback import Feedback
     from motionlang.controller.move import Move
     from motionlang.controller.plain_moves import Entry, Row
-    from motionlang.controller.record.moves import Moves
-    from motionlang.controller.record.older_profiles import Profiles
-    from motionlang.controller.servo.feedback import Feedback
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
-    from motionlang.profile import Profile, State
+    from motionlang.log.moves import Moves
+    from motionlang.log.older_profiles import Profiles
+    from motionlang.planners import Profile, State
 
 # What an axis starts with; a dialect's table may say otherwise (Mint's SPEED is 40000).
 DEFAULTS: dict[str, float] = {

@@ -11,14 +11,14 @@ from motionlang.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.controller.core import Core
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Move
-from motionlang.profile import hold
+from motionlang.planners import hold
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from motionlang.controller.move import Action
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 SETTINGS = frozenset(
     {

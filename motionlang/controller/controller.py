@@ -12,8 +12,8 @@ from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Refusal
 from motionlang.controller.readers import UNHEARD
-from motionlang.controller.record.log import Log
-from motionlang.controller.record.moves import power_up
+from motionlang.log.log import Log
+from motionlang.log.moves import power_up
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,11 +25,11 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.geometry import Arc, Line
     from motionlang.controller.moves.guide import Guide
     from motionlang.controller.readers import Hearing, Loader, Reader, Writer
-    from motionlang.controller.record.trace import Trace
     from motionlang.controller.triggers.latch import Compare, Latch
     from motionlang.controller.triggers.limit import Limit
-    from motionlang.profile import Profile
-    from motionlang.profile.reference import Slope
+    from motionlang.log.trace import Trace
+    from motionlang.planners import Profile
+    from motionlang.planners.reference import Slope
 
 
 class Controller(AxisVerbs):
@@ -461,7 +461,7 @@ class Controller(AxisVerbs):
         a = self.axes[axis]
         if a.feedback is None:
             return [a.position(time) if quantity == "actual" else 0.0 for time in times]
-        from motionlang.controller.record.history import recall
+        from motionlang.log.history import recall
 
         return recall(a, self.clock.now, quantity, times)
 
@@ -488,7 +488,7 @@ class Controller(AxisVerbs):
     @property
     def trace(self) -> Trace:
         """The motion so far, to be sampled; brings in numpy."""
-        from motionlang.controller.record.trace import Trace
+        from motionlang.log.trace import Trace
 
         return Trace(self)
 

@@ -11,8 +11,8 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import MOST_PIECES, Move
 from motionlang.controller.readings import Readings
-from motionlang.profile import hold
-from motionlang.profile.trapezoid import from_rest, plan_trapezoid
+from motionlang.planners import hold
+from motionlang.planners.trapezoid import from_rest, plan_trapezoid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.triggers.conditions import Together
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 class Core(Readings):
@@ -99,8 +99,8 @@ class Core(Readings):
             if last.shape == "hold" and shape == "trapezoid":  # nearly every move there is
                 return plan_trapezoid(last.end, move.target, speed, accel, decel)
             # What changes the motion under way, or has a shape, is brought in by the first program that does.
-            from motionlang.profile import plan
-            from motionlang.profile.relief import onset
+            from motionlang.planners import plan
+            from motionlang.planners.ramp_down import onset
 
             jerks = (a.accel_jerk, a.decel_jerk) if shape == "scurve" else (INFINITY, INFINITY)
             eased, start, velocity, bent = onset(last, self.clock.now - a.starts[-1], shape, jerks[0])

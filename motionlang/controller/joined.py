@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.profile.packed import unpacked
+from motionlang.planners.packed import unpacked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.controller.axis import Axis
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 # Packed profiles that are kept as objects once they have been asked for.
 _MOST_UNPACKED = 1024

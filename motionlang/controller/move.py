@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 # Pieces of which the profile of a move consists after which it goes on as another entry of the log.

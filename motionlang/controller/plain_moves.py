@@ -8,7 +8,7 @@ that was started a `Row`, in the log and beside the track of its axis. `Axis` ma
 from __future__ import annotations
 
 from motionlang.controller.move import Move
-from motionlang.profile.curve import Profile, hold
+from motionlang.planners.curve import Profile, hold
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.axis_verbs import AxisVerbs
     from motionlang.controller.scale import Scale
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     Reader = Callable[..., Any]
     Writer = Callable[[Any], object]

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
-    from motionlang.controller.record.log import Log
-    from motionlang.controller.record.orders import Orders
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
     from motionlang.controller.triggers.watch import Watch
+    from motionlang.log.log import Log
+    from motionlang.log.orders import Orders
 
 
 class Readings:

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.copley.buffer import Buffer, Entry, entry_of
 from motionlang.copley.packet import UNDERFLOW
-from motionlang.profile.curve import Profile, from_curve, hold
-from motionlang.profile.pvt.motion import pvt_piece
-from motionlang.profile.stop import plan_stop
+from motionlang.planners.curve import Profile, from_curve, hold
+from motionlang.planners.pvt.motion import pvt_piece
+from motionlang.planners.stop import plan_stop
 
 if TYPE_CHECKING:
     from collections.abc import Callable

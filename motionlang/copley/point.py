@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import isfinite, isnan
 from typing import TYPE_CHECKING
 
-from motionlang.profile.pvt.points import Point
+from motionlang.planners.pvt.points import Point
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence

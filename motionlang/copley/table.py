@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
-from motionlang.profile.pvt.points import Point
+from motionlang.planners.pvt.points import Point
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -1,6 +1,6 @@
 """The closed form of a linear servo: all samples along a cubic of its demand in one expression.
 
-Replaces: the plain steps of `Ahead` (controller/servo/ahead.py). A linear loop goes from one cubic of its demand to the
+Replaces: the plain steps of `Ahead` (servo/ahead.py). A linear loop goes from one cubic of its demand to the
 next by its closed form; plain steps do what lies between them and around its limits, and all of what is not linear.
 
 Hook: `Accelerators.servo`; `Feedback` makes its servo of it.
@@ -28,19 +28,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.controller.servo.ahead import SEEN, SHORT, Ahead
-from motionlang.controller.servo.cubics import cubic_behind, moved, value
-from motionlang.controller.servo.discrete import discretise
-from motionlang.controller.servo.linear import Probe, kept_places
-from motionlang.controller.servo.steps import MEMORY
+from motionlang.servo.ahead import SEEN, SHORT, Ahead
+from motionlang.servo.cubics import cubic_behind, moved, value
+from motionlang.servo.discrete import discretise
+from motionlang.servo.linear import Probe, kept_places
+from motionlang.servo.steps import MEMORY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from motionlang.controller.servo.demand import Cubic
-    from motionlang.controller.servo.loop import Loop
-    from motionlang.controller.servo.plant import Drive, Motor
-    from motionlang.controller.servo.steps import State
+    from motionlang.servo.demand import Cubic
+    from motionlang.servo.loop import Loop
+    from motionlang.servo.plant import Drive, Motor
+    from motionlang.servo.steps import State
 
     Array = NDArray[np.float64]
 

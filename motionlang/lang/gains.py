@@ -6,8 +6,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from motionlang.controller.servo.gains import Gains
     from motionlang.lang.keyword import Keyword
+    from motionlang.servo.gains import Gains
 
 # Quantities of MCCL that no command of their own sets: the integral's mode, and the rate, for which there are three.
 BESIDE = {"IO": "integral_mode", "RATE": "rate"}

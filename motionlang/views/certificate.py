@@ -14,8 +14,8 @@ from motionlang.views.words import figure
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.controller.record.certificate import Limit
-    from motionlang.controller.record.judge import Proof
+    from motionlang.analysis.certificate import Limit
+    from motionlang.analysis.proof.checker import Proof
     from motionlang.result import Run
 
 COLUMNS = (

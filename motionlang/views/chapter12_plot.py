@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from motionlang.profile import dissect, plan
+from motionlang.planners import dissect, plan
 from motionlang.views.chapter12 import (
     BLOCKS,
     CHANGES,
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 def draw_figure(number: str, path: str) -> None:

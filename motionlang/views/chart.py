@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from itertools import chain, islice
 
-from motionlang.controller.record.track import WholeTrack
+from motionlang.log.track import WholeTrack
 from motionlang.views.terminal import styled
 from motionlang.views.words import clock_time
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     Span = tuple[float, float]
 

@@ -11,7 +11,7 @@ from motionlang.views.words import dialect_name, figure, outcome
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.measured.comparison import Comparison
+    from motionlang.analysis.compare.comparison import Comparison
 
     Row = dict[str, Any]
 

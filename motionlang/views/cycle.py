@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fsum
 
-from motionlang.cycle.motions import MOVING
+from motionlang.analysis.cycle.motions import MOVING
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time
@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from motionlang.cycle.profile import Share, TimeProfile
+    from motionlang.analysis.cycle.profile import Share, TimeProfile
 
 # Lines of the program in the table, and of a program that is listed as a whole.
 MOST_LINES, MOST_LISTED = 20, 60

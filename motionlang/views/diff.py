@@ -5,16 +5,16 @@ from __future__ import annotations
 from math import fsum
 from typing import TYPE_CHECKING, Any
 
-from motionlang.diff.tolerance import FIELDS
+from motionlang.analysis.diff.tolerance import FIELDS
 from motionlang.views.terminal import printable, styled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.diff.accept import Change
-    from motionlang.diff.charged import Charge
-    from motionlang.diff.motion import Parting
-    from motionlang.diff.reports import Difference, LineChange
+    from motionlang.analysis.diff.accept import Change
+    from motionlang.analysis.diff.charged import Charge
+    from motionlang.analysis.diff.motion import Parting
+    from motionlang.analysis.diff.reports import Difference, LineChange
 
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
 # Figures of a motor that no tube is about.

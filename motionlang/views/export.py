@@ -17,7 +17,7 @@ from motionlang.views.vcd import write_vcd
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.controller.record.trace import Column, Trace
+    from motionlang.log.trace import Column, Trace
 
     Report = Callable[[float], object]
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.readings.questions import of_word
+from motionlang.assumptions.questions import of_word
 from motionlang.views.keywords import facts
 from motionlang.views.words import dialect_name
 

@@ -6,15 +6,15 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
-from motionlang.readings.facts import of_word
+from motionlang.assumptions.facts import of_word
 from motionlang.views.terminal import cells, styled
 from motionlang.views.words import dialect_name
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from motionlang.assumptions.facts import Evidence
     from motionlang.lang.keyword import Keyword
-    from motionlang.readings.facts import Evidence
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
 # How a fact is known, by the first word of its strength.

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
-    from motionlang.controller.record.records import Changed
-    from motionlang.controller.record.stream import Stream
+    from motionlang.log.records import Changed
+    from motionlang.log.stream import Stream
 
 # group -> (the log's name for it, how a lane is called, whether it is on or off)
 GROUPS = {

@@ -19,7 +19,7 @@ from motionlang.views.terminal import printable
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
-    from motionlang.controller.record.trace import Column, Trace
+    from motionlang.log.trace import Column, Trace
 
     Report = Callable[[float], object]
     # Nanoseconds, the number of the topic, and the message.

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.profile.sample import ORDERS, piece_values
+from motionlang.planners.sample import ORDERS, piece_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from motionlang.controller.record.trace import Trace
+    from motionlang.log.trace import Trace
 
     Array = NDArray[np.float64]
 

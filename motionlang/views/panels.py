@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from motionlang.controller.record.trace import Trace
-    from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.log.trace import Trace
+    from motionlang.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from motionlang.controller.record.trace import Trace
+    from motionlang.log.trace import Trace
     from motionlang.result import Run
     from motionlang.views.window import Window
 
@@ -68,7 +68,7 @@ def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
 
 def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
     """Values of one axis at evenly spaced times."""
-    from motionlang.profile.sample import ORDERS
+    from motionlang.planners.sample import ORDERS
 
     values = np.empty(len(times))
     step = max(float(times[-1] - times[0]) / (len(times) - 1), 1e-12)

@@ -11,7 +11,7 @@ from motionlang.views.words import figure
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.controller.record.paths import PathRow
+    from motionlang.log.paths import PathRow
 
 MOST = 60
 # Degrees that are no corner.

@@ -12,9 +12,9 @@ from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
-from motionlang.controller.record.records import GRAVE
 from motionlang.extras import need
 from motionlang.files import replacing
+from motionlang.log.records import GRAVE
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
 from motionlang.views.lanes import lanes
@@ -41,8 +41,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from motionlang.controller.servo.trace import ServoTrace
     from motionlang.result import Run
+    from motionlang.servo.trace import ServoTrace
     from motionlang.views.window import Window
 
 MOST_AXES, MOST_LANES, MOST_ANALOGUE = 8, 24, 4

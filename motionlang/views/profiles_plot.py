@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.profile.tn1069 import profiles
+from motionlang.notes.tn1069 import profiles
 from motionlang.views.servo_plot import BLUE, GREEN, RED, VIOLET, WIDTH, drawing, dress
 
 if TYPE_CHECKING:
-    from motionlang.profile.tn1069 import Demand
+    from motionlang.notes.tn1069 import Demand
 
 COLOURS = (BLUE, GREEN, VIOLET, RED)
 POINTS = 1000

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.profile.pvt.points import knots, segments
+from motionlang.planners.pvt.points import knots, segments
 from motionlang.views.grid import Column, decimals_of, grid
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.profile.curve import Profile
-    from motionlang.profile.pvt.points import Knot
+    from motionlang.planners.curve import Profile
+    from motionlang.planners.pvt.points import Knot
 
 WIDTH = 120
 MOST_ROWS = 40

@@ -10,7 +10,7 @@ import numpy as np
 
 from motionlang.extras import need
 from motionlang.files import replacing
-from motionlang.profile.pvt.points import knots
+from motionlang.planners.pvt.points import knots
 from motionlang.views.plot import STYLE
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from motionlang.profile.curve import Profile
+    from motionlang.planners.curve import Profile
 
 QUANTITIES = (("Position", "counts"), ("Velocity", "counts/s"), ("Acceleration", "counts/s²"))
 LINE, MARK, GRID = "#1f5fae", "#d01c1f", "#d9dfe5"

@@ -5,13 +5,13 @@ from __future__ import annotations
 import textwrap
 from typing import TYPE_CHECKING
 
-from motionlang.readings.probe import lines_of, meanings
+from motionlang.assumptions.probe import lines_of, meanings
 from motionlang.views.terminal import styled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.readings.reading import Reading
+    from motionlang.assumptions.reading import Reading
 
 
 # Programs of so many lines are written by the command, and not shown.

@@ -6,22 +6,22 @@ from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.plant import Motor
+from motionlang.servo.plant import Motor
 from motionlang.views.grid import Column, grid
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Mapping, Sequence
 
-    from motionlang.controller.servo.chapter12 import ListingRun, Settings
-    from motionlang.controller.servo.compare import Row
-    from motionlang.controller.servo.override import OverrideRun
-    from motionlang.controller.servo.plant import Drive
-    from motionlang.controller.servo.response import LoopFigures, StepFigures
-    from motionlang.controller.servo.slip import Slip
-    from motionlang.controller.servo.trace import ServoTrace
-    from motionlang.controller.servo.tuning import Suggestion
-    from motionlang.profile.dissect import DacTiming
+    from motionlang.notes.chapter12 import ListingRun, Settings
+    from motionlang.notes.dac_override import OverrideRun
+    from motionlang.notes.slip import Slip
+    from motionlang.notes.tn1069_servo import Row
+    from motionlang.planners.dissect import DacTiming
+    from motionlang.servo.plant import Drive
+    from motionlang.servo.response import LoopFigures, StepFigures
+    from motionlang.servo.trace import ServoTrace
+    from motionlang.servo.tuning import Suggestion
 
 WIDTH = 120
 SHAPE_NAMES = {

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from motionlang.controller.servo.chapter12 import ListingRun
-    from motionlang.controller.servo.compare import Row
-    from motionlang.controller.servo.override import OverrideRun
-    from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.notes.chapter12 import ListingRun
+    from motionlang.notes.dac_override import OverrideRun
+    from motionlang.notes.tn1069_servo import Row
+    from motionlang.servo.trace import ServoTrace
 
 BLUE, GREEN, RED, GREY, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#9aa6b2", "#6b4fa0"
 COLOURS = (BLUE, GREEN, RED, VIOLET)

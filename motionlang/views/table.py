@@ -8,7 +8,7 @@ from __future__ import annotations
 from array import array
 from math import fsum
 
-from motionlang.profile.total import exact_terms
+from motionlang.planners.total import exact_terms
 from motionlang.report import axes as axes_of
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of

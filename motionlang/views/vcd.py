@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from motionlang.controller.record.records import Event
-    from motionlang.controller.record.trace import Column, Trace
+    from motionlang.log.records import Event
+    from motionlang.log.trace import Column, Trace
     from motionlang.views.lanes import Lane
 
     Report = Callable[[float], object]

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from motionlang.controller.record import stream
-from motionlang.controller.record.records import EVENTS
 from motionlang.execution import run
+from motionlang.log import stream
+from motionlang.log.records import EVENTS
 from motionlang.report import build
 from motionlang.source import Source
 from tests.cli.programs import Cell

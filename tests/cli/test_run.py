@@ -428,7 +428,7 @@ def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pyte
     assert ran.status == 1
     assert "a.html was not written: the run has 2 records, and a page holds 1; --until" in ran.err
     assert not (cell.folder / "a.html").exists()
-    monkeypatch.setattr("motionlang.controller.record.orders.MOST", 0)
+    monkeypatch.setattr("motionlang.log.orders.MOST", 0)
     ran = cell("run", "ballscrew.mcl", "--prove", "--report", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.sweeps import Sweep
+from motionlang.analysis.sweeps import Sweep
 from tests.cli.programs import Cell
 
 STROKE = """\

@@ -10,7 +10,7 @@ from motionlang.copley.buffer import SIZE, Entry
 from motionlang.copley.drive import IDLE, MOVING, STOPPING, WAITING, Drive
 from motionlang.copley.packet import OVERFLOW, UNDERFLOW
 from motionlang.copley.point import WirePoint, from_wire
-from motionlang.profile.pvt.points import plan_points
+from motionlang.planners.pvt.points import plan_points
 
 SCURVE = [
     WirePoint(0, 0, 100),

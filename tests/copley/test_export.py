@@ -8,7 +8,7 @@ from motionlang.copley.bus import LockstepBus
 from motionlang.copley.drive import Drive
 from motionlang.copley.export import FORMATS, LATER, Unwritable, export, sdo_download
 from motionlang.copley.point import WirePoint, to_wire
-from motionlang.profile.pvt.scurve import scurve
+from motionlang.planners.pvt.scurve import scurve
 
 SCURVE = to_wire(scurve(1000.0, 0.1))
 

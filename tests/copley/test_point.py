@@ -7,7 +7,7 @@ from math import inf, nan
 import pytest
 
 from motionlang.copley.point import WirePoint, check_points, from_wire, to_wire
-from motionlang.profile.pvt.points import Point
+from motionlang.planners.pvt.points import Point
 
 GOOD = Point(0, 0, 0.01)
 END = Point(10, 0, 0.0)

@@ -11,9 +11,9 @@ from motionlang.copley.packet import OVERFLOW
 from motionlang.copley.point import WirePoint, from_wire, to_wire
 from motionlang.copley.serial import BufferCommand
 from motionlang.copley.serial_port import Refused, SerialPort
-from motionlang.profile.pvt.fit import track_error
-from motionlang.profile.pvt.points import plan_points
-from motionlang.profile.pvt.scurve import scurve
+from motionlang.planners.pvt.fit import track_error
+from motionlang.planners.pvt.points import plan_points
+from motionlang.planners.pvt.scurve import scurve
 
 
 def port() -> SerialPort:

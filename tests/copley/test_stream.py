@@ -15,9 +15,9 @@ from motionlang.copley.drive import IDLE, Drive
 from motionlang.copley.master import Master, StreamError
 from motionlang.copley.node import DriveNode
 from motionlang.copley.point import WirePoint, from_wire, to_wire
-from motionlang.profile.pvt.fit import track_error
-from motionlang.profile.pvt.points import Point, plan_points, points_from
-from motionlang.profile.pvt.velocities import smooth_velocities
+from motionlang.planners.pvt.fit import track_error
+from motionlang.planners.pvt.points import Point, plan_points, points_from
+from motionlang.planners.pvt.velocities import smooth_velocities
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

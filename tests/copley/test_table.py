@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from motionlang.copley.table import read_points, write_points
 from motionlang.errors import ProgramError
-from motionlang.profile.pvt.points import Point
+from motionlang.planners.pvt.points import Point
 from motionlang.source import Source
 
 points = st.lists(

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 import motionlang
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
-from motionlang.controller.servo.ahead import Ahead
-from motionlang.controller.servo.feedback import Feedback
+from motionlang.controller.feedback import Feedback
 from motionlang.fast.closed_form import ClosedFormServo
+from motionlang.servo.ahead import Ahead
 from motionlang.source import Source
 
 if TYPE_CHECKING:

@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.controller.servo import Drive, Loop, Motor, Track, ahead
-from motionlang.controller.servo.ahead import SEEN, Ahead
 from motionlang.fast.closed_form import ClosedFormServo, closed_form
-from motionlang.profile import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
+from motionlang.planners import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
+from motionlang.servo import Drive, Loop, Motor, Track, ahead
+from motionlang.servo.ahead import SEEN, Ahead
 from tests.cases import cases
-from tests.controller.servo.plain import run_plain
-from tests.controller.servo.test_oracle import LOOPS, PID, PLANTS, points_of
+from tests.servo.plain import run_plain
+from tests.servo.test_oracle import LOOPS, PID, PLANTS, points_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -10,7 +10,7 @@ import pytest
 from motionlang import run
 from motionlang.controller import readers
 from motionlang.controller.move import Move
-from motionlang.controller.record.track import WholeTrack
+from motionlang.log.track import WholeTrack
 from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source

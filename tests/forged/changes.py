@@ -18,10 +18,10 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "motionlang"
 # What works out motion; `plan_move` and the moves that are planned without it stand in `core`.
 _MODULES = {
-    "profile": (
-        "trapezoid ramps approach solve scurve parabolic tn1069 jerk fade relief stop bent between reach "
-        "lookahead composed curve cubics arc table table_motion reference summed halted pieces chain crossing "
-        "shapes"
+    "planners": (
+        "trapezoid ramps feasibility solve scurve parabolic jerk transition ramp_down stop jerk_limited segment_speed "
+        "reach lookahead reparametrised curve cubics arc table table_motion reference superposition dwell pieces "
+        "sequence crossing shapes"
     ),
     "controller": "core",
     "controller/motion": "feedrate jog halt follow offset profile_playback reference takeup",

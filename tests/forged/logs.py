@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from motionlang.controller.motion.offset import OffsetMove
 from motionlang.controller.move import Move
-from motionlang.profile import Profile
+from motionlang.planners import Profile
 from motionlang.result import Run
 from tests.forged.programs import PROGRAMS
 from tests.forged.verdicts import ran

@@ -14,7 +14,7 @@ from typing import Any
 import jsonschema  # type: ignore[import-untyped]
 
 from motionlang.controller.move import Move
-from motionlang.controller.record.track import WholeTrack
+from motionlang.log.track import WholeTrack
 from motionlang.result import Run
 from motionlang.views.table import render
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.controller.record.track import WholeTrack
+from motionlang.log.track import WholeTrack
 from motionlang.result import Run
 
 # Seconds before the end of the shorter run within which what happens may belong to its last moment.

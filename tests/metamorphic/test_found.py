@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.profile.lookahead import Pace, plan_course
+from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.result import Run
 from motionlang.source import Source
 

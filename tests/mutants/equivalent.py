@@ -9,53 +9,45 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/moves/path_run.py: PathRun: _enter: True -> False": (
         "a path has as many moves as axes"
     ),
-    "motionlang/controller/record/certificate.py: contradictions: high < float('inf') -> high <= float('inf')": (
+    "motionlang/analysis/certificate.py: contradictions: high < float('inf') -> high <= float('inf')": (
         "what has no end upwards has none downwards either, with any slack"
     ),
-    "motionlang/controller/record/due.py: move_time: not a0 and distance < 0.0 -> not a0 or distance < 0.0": (
+    "motionlang/analysis/proof/time_bounds.py: move_time: not a0 and distance < 0.0 -> not a0 or distance < 0.0": (
         "from a standstill the time is the same told from either side"
     ),
-    "motionlang/controller/record/log.py: Log: _pack_profiles: 0 -> 1 #2": (
+    "motionlang/log/log.py: Log: _pack_profiles: 0 -> 1 #2": (
         "one profile more stays as it is until the next are packed"
     ),
-    "motionlang/controller/record/judge_axes.py: judge_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
+    "motionlang/analysis/proof/axes.py: judge_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
         "an endless jerk adds nothing"
     ),
-    "motionlang/controller/record/judge_paths.py: _ends: True -> False": (
-        "a path starts and ends on as many axes"
-    ),
-    "motionlang/controller/record/judge_paths.py: _judge_along: span.length <= late -> span.length < late": (
+    "motionlang/analysis/proof/paths.py: _ends: True -> False": ("a path starts and ends on as many axes"),
+    "motionlang/analysis/proof/paths.py: _judge_along: span.length <= late -> span.length < late": (
         "just as long as the rounding of its time either is right"
     ),
-    "motionlang/controller/record/judge_views.py: 40 -> 41": (
+    "motionlang/analysis/proof/outputs.py: 40 -> 41": (
         "how many rows are looked at, of as many as there are"
     ),
-    "motionlang/controller/record/orders.py: _path: 0.0 -> 1.0 #2": (
-        "nothing asks a straight path for its angle"
-    ),
-    "motionlang/controller/record/proof.py: _bend: speed < SLACK -> speed <= SLACK": (
+    "motionlang/log/orders.py: _path: 0.0 -> 1.0 #2": ("nothing asks a straight path for its angle"),
+    "motionlang/analysis/proof/prove.py: _bend: speed < SLACK -> speed <= SLACK": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/controller/record/trace.py: Trace: _stretches: 0 -> 1": (
+    "motionlang/log/trace.py: Trace: _stretches: 0 -> 1": (
         "whether a trace of no axis has none or one profile, of the thousands that a stretch may have"
     ),
-    "motionlang/controller/servo/discrete.py: exponential: 5 -> 6": (
-        "halved and squared once more, which is the same"
-    ),
-    "motionlang/controller/servo/feedback.py: Feedback: _judge: "
+    "motionlang/servo/discrete.py: exponential: 5 -> 6": ("halved and squared once more, which is the same"),
+    "motionlang/controller/feedback.py: Feedback: _judge: "
     "was_calm and (not self.calm) -> was_calm or not self.calm": (
         "one look more at the present sample, which finds nothing new"
     ),
-    "motionlang/controller/servo/slip.py: _beyond: 1.0 -> 2.0": (
-        "a piece without an end has one acceleration for ever"
-    ),
-    "motionlang/controller/servo/stretch.py: _spans: True -> False": (
+    "motionlang/notes/slip.py: _beyond: 1.0 -> 2.0": ("a piece without an end has one acceleration for ever"),
+    "motionlang/servo/stretch.py: _spans: True -> False": (
         "between as many turns and one there is one span more"
     ),
-    "motionlang/controller/servo/tuning.py: Suggestion: True -> False #2": (
+    "motionlang/servo/tuning.py: Suggestion: True -> False #2": (
         "slots: the attributes are the same without"
     ),
-    "motionlang/controller/servo/tuning.py: _least: low + edge -> low - edge": (
+    "motionlang/servo/tuning.py: _least: low + edge -> low - edge": (
         "how soon the chords come near, from this side or from that"
     ),
     "motionlang/controller/triggers/next_watches.py: free_way: at < here -> at <= here": (
@@ -64,10 +56,10 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/keywords/registers.py: wrapped: value + 2147483648 -> value - 2147483648": (
         "both are the same in 32 bits"
     ),
-    "motionlang/cycle/motions.py: Motions: that_ended: found >= 0 -> found > 0": (
+    "motionlang/analysis/cycle/motions.py: Motions: that_ended: found >= 0 -> found > 0": (
         "the motion of number 0 is the last that is looked at"
     ),
-    "motionlang/measured/recording.py: _names: True -> False": "both rows are as wide as the numbers",
+    "motionlang/analysis/compare/recording.py: _names: True -> False": "both rows are as wide as the numbers",
     "motionlang/mint/keywords/buffer.py: read_status: "
     "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
         "by no place to the left or to the right"
@@ -85,50 +77,50 @@ EQUIVALENT: dict[str, str] = {
         "0 is the number of a channel, and passes the check"
     ),
     "motionlang/mint/keywords/modbus.py: Coils: __init__: 1 -> 2": ("a coil is on at every value but 0"),
-    "motionlang/profile/approach.py: _travel: v >= speed -> v > speed": (
+    "motionlang/planners/feasibility.py: _travel: v >= speed -> v > speed": (
         "a peak that is just the speed leaves nothing to slew but rounding"
     ),
-    "motionlang/profile/bent.py: Bent: curve: self.duration > knots[-2] -> self.duration >= knots[-2]": (
+    "motionlang/planners/jerk_limited.py: Bent: curve: self.duration > knots[-2] -> self.duration >= knots[-2]": (
         "where both are the same the last piece has no time in which anyone is on it"
     ),
-    "motionlang/profile/between.py: _farthest: 0.5 -> 1.5 #3": (
+    "motionlang/planners/segment_speed.py: _farthest: 0.5 -> 1.5 #3": (
         "how soon the secants come near; the halves that follow find the last bit from anywhere"
     ),
-    "motionlang/profile/composed.py: _on: place < 0.0 -> place <= 0.0": (
+    "motionlang/planners/reparametrised.py: _on: place < 0.0 -> place <= 0.0": (
         "at 0 the straight continuation and the curve have the same position and slope"
     ),
-    "motionlang/profile/curve.py: Profile: positions: len(pieces) - 1 -> len(pieces) + 1": (
+    "motionlang/planners/curve.py: Profile: positions: len(pieces) - 1 -> len(pieces) + 1": (
         "the last knot is the duration, which the time has been found to lie before"
     ),
-    "motionlang/profile/fade.py: fade: bounds.decel * bounds.decel -> bounds.decel / bounds.decel": (
+    "motionlang/planners/transition.py: fade: bounds.decel * bounds.decel -> bounds.decel / bounds.decel": (
         "v0 beside it is at least as large as what can be lost by rounding there"
     ),
-    "motionlang/profile/formula.py: Formula: _turn: last > 0.0 -> last >= 0.0": (
+    "motionlang/planners/formula.py: Formula: _turn: last > 0.0 -> last >= 0.0": (
         "a last of 0 has returned in the line before"
     ),
-    "motionlang/profile/jerk.py: _directly: 0.5 -> 1.5": (
+    "motionlang/planners/jerk.py: _directly: 0.5 -> 1.5": (
         "only whether the closed form is asked: the search that is asked otherwise comes to the same plan"
     ),
-    "motionlang/profile/jerk.py: _stops_within: 1e-09 -> 1.000000001": (
+    "motionlang/planners/jerk.py: _stops_within: 1e-09 -> 1.000000001": (
         "only whether the plan is written out: the general one comes to the same"
     ),
-    "motionlang/profile/jerk.py: peak_speed: v - u >= accel * rise -> v - u > accel * rise": (
+    "motionlang/planners/jerk.py: peak_speed: v - u >= accel * rise -> v - u > accel * rise": (
         "where both are the same the closed form and Newton's steps come to the same speed"
     ),
-    "motionlang/profile/jerk.py: _back: beyond <= 0.0 -> beyond < 0.0": (
+    "motionlang/planners/jerk.py: _back: beyond <= 0.0 -> beyond < 0.0": (
         "0 is within the rounding that is asked for next"
     ),
-    "motionlang/profile/jerk.py: peak_speed: low > 0.05 * (high - u) -> low >= 0.05 * (high - u)": (
+    "motionlang/planners/jerk.py: peak_speed: low > 0.05 * (high - u) -> low >= 0.05 * (high - u)": (
         "where both are the same Newton's steps come to the same speed from either bound"
     ),
-    "motionlang/profile/lookahead.py: _ramps_of: way * (1.0 + _SLACK) -> way / (1.0 + _SLACK)": (
+    "motionlang/planners/lookahead.py: _ramps_of: way * (1.0 + _SLACK) -> way / (1.0 + _SLACK)": (
         "`reaches` allows the slack once more, and the speed asked for has been found to fit without any"
     ),
-    "motionlang/profile/ramps.py: _add_trapezoidal: 0.0 -> 1.0 #12": "the frequency of a wave of no height",
-    "motionlang/profile/sample.py: _sample_short: edges[b] - edges[a] -> edges[b] + edges[a]": (
+    "motionlang/planners/ramps.py: _add_trapezoidal: 0.0 -> 1.0 #12": "the frequency of a wave of no height",
+    "motionlang/planners/sample.py: _sample_short: edges[b] - edges[a] -> edges[b] + edges[a]": (
         "how many points are worked on at once"
     ),
-    "motionlang/profile/sample.py: _sample_short: 0 -> 1": "how many points are worked on at once",
-    "motionlang/profile/sample.py: _sample_short: 1 -> 2": "how many points are worked on at once",
+    "motionlang/planners/sample.py: _sample_short: 0 -> 1": "how many points are worked on at once",
+    "motionlang/planners/sample.py: _sample_short: 1 -> 2": "how many points are worked on at once",
     "motionlang/views/csv.py: _Buffer: fill: 1 -> 2 #3": "NumPy takes any negative number for the unknown dimension",
 }

@@ -52,7 +52,7 @@ GENERATED = (
     "mint/syntax/tables.py",
     "mccl/keywords/index.py",
     "mint/keywords/index.py",
-    "readings/tables.py",
+    "assumptions/tables.py",
 )
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.controller.record import trace as trace_module
+from motionlang.log import trace as trace_module
 from motionlang.views.export import write_trace
 from tests.views.runs import ballscrew, pick
 

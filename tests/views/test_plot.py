@@ -10,11 +10,11 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
-from motionlang.controller.servo import Loop, simulate
-from motionlang.controller.servo.settings import make_plant
-from motionlang.controller.servo.trace import ServoTrace
 from motionlang.execution import run
 from motionlang.result import Run
+from motionlang.servo import Loop, simulate
+from motionlang.servo.settings import make_plant
+from motionlang.servo.trace import ServoTrace
 from motionlang.source import Source
 from motionlang.views import plot
 from motionlang.views.plot import write_plot

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.controller.servo import Loop, simulate
-from motionlang.controller.servo.settings import make_plant
 from motionlang.execution import run
 from motionlang.result import Run
+from motionlang.servo import Loop, simulate
+from motionlang.servo.settings import make_plant
 from motionlang.source import Source
 from motionlang.views.scope import page, write_scope
 from tests.views.runs import ballscrew, ended, new_run, pick, shift

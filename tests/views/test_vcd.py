@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.controller.record import trace as trace_module
+from motionlang.log import trace as trace_module
 from motionlang.result import Run
 from motionlang.views.export import write_trace
 from motionlang.views.lanes import lanes

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.profile import hold, plan_velocity
-from motionlang.profile.stop import running
+from motionlang.planners import hold, plan_velocity
+from motionlang.planners.stop import running
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

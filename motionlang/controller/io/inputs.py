@@ -7,8 +7,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from motionlang.controller.clock import Clock
-    from motionlang.controller.record.records import Changed
-    from motionlang.controller.record.stream import Stream
+    from motionlang.log.records import Changed
+    from motionlang.log.stream import Stream
 
 
 class Channels:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Event
     from motionlang.controller.controller import Controller
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 # The period of the profiler, seconds.
 PERIOD = 1e-3

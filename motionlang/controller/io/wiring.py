@@ -113,7 +113,7 @@ class World:
         plant = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
         if not plant:
             return
-        from motionlang.controller.servo.feedback import Feedback
+        from motionlang.controller.feedback import Feedback
 
         start = f"axis.{axis}.servo."
         servo = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}

@@ -42,11 +42,11 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.profile_playback import Played
 from motionlang.controller.move import Action, Move
-from motionlang.profile import hold, plan, plan_velocity
-from motionlang.profile.chain import Chain
-from motionlang.profile.curve import relabelled
-from motionlang.profile.halted import halted, rest
-from motionlang.profile.summed import added
+from motionlang.planners import hold, plan, plan_velocity
+from motionlang.planners.curve import relabelled
+from motionlang.planners.dwell import halted, rest
+from motionlang.planners.sequence import Chain
+from motionlang.planners.superposition import added
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 # A difference of velocities, counts/s, that is none.
 _STILL = 1e-9

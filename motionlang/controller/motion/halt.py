@@ -6,13 +6,13 @@ from motionlang.controller.axis import BY_WORD
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, keeps_rates
 from motionlang.controller.triggers.conditions import release
-from motionlang.profile.halted import halted
+from motionlang.planners.dwell import halted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 class Stopping(Action):
@@ -52,7 +52,7 @@ def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """From the state of the axis to rest."""
-    from motionlang.profile.relief import stop_under_way
+    from motionlang.planners.ramp_down import stop_under_way
 
     now, jerks = controller.clock.now, (a.accel_jerk, a.decel_jerk)
     accel = None if keeps_rates(a.move) else min(controller.rates(a, a.speed)[0], a.max_accel)

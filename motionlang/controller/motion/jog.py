@@ -8,15 +8,15 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move, keeps_rates
 from motionlang.controller.triggers.events import clamped
-from motionlang.profile import plan_velocity
-from motionlang.profile.curve import relabelled
-from motionlang.profile.relief import admitted, onset
+from motionlang.planners import plan_velocity
+from motionlang.planners.curve import relabelled
+from motionlang.planners.ramp_down import admitted, onset
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     Rates = tuple[float | None, float | None]
 

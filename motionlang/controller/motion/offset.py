@@ -11,7 +11,7 @@ from math import sqrt
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.follow import tie_of
 from motionlang.controller.move import Move
-from motionlang.profile import plan
+from motionlang.planners import plan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

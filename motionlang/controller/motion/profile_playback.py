@@ -11,19 +11,19 @@ from bisect import bisect_right
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
-from motionlang.profile import hold, plan_stop, plan_velocity
-from motionlang.profile.composed import Composed
-from motionlang.profile.curve import relabelled
-from motionlang.profile.halted import halted
-from motionlang.profile.pvt.motion import pvt_segment
-from motionlang.profile.stop import running
+from motionlang.planners import hold, plan_stop, plan_velocity
+from motionlang.planners.curve import relabelled
+from motionlang.planners.dwell import halted
+from motionlang.planners.pvt.motion import pvt_segment
+from motionlang.planners.reparametrised import Composed
+from motionlang.planners.stop import running
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.controller.moves.entries import Timed
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 class Played(Action):

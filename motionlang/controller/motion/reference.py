@@ -11,10 +11,10 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import FollowMove
 from motionlang.controller.move import Action, keeps_rates
-from motionlang.profile import Profile, hold
-from motionlang.profile.curve import relabelled
-from motionlang.profile.reference import Slope, plan_reference
-from motionlang.profile.relief import admitted
+from motionlang.planners import Profile, hold
+from motionlang.planners.curve import relabelled
+from motionlang.planners.ramp_down import admitted
+from motionlang.planners.reference import Slope, plan_reference
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

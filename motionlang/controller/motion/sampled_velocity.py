@@ -11,9 +11,9 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.io.sensor import PERIOD, next_tick
 from motionlang.controller.motion.follow import FollowMove
 from motionlang.controller.motion.reference import Reference
-from motionlang.profile import Profile
-from motionlang.profile.curve import far_end
-from motionlang.profile.halted import rest
+from motionlang.planners import Profile
+from motionlang.planners.curve import far_end
+from motionlang.planners.dwell import rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

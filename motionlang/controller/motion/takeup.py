@@ -5,7 +5,7 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 # Seconds behind a turn at which the axis goes the other way, or rests.
 _MOMENT = 1e-9

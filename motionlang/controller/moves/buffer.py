@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
-from motionlang.profile.halted import rest
+from motionlang.planners.dwell import rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -10,11 +10,11 @@ from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
-from motionlang.profile import hold
-from motionlang.profile.composed import travelled
-from motionlang.profile.curve import from_curve
-from motionlang.profile.halted import rest
-from motionlang.profile.table_motion import table_curve
+from motionlang.planners import hold
+from motionlang.planners.curve import from_curve
+from motionlang.planners.dwell import rest
+from motionlang.planners.reparametrised import travelled
+from motionlang.planners.table_motion import table_curve
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Event
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 

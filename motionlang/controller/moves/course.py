@@ -10,12 +10,12 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves.buffer import motions
 from motionlang.controller.moves.geometry import corner
-from motionlang.profile import Profile, hold
-from motionlang.profile.composed import travelled
-from motionlang.profile.halted import halted
-from motionlang.profile.lookahead import plan_course
-from motionlang.profile.relief import onset, stop_under_way
-from motionlang.profile.total import total
+from motionlang.planners import Profile, hold
+from motionlang.planners.dwell import halted
+from motionlang.planners.lookahead import plan_course
+from motionlang.planners.ramp_down import onset, stop_under_way
+from motionlang.planners.reparametrised import travelled
+from motionlang.planners.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.controller.moves.geometry import Segment
     from motionlang.controller.moves.path import PathMove
-    from motionlang.profile.lookahead import Pace
+    from motionlang.planners.lookahead import Pace
 
 # What a path may overshoot its end by, as a part of its length, before it counts as overshooting.
 SLACK = 1e-9

@@ -14,8 +14,8 @@ from motionlang.controller.motion.profile_playback import Played
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.cam import Cam
-from motionlang.profile.pvt.motion import plan_pvt
-from motionlang.profile.table_motion import table_curve
+from motionlang.planners.pvt.motion import plan_pvt
+from motionlang.planners.table_motion import table_curve
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     Points = tuple[Sequence[float], Sequence[float]]
     Table = Callable[[float], Points]

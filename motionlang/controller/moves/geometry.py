@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from math import acos, atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt
 
-from motionlang.profile.arc import arc_over, direction, line_over, rotated
-from motionlang.profile.total import total
+from motionlang.planners.arc import arc_over, direction, line_over, rotated
+from motionlang.planners.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import TypeVar
 
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     _Value = TypeVar("_Value")
 

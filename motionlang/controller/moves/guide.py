@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.moves.geometry import Segment
-    from motionlang.profile.lookahead import Pace
+    from motionlang.planners.lookahead import Pace
 
 
 class Guide:

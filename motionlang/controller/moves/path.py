@@ -11,7 +11,7 @@ from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.geometry import Arc, Line, corner, limits
 from motionlang.controller.moves.path_run import PathRun
-from motionlang.profile.lookahead import Pace
+from motionlang.planners.lookahead import Pace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.geometry import Segment
     from motionlang.controller.moves.guide import Guide
     from motionlang.controller.moves.path_run import PathRun
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 class PathMove(Action):

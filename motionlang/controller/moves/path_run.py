@@ -50,8 +50,8 @@ from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.course import SLACK, Course
 from motionlang.controller.triggers.conditions import release
 from motionlang.controller.triggers.events import clamped_blend
-from motionlang.profile import hold
-from motionlang.profile.summed import added
+from motionlang.planners import hold
+from motionlang.planners.superposition import added
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.controller.move import Move
     from motionlang.controller.moves.path import PathMove
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     # A course, the profile that it goes by from now on, and the path at whose end that comes to rest, if any.
     Plan = tuple[Course, Profile, PathMove | None]

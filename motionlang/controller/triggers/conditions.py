@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller.axis import BY_WORD
 from motionlang.controller.faults import Refusal, names
-from motionlang.profile.direction import sets_off
+from motionlang.planners.direction import sets_off
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ import math
 
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.controller.triggers.watch import place
-from motionlang.profile import plan
+from motionlang.planners import plan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 
 from motionlang.controller.triggers.watch import arm, place, side_of, solve_kept, take_side
-from motionlang.profile import Profile
+from motionlang.planners import Profile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.controller.core import Core
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 class Cells:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Clock, Event
     from motionlang.controller.triggers.next_watches import Front
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 # Counts within which an axis stands on a position: far below any encoder, far above rounding.
 _ON = 1e-6

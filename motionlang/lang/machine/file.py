@@ -58,7 +58,7 @@ def read_machine(source: Source) -> dict[str, object]:
         if not problems:
             settings[key] = value
     if any(".plant." in key or ".servo." in key for key in settings):
-        from motionlang.controller.servo.settings import mistakes as servo_mistakes
+        from motionlang.servo.settings import mistakes as servo_mistakes
 
         for place, message, hint in servo_mistakes(settings):
             mistakes.append(_located(source, f"{place}.", message, hint, f"[{place}]"))
@@ -93,11 +93,11 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
     """What is wrong with one plain setting, and a hint; None when nothing is."""
     row = KEYS.get(_generic(key))
     if row is None and _generic(key).startswith(SERVO):
-        from motionlang.controller.servo import settings as servo
+        from motionlang.servo import settings as servo
 
         return servo.setting_problem(key, _generic(key), value)
     if row is None:
-        from motionlang.controller.servo.settings import KEYS as SERVO_KEYS
+        from motionlang.servo.settings import KEYS as SERVO_KEYS
 
         near = nearest(_generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
@@ -282,7 +282,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }
     if kind == "event":
-        from motionlang.controller.record.records import EVENTS
+        from motionlang.log.records import EVENTS
 
         return None if value in EVENTS else f"must be one of {', '.join(EVENTS)}"
     fits, words = tests[kind]

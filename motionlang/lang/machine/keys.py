@@ -61,7 +61,7 @@ KEYS: dict[str, tuple[str, str]] = {
         "`motionlang probe` finds them.",
     ),
 }
-# The sections of a simulated motor and its loop; their keys are in `controller.servo.settings`.
+# The sections of a simulated motor and its loop; their keys are in `servo/settings.py`.
 SERVO = ("axis.N.plant.", "axis.N.servo.")
 # The section of a dialect, whose words are the dialect's business.
 OF_DIALECTS = ("mint.readings.",)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.clock import Clock
-from motionlang.controller.record.log import Log
 from motionlang.lang.machine.terminal import Terminal, labelled
 from motionlang.lang.statement_time import StatementTime
+from motionlang.log.log import Log
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Clock
-    from motionlang.controller.record.records import Printed
-    from motionlang.controller.record.stream import Stream
+    from motionlang.log.records import Printed
+    from motionlang.log.stream import Stream
 
 MAX_CHARACTERS = 50_000_000
 

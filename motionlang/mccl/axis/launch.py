@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import copysign, sqrt
 
-from motionlang.profile import Profile
+from motionlang.planners import Profile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -64,8 +64,8 @@ def _going_on(
     start: float, target: float, low: float, speed: float, accel: float, decel: float, velocity: float
 ) -> Profile:
     """From motion: the trapezoid that would come to rest beyond the target, up to where it has slowed down to `low`."""
-    from motionlang.profile import plan_trapezoid
-    from motionlang.profile.curve import from_curve
+    from motionlang.planners import plan_trapezoid
+    from motionlang.planners.curve import from_curve
 
     beyond = target + copysign(low * low / (2.0 * decel), velocity)
     whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.controller.moves.guide import Guide
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.profile.lookahead import Pace
+from motionlang.planners.lookahead import Pace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from motionlang.mccl.motion.arcs import (
     radius_of,
 )
 from motionlang.mccl.motion.contour import Vector
-from motionlang.profile.lookahead import Pace
+from motionlang.planners.lookahead import Pace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

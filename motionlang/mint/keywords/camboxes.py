@@ -92,7 +92,7 @@ class CamBox:
         edges, self._states = self._edges(source)
         view = None
         if self.lead:
-            from motionlang.profile.ahead import Ahead
+            from motionlang.planners.extrapolation import Ahead
 
             view = partial(Ahead, lead=self.lead)
         self._cells = Cells(

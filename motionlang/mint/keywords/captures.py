@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.mint.runtime.binding import Operation
     from motionlang.mint.runtime.environment import Environment
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
 
 LAST_CHANNEL, LAST_TRIGGER = 7, 1

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from motionlang.mint.keywords.camboxes import Source
     from motionlang.mint.runtime.environment import Environment
-    from motionlang.profile import Profile
+    from motionlang.planners import Profile
 
     Told = Callable[[bool], None]
     View = Callable[[Profile], Profile]
@@ -46,7 +46,7 @@ def watch(
         view = _as_it_is if has_motor and quantity == quantities.DEMAND else None
         return _watch_motion(environment, source, source.counts, view, (level, absolute), told)
     if quantity == quantities.SPEED or (quantity == quantities.MEASURED_SPEED and not has_motor):
-        from motionlang.profile.rate import Rate
+        from motionlang.planners.rate import Rate
 
         source = source_of(environment, AXIS, where)
         source.period, scale = 0.0, environment.controller.axes[where].scale

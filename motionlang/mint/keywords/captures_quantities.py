@@ -117,7 +117,7 @@ def _of(environment: Environment, quantity: int, axis: int, times: Sequence[floa
 
 
 def _recalled(environment: Environment, axis: int, name: str, times: Sequence[float]) -> list[float]:
-    from motionlang.controller.record.history import recall
+    from motionlang.log.history import recall
 
     return recall(environment.controller.axes[axis], environment.clock.now, name, times)
 

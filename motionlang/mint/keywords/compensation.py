@@ -13,7 +13,7 @@ from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.keywords.table_motion_cams import elements
 from motionlang.mint.runtime.binding import of_word, scale_of
-from motionlang.profile.leadscrew import Leadscrew
+from motionlang.planners.leadscrew import Leadscrew
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ MODES = {
 }
 STOP_INPUT_MODE = 3
 IDLE = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
-# The gains of the servo loop by the quantity that they set (`controller.servo.gains` has the same, a test says).
+# The gains of the servo loop by the quantity that they set (`servo/gains.py` has the same, a test says).
 GAINS = {
     "proportional": 0.0,
     "integral": 0.0,

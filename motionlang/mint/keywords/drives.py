@@ -15,7 +15,7 @@ from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving, repeatable
 from motionlang.mint.runtime.environment import Environment
-from motionlang.profile.reference import Slope
+from motionlang.planners.reference import Slope
 
 # Settings that are not 0 until they are written.
 DEFAULTS = {"SPEEDREFENABLE": 1.0}

@@ -92,7 +92,7 @@ def _position(preset: Preset) -> None:
 
 
 def _speed(preset: Preset) -> None:
-    from motionlang.profile.reference import Slope
+    from motionlang.planners.reference import Slope
 
     controller = preset.presets.controller
     scale = controller.axes[preset.axis].scale

@@ -12,7 +12,7 @@ from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
 from motionlang.mint.runtime.binding import check, of, of_word
 from motionlang.mint.runtime.environment import Environment
-from motionlang.profile.total import total
+from motionlang.planners.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -26,8 +26,8 @@ from motionlang.mint.keywords.table_motion_cams import (
     span,
 )
 from motionlang.mint.runtime.binding import check, of, of_word
-from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
-from motionlang.profile.table_motion import spline_slopes
+from motionlang.planners.pvt.velocities import average_velocities, smooth_velocities
+from motionlang.planners.table_motion import spline_slopes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

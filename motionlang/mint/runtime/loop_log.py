@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from types import FrameType
 
-    from motionlang.controller.record.log import Log
     from motionlang.lang.statement_time import StatementTime
+    from motionlang.log.log import Log
     from motionlang.mint.runtime.task import MintTask
 
     # The statement with which a loop began, and the moment from which it was counted.

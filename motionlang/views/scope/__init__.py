@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from motionlang import __version__
-from motionlang.controller.record.records import GRAVE
-from motionlang.cycle.places import Places
-from motionlang.cycle.profile import TimeProfile
+from motionlang.analysis.cycle.places import Places
+from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.files import replacing
+from motionlang.log.records import GRAVE
 from motionlang.report import events as events_of
 from motionlang.report import finite
 from motionlang.report import moves as moves_of
@@ -33,11 +33,11 @@ from motionlang.views.words import dialect_name, figure, outcome
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from motionlang.controller.record.trace import Array, Trace
-    from motionlang.controller.servo.trace import ServoTrace
-    from motionlang.cycle.chain import Link
-    from motionlang.measured.comparison import Comparison
+    from motionlang.analysis.compare.comparison import Comparison
+    from motionlang.analysis.cycle.chain import Link
+    from motionlang.log.trace import Array, Trace
     from motionlang.result import Run
+    from motionlang.servo.trace import ServoTrace
     from motionlang.views.panels import Curve
     from motionlang.views.window import Window
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.faults import Refusal
-from motionlang.profile.reference import Slope
+from motionlang.planners.reference import Slope
 from tests.controller.machines import machine, until
 
 

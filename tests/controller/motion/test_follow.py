@@ -355,7 +355,7 @@ def test_a_table_that_is_none_is_refused(
 @quick
 @given(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=7), st.floats(-60.0, 60.0), st.booleans())
 def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], way: float, back: bool) -> None:
-    from motionlang.profile.table_motion import table_curve
+    from motionlang.planners.table_motion import table_curve
 
     values = [0.0, *values]
     places = [3.0 * k for k in range(len(values))]
@@ -377,7 +377,7 @@ def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], way: flo
 
 
 def test_the_spline_is_smooth_and_closes() -> None:
-    from motionlang.profile.table_motion import table_curve
+    from motionlang.planners.table_motion import table_curve
 
     curve = table_curve([0.0, 1.0, 3.0, 4.0, 6.0], [0.0, 2.0, -1.0, 4.0, 3.0], "cubic", True)
     for knot in (1.0, 3.0, 4.0):

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
-from motionlang.profile.table_motion import table_curve
+from motionlang.planners.table_motion import table_curve
 from tests.controller.machines import machine, until
 
 quick = settings(max_examples=60)

@@ -25,8 +25,8 @@ from motionlang.controller.triggers.conditions import ACTIONS
 from motionlang.controller.triggers.homing import Homing
 from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.machine.machine import Machine
-from motionlang.profile import plan
-from motionlang.profile.reference import Slope
+from motionlang.planners import plan
+from motionlang.planners.reference import Slope
 from tests.cases import cases
 
 DECEL, ERROR_DECEL = 200.0, 400.0

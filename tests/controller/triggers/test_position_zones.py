@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.triggers.position_zones import Cells
-from motionlang.profile.ahead import Ahead
-from motionlang.profile.rate import Rate
+from motionlang.planners.extrapolation import Ahead
+from motionlang.planners.rate import Rate
 
 Told = list[tuple[float, int]]
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from motionlang.controller.clock import Clock
-from motionlang.controller.record.log import Log
 from motionlang.lang.machine.operator import Operator
 from motionlang.lang.machine.terminal import Terminal
+from motionlang.log.log import Log
 
 
 def operator(shown: list[str] | None = None, **settings: object) -> tuple[Clock, Operator]:

@@ -8,10 +8,10 @@ from contextlib import suppress
 import pytest
 
 import motionlang
-from motionlang.controller.servo.settings import KEYS as SERVO_KEYS
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.keys import KEYS, REQUIRED, TABLES
+from motionlang.servo.settings import KEYS as SERVO_KEYS
 from motionlang.source import Source
 from tests.fuzz.guard import LONGEST, bounded
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.mccl.axis.launch import _going_on, _stepped
-from motionlang.profile import Profile
-from motionlang.profile.verify import verify
+from motionlang.planners import Profile
+from motionlang.planners.verify import verify
 from motionlang.source import Source
 
 rates = st.floats(100.0, 1e5)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from motionlang.assumptions.facts import of_word
 from motionlang.mint.keywords import table
-from motionlang.readings.facts import of_word
 
 PAGE = (Path(__file__).parents[3] / "docs" / "fidelity.md").read_text(encoding="utf-8")
 CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")

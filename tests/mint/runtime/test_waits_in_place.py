@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 
 from motionlang import execution
-from motionlang.controller.record.records import Waited
+from motionlang.log.records import Waited
 from motionlang.mint import DIALECT as MINT
 from motionlang.report import text
 from motionlang.source import Source

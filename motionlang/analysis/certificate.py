@@ -1,0 +1,181 @@
+"""The limit certificate: each limit that the machine file gives an axis, the extreme reached, and the margin.
+
+The extremes come from the closed form of the motion (`extremes.py`); a second look at the motion, sampled by other
+code, must find nothing beyond them.
+"""
+
+from __future__ import annotations
+
+from math import inf
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic
+from motionlang.log.extremes import Extreme, extremes, motor_peak
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+
+# The limits of `[axis.N.limits]`: the field of the extremes or the column of the motor, and the unit.
+LIMITS = {
+    "position": ("", "uu"),
+    "speed": ("speed", "uu/s"),
+    "acceleration": ("acceleration", "uu/s²"),
+    "jerk": ("jerk", "uu/s³"),
+    "torque": ("torque", "N m"),
+    "following_error": ("error", "uu"),
+}
+MOTOR = ("torque", "following_error")
+# A figure that is beyond a limit by less than this part of it is on it.
+SLACK = 1e-9
+# Samples of each axis for the second look.
+SAMPLES = 100_000
+HINT = "give {} a section such as [axis.0.limits] with speed = 500, acceleration = 8000"
+# What jumps where a derivative is infinite.
+JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
+
+
+class Limit:
+    """One line of the certificate: a limit, what was `reached` and when, on which `line` of the program.
+
+    `reached` is None where the run cannot tell: no motor is simulated. `margin` is the part of the limit that is left,
+    below 0 where it was passed; of a position it is in user units.
+    """
+
+    __slots__ = ("axis", "limit", "line", "margin", "name", "reached", "time", "unit")
+
+    def __init__(
+        self, axis: int, name: str, unit: str, limit: float, found: Extreme | None, line: int
+    ) -> None:
+        self.axis, self.name, self.unit, self.limit, self.line = axis, name, unit, limit, line
+        self.reached = None if found is None else found.value
+        self.time = None if found is None else found.time
+        self.margin: float | None = None
+        if found is None:
+            return
+        if name == "lowest position":
+            self.margin = found.value - limit
+        elif name == "highest position":
+            self.margin = limit - found.value
+        else:
+            self.margin = 1.0 - found.value / limit
+
+    @property
+    def verdict(self) -> str:
+        """ "within", "beyond" or "unknown"."""
+        if self.margin is None:
+            return "unknown"
+        size = max(abs(self.limit), 1.0) if "position" in self.name else 1.0
+        return "within" if self.margin >= -SLACK * size else "beyond"
+
+    def as_dict(self) -> dict[str, object]:
+        """The line as the JSON report has it."""
+        return {name: getattr(self, name) for name in ("axis", "name", "unit", "limit", "reached", "time", "line",
+                                                       "margin", "verdict")}  # fmt: skip
+
+
+def certificate(controller: Controller, settings: Mapping[str, object], until: float) -> list[Limit]:
+    """A line for each limit of the machine file, by axis; a position has two."""
+    found = []
+    for number, a in controller.axes.items():
+        given = {
+            name: settings[key] for name in LIMITS if (key := f"axis.{number}.limits.{name}") in settings
+        }
+        if given:
+            found += list(_of_axis(controller, a, given, until))
+    return found
+
+
+def _of_axis(controller: Controller, a: Axis, given: Mapping[str, object], until: float) -> Iterator[Limit]:
+    reached = extremes(a, until)
+    for name, limit in given.items():
+        field, unit = LIMITS[name]
+        if name == "position":
+            assert isinstance(limit, list)
+            pairs = (
+                ("lowest position", limit[0], reached.lowest),
+                ("highest position", limit[1], reached.highest),
+            )
+            for which, bound, extreme in pairs:
+                yield Limit(a.index, which, unit, bound, extreme, _line(controller, a, extreme.time))
+            continue
+        assert isinstance(limit, (int, float))
+        most = motor_peak(a, until, field) if name in MOTOR else getattr(reached, field)
+        line = 0 if most is None else _line(controller, a, most.time)
+        yield Limit(a.index, name.replace("_", " "), unit, float(limit), most, line)
+
+
+def _line(controller: Controller, a: Axis, time: float) -> int:
+    """The line whose move an axis was in at a time; 0 where none had begun."""
+    line = 0
+    for move in controller.log.moves:
+        if move.start_time > time + SLACK:
+            break
+        if move.axis == a.index:
+            line = move.line
+    return line
+
+
+def violations(
+    controller: Controller, lines: list[Limit], until: float, machine: str = "the machine file"
+) -> list[Diagnostic]:
+    """What speaks against signing a certificate: limits that were passed, or that nobody can know; a contradiction.
+
+    `machine` is where limits would stand.
+    """
+    found = [_told(line) for line in lines if line.verdict != "within"]
+    found += [Diagnostic("proof", each) for each in contradictions(controller, lines, until)]
+    if not lines:
+        found.append(
+            Diagnostic(
+                "beyond-limit", "nothing to certify: the machine has no limits", hint=HINT.format(machine)
+            )
+        )
+    return found
+
+
+def _told(line: Limit) -> Diagnostic:
+    if line.reached is None:
+        message = f"the {line.name} of axis {line.axis} cannot be certified: no motor is simulated"
+        return Diagnostic("beyond-limit", message, hint=f"give the machine file [axis.{line.axis}.plant]")
+    what = f"the {line.name} of axis {line.axis} reaches {line.reached:.6g} {line.unit} at {line.time:.6f} s"
+    if line.reached == inf:
+        jumps = JUMPS[line.name]
+        what = (
+            f"the {line.name} of axis {line.axis} is infinite at {line.time:.6f} s, where its {jumps} jumps"
+        )
+    return Diagnostic("beyond-limit", f"{what}; the machine allows {line.limit:.6g}", line.line)
+
+
+def least_margin(lines: list[Limit]) -> float | None:
+    """The smallest margin of the limits, each as a part of it; of a position of its size. None where none is known."""
+    shares = [
+        line.margin / max(abs(line.limit), 1e-12) if "position" in line.name else line.margin
+        for line in lines
+        if line.margin is not None
+    ]
+    return min(shares, default=None)
+
+
+def contradictions(controller: Controller, lines: list[Limit], until: float) -> list[str]:
+    """What a second look at the motion finds beyond the extremes of a certificate: nothing, unless that is wrong."""
+    found = []
+    rate = min(1000.0, SAMPLES / until) if until else 1.0
+    for number in {line.axis for line in lines}:
+        reached = extremes(controller.axes[number], until)
+        bounds = {
+            "position": (reached.lowest.value, reached.highest.value),
+            "velocity": (-reached.speed.value, reached.speed.value),
+            "acceleration": (-reached.acceleration.value, reached.acceleration.value),
+        }
+        for chunk in controller.trace.chunks(rate, (number,), until, tuple(bounds)):
+            for quantity, (low, high) in bounds.items():
+                values = chunk.get(number, quantity)
+                slack = 1e-6 * max(1.0, abs(low), abs(high)) if high < float("inf") else 0.0
+                if values.min() < low - slack or values.max() > high + slack:
+                    found.append(
+                        f"axis {number}: the {quantity} is sampled beyond its extremes {low:g} and {high:g}"
+                    )
+    return found

@@ -1,0 +1,43 @@
+"""A budget of the machine file, `[budget]`, held against a run: how long it may take, and how long each part of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.cycle.profile import TimeProfile
+from motionlang.errors import Diagnostic
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from motionlang.analysis.cycle.chain import Link
+    from motionlang.result import Run
+
+
+def part_of(link: Link) -> str:
+    """Which key of a budget, besides `time`, a stretch of the chain counts towards."""
+    if link.is_motion:
+        return "motion"
+    return link.cause if link.cause in ("dwell", "computing", "settling") else "waiting"
+
+
+def over_budget(run: Run, settings: Mapping[str, object]) -> Iterator[Diagnostic]:
+    """A diagnostic for each part of a budget that a run has overdrawn, with the line that took most of it."""
+    made = TimeProfile(run)
+    for key, allowed in settings.items():
+        if not key.startswith("budget."):
+            continue
+        assert isinstance(allowed, (int, float))
+        part = key.removeprefix("budget.")
+        links = [link for link in made.links if part in ("time", part_of(link))]
+        taken = run.time if part == "time" else made.total(links)
+        if taken > allowed:
+            lines = made.shares_of(links)
+            line, seconds = next(((share.line, share.seconds) for share in lines), (0, 0.0))
+            what = "the run" if part == "time" else part
+            yield Diagnostic(
+                "budget",
+                f"{what} took {taken:.6g} s, {taken - allowed:.6g} s more than the budget of {allowed:g} s",
+                line,
+                hint=f"line {line} took {seconds:.6g} s of it; --profile tells of all" if line else "",
+            )

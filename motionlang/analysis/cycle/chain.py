@@ -1,0 +1,456 @@
+"""The critical chain: what the end of a run waited for, and what that waited for, back to its begin.
+
+It is followed from the end. A task that computes has come there from its last wait; a wait ended because a move ended,
+time had passed, an input changed; a move began because a task started it, or because the one before it in the buffer
+had ended. Whatever is shortened outside of the chain does not make the run shorter.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from functools import cached_property
+from operator import itemgetter, sub
+
+from motionlang.analysis.cycle.motions import Motions
+from motionlang.analysis.cycle.places import Place, Places
+from motionlang.analysis.cycle.polls import Polls
+from motionlang.analysis.cycle.tasks import ended_at, kept_waits, parent_of
+from motionlang.lang.asked import MOVING
+from motionlang.planners.total import exact_terms
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+
+    from motionlang.analysis.cycle.motions import Motion, Phases
+    from motionlang.analysis.cycle.tasks import Wait
+    from motionlang.planners import Profile
+    from motionlang.planners.ramps import Recipe
+    from motionlang.result import Run
+
+    # One of several links that differ in nothing but their times, and how long they took: terms of an exact sum.
+    Alike = tuple["Link", list[float]]
+    # Its cause, place, task, axes and the line that waited.
+    About = tuple[str, Place, str, tuple[int, ...], int]
+    Put = Callable[[float], None]
+
+# Times of a wait are whole statements behind those of what ends it; nothing else happens within so many.
+STATEMENTS = 2.5
+CAUSES = {
+    "time": "dwell",
+    "axis": "settling",
+    "input": "waiting for an input",
+    "operator": "waiting for the operator",
+    "task": "waiting for a task",
+    "host": "waiting for a host",
+    "condition": "waiting for a condition",
+    MOVING: "waiting for a condition",
+}
+# Waits for these end because a move ended, if one did.
+MOVED = ("axis", "condition", MOVING)
+NOWHERE = Place(0, "", ())
+# When a wait was over.
+_UNTIL: Callable[[Wait], float] = itemgetter(3)
+# What no time is ever put into: of a place where no wait was, and of one where no move was waited for.
+_UNUSED: list[float] = []
+_NOTHING = _UNUSED.append
+UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
+UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
+
+
+class Link:
+    """One stretch of the chain: `cause` as a person would say it, the axes that move in it (none else).
+
+    `waited` is the line at which the task waited meanwhile, 0 where it computed.
+    """
+
+    __slots__ = ("axes", "begin", "cause", "end", "place", "task", "waited")
+
+    def __init__(
+        self,
+        begin: float,
+        end: float,
+        cause: str,
+        place: Place,
+        task: str,
+        axes: tuple[int, ...],
+        waited: int = 0,
+    ) -> None:
+        self.begin, self.end, self.cause, self.place = begin, end, cause, place
+        self.task, self.axes, self.waited = task, axes, waited
+
+    @property
+    def duration(self) -> float:
+        """Seconds of it."""
+        return self.end - self.begin
+
+    @property
+    def is_motion(self) -> bool:
+        """Whether it is a move that takes the time."""
+        return bool(self.axes)
+
+
+class Strip:
+    """Stretches of one task at one place that differ in nothing but their times, and have the same phases.
+
+    A long run has tens of thousands of stretches, and a few strips.
+    """
+
+    __slots__ = ("axes", "begins", "ends", "phases", "place", "task", "waited")
+
+    def __init__(
+        self, place: Place, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
+    ) -> None:
+        self.place, self.task, self.phases, self.axes, self.waited = place, task, phases, axes, waited
+        self.begins: list[float] = []
+        self.ends: list[float] = []
+
+    @property
+    def columns(self) -> tuple[Put, Put]:
+        """What takes the begins and the ends of more of them."""
+        return self.begins.append, self.ends.append
+
+    def add(self, begin: float, end: float) -> None:
+        """One more stretch; the last of its phases lasts up to its end."""
+        self.begins.append(begin)
+        self.ends.append(end)
+
+    def parts(self) -> Iterator[tuple[str, list[float], list[float]]]:
+        """Each phase, and when it began and ended in each stretch."""
+        lows, ends = self.begins, self.ends
+        for name, seconds in self.phases[:-1]:
+            highs = [
+                high if (high := low + seconds) < end else end for low, end in zip(lows, ends, strict=True)
+            ]
+            yield name, lows, highs
+            lows = highs
+        yield self.phases[-1][0], lows, ends
+
+
+class Chain:
+    """The chain of one run, from its begin to its end without a gap."""
+
+    def __init__(self, run: Run) -> None:
+        self.motions = Motions(run)
+        self.places = Places(run)
+        self._run = run
+        self._near = STATEMENTS * run.machine.instruction_time + 1e-9
+        self._polls = Polls(run, self.motions, kept_waits(run))
+        self._waits = self._polls.waits
+        # When they were over, where others than the one task are asked again and again what they waited for.
+        self._untils = {
+            name: list(map(_UNTIL, mine)) for name, mine in self._waits.items() if len(self._waits) > 1
+        }
+        self._switched = [change.time for change in run.controller.log.inputs]
+        self._strips: dict[object, Strip] = {}
+        self._follow()
+
+    @property
+    def waits(self) -> dict[str, list[Wait]]:
+        """The waits of each task, the loops that waited among them."""
+        return self._waits
+
+    @cached_property
+    def links(self) -> list[Link]:
+        """Each stretch, a motion by its phases, in the order of time."""
+        return [Link(low, high, *about) for low, high, about in self.spans()]
+
+    def spans(self) -> list[tuple[float, float, About]]:
+        """The begin and the end of each of them, and what else a link has, which those that are alike share."""
+        found: list[tuple[float, float, About]] = []
+        for strip in self._strips.values():
+            for name, lows, highs in strip.parts():
+                about = name, strip.place, strip.task, strip.axes, strip.waited
+                found += [(low, high, about) for low, high in zip(lows, highs, strict=True) if low < high]
+        found.sort(key=itemgetter(0))  # no two begin together
+        return found
+
+    def alike(self) -> list[Alike]:
+        """What a table needs of the links, without making each of them."""
+        found: dict[object, Alike] = {}
+        for strip in self._strips.values():
+            for name, lows, highs in strip.parts():
+                if lows:
+                    about = name, strip.place, strip.task, strip.axes, strip.waited
+                    link = Link(lows[0], highs[0], *about)
+                    _put(found, link, exact_terms(map(sub, highs, lows)))
+        return list(found.values())
+
+    # ---------------------------------------------------------------------------------------- from the end
+
+    def _follow(self) -> None:
+        """From the end of the run back to its begin."""
+        task, time = parent_of(self._run), self._run.time
+        over = ended_at(self._run)
+        if time > over:
+            time = self._motion_after(over, time, task)
+        while time > 0.0:
+            task, time = self._follow_task(task, time)
+
+    def _follow_task(self, task: str, time: float) -> tuple[str, float]:
+        """From `time` back as far as it is one task, and which one it is then; a long run takes its time in here."""
+        near, motions = self._near, self.motions
+        begins, ends, order = motions.begins, motions.ends, motions.order
+        rows, lines, alone = motions.rows, motions.lines, motions.alone
+        rank = len(ends) - 1  # of the last motion that was over by then
+        waits, spans = self._waits.get(task, []), self._polls.spans.get(task)
+        # From when to when the last loop was the innermost one, and what takes what is computed in it.
+        low, high, depth, looped, over_loop = 1.0, 0.0, 0, _NOTHING, _NOTHING
+        # By the place in the program the cause and the callers of the last wait there, where it was, and what takes the
+        # begins and ends of what was computed behind it, and of the wait where no motion ends it.
+        known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
+        # By the same the last move that was waited for there, and what takes the begins and ends of such.
+        moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, Place, Put, Put]] = {}
+        for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
+            _, at, since, until, cause, what, _, callers = wait = waits[last]
+            if since >= time or until > time + 1e-12:
+                continue  # it was not over by then
+            kind, caller, place, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
+            if kind != cause or caller != callers:
+                place = self.places.of(at, callers)
+                began, ended = self._strip("computing", place, task).columns
+                of_motion = cause in MOVED
+                begun, over = self._strip(CAUSES[cause], place, task).columns
+                known[at] = cause, callers, place, began, ended, of_motion, begun, over
+            if until < time:
+                in_loop = low <= until and time <= high  # the same one, as most often
+                if in_loop and len(callers) <= depth:
+                    looped(until)
+                    over_loop(time)
+                elif spans and not in_loop:
+                    low, high, inside = self._compute(until, time, task, place)
+                    if inside is not None:
+                        depth = len(inside.callers)
+                        looped, over_loop = self._strip("computing", inside, task).columns
+                else:
+                    began(until)
+                    ended(time)
+                time = until
+            if not of_motion:
+                begun(since)
+                over(time)
+                time = since
+                continue
+            soon = time + near
+            while rank >= 0 and ends[rank] > soon:
+                rank -= 1
+            alone_near = rank > 0 and ends[rank - 1] < time - near <= (end := ends[rank]) > since
+            if alone_near and cause != MOVING and (not what or cause != "axis"):  # as most often
+                number = order[rank]
+                begin, line, row = begins[number], lines[number], rows[number]
+                axes, shape = alone[row[0]], row[5]
+            else:
+                motion = self._awaited(wait, time)
+                if motion is None:
+                    self._add(since, time, self._cause(wait, time), place, task)
+                    time = since
+                    continue
+                end, begin, line, axes, shape = motion
+            if end < time:
+                if end < time - near:
+                    self._add(end, time, "settling", place, task)
+                else:
+                    began(end)
+                    ended(time)
+                time = end
+            line_before, axes_before, shape_before, where, started, arrived = moved.get(at, UNMOVED)
+            if (
+                line == line_before and axes == axes_before and place is where
+                and begin - near <= since and begin + near < until
+                and not (last and begin + near < waits[last - 1][3])
+                and shape == shape_before
+            ):  # the task itself began it, as most often  # fmt: skip
+                started(begin)
+                arrived(time)
+                time = begin
+                continue
+            motion = end, begin, line, axes, shape
+            moved[at] = line, axes, shape, place, *self._strip_of(motion, task, place).columns
+            other, time = self._back(motion, time, task, place)
+            if other != task:
+                return other, time
+        if time > 0.0:
+            starter = self._starter(task)
+            self._compute(starter[1], time, task, self._first_place(task))
+            return starter
+        return task, time
+
+    def _awaited(self, wait: Wait, time: float) -> Motion | None:
+        """The motion that ended a wait at `time`, or was under way where it did."""
+        cause, axes = wait[4], wait[5]
+        if cause == "axis":
+            return self.motions.that_ended(wait[2], time, self._near, axes)
+        found = None if cause == MOVING else self.motions.that_ended(wait[2], time, self._near)
+        if found is None and cause == "condition":
+            ended = self._polls.of_condition(wait, time)
+            cause, axes = ended[1:] if ended is not None else ("", ())
+        return self.motions.crossing(axes[0], time) if found is None and cause == MOVING else found
+
+    def _compute(
+        self, begin: float, end: float, task: str, place: Place
+    ) -> tuple[float, float, Place | None]:
+        """Charge computing to the loops that it was in, and to `place` outside of them; the first of these loops.
+
+        A place in a sub that a loop calls is nearer than the loop, if the loop was running there.
+        """
+        first: tuple[float, float, Place | None] = (1.0, 0.0, None)
+        waited = begin
+        spans = self._polls.spans.get(task, [])
+        number = bisect_right(spans, begin, key=itemgetter(1))
+        while begin < end:
+            since, until, at, callers = spans[number] if number < len(spans) else (end, end, 0, ())
+            self._add(begin, min(since, end), "computing", place, task)
+            begin = max(begin, since)
+            if begin < end:
+                loop = self.places.of(at, callers)
+                nearer = place if since < waited and len(place.callers) > len(loop.callers) else loop
+                self._add(begin, min(until, end), "computing", nearer, task)
+                if first[2] is None:
+                    first = since, until, loop
+            begin = max(begin, until)
+            number += 1
+        return first
+
+    def _cause(self, wait: Wait, time: float) -> str:
+        """What ended a wait that no move did: of a condition, the input that changed at that moment."""
+        if wait[4] == "condition":
+            ended = self._polls.of_condition(wait, time)
+            if ended is not None and ended[1] not in ("axis", MOVING):
+                return CAUSES[ended[1]]
+            first = bisect_right(self._switched, time - self._near)
+            if first < len(self._switched) and self._switched[first] <= time:
+                return CAUSES["input"]
+        return CAUSES[wait[4]]
+
+    def _back(self, motion: Motion, time: float, task: str, waited: Place) -> tuple[str, float]:
+        """Charge a move to its line, and those before it in the buffer that it waited for; `waited` is who did."""
+        while True:
+            _, begin, line, axes, _ = motion
+            self._add_motion(motion, time, task, waited, begin)
+            begin = min(begin, time)
+            waiting = self._waiting_at(task, begin)
+            if waiting is None:
+                return task, begin
+            other = self._who_acted(begin, task)
+            if other is not None:
+                return other, begin
+            before = self.motions.before(axes, motion[1], self._near)
+            if before is None:
+                # Something from outside has started it while everybody waited: the task waited for that.
+                _, at, since, _, _, _, _, callers = waiting
+                self._add(since, begin, self._cause(waiting, begin), self.places.of(at, callers), task)
+                return task, since
+            end = before[0]
+            if end < begin:
+                self._add(end, begin, "waiting", self.places.at_line(line), task)
+            motion, time = before, min(end, begin)
+
+    def _motion_after(self, over: float, time: float, task: str) -> float:
+        """What moved on after the program had ended; the time at which it had."""
+        motion = self.motions.last(over, time + self._near)
+        if motion is None:
+            self._add(over, time, "settling", NOWHERE, task)
+            return over
+        end, begin, line, _, _ = motion
+        if end < time:
+            self._add(end, time, "settling", self.places.at_line(line), task)
+        self._add_motion(motion, end, task, NOWHERE, max(begin, over))
+        return max(begin, over)
+
+    # ---------------------------------------------------------------------------------------- what there is
+
+    def _waiting_at(self, task: str, time: float) -> Wait | None:
+        """The wait that a task is in at `time`, its first and last moment not counted."""
+        waits, soon = self._waits.get(task, []), time + self._near
+        untils = self._untils.get(task)
+        place = bisect_right(waits, soon, key=_UNTIL) if untils is None else bisect_right(untils, soon)
+        if place < len(waits) and waits[place][2] < time - self._near:
+            return waits[place]
+        return None
+
+    def _who_acted(self, time: float, task: str) -> str | None:
+        """Another task than this one, which was not waiting at `time`."""
+        for name in self._waits:
+            if name != task and self._waiting_at(name, time) is None and self._lives(name, time):
+                return name
+        return None
+
+    def _lives(self, task: str, time: float) -> bool:
+        waits = self._waits[task]
+        return bool(waits) and waits[0][2] <= time + self._near and time <= waits[-1][3] + self._near
+
+    def _starter(self, task: str) -> tuple[str, float]:
+        """Who started a task, and when, as far as the log tells; the parent began with the run."""
+        parent = parent_of(self._run)
+        begin = next((turn.time for turn in self._run.machine.log.turns if task in turn.tasks), 0.0)
+        return parent, 0.0 if task == parent else begin
+
+    def _first_place(self, task: str) -> Place:
+        """Where a task begins; its first wait where that is not known."""
+        begin = self.places.begin(task)
+        if begin is not None:
+            return begin
+        waits = self._waits.get(task, [])
+        return self.places.of(waits[0][1], waits[0][-1]) if waits else NOWHERE
+
+    # ---------------------------------------------------------------------------------------- what is charged
+
+    def _strip(self, cause: str, place: Place, task: str) -> Strip:
+        """The strip of what takes one phase; there is one `Place` of each place, its identity says which it is."""
+        key = id(place), cause, task
+        if key not in self._strips:
+            waited = 0 if cause == "computing" else place.line
+            self._strips[key] = Strip(place, task, ((cause, 0.0),), waited)
+        return self._strips[key]
+
+    def _add(self, begin: float, end: float, cause: str, place: Place, task: str) -> None:
+        if end > begin:
+            self._strip(cause, place, task).add(begin, end)
+
+    def _add_motion(self, motion: Motion, time: float, task: str, waited: Place, begin: float) -> None:
+        """A move from `begin` up to `time`.
+
+        Nobody has written down who called the line that ordered it; where its sub waited for it, it is who called that.
+        """
+        if time > begin:
+            self._strip_of(motion, task, waited, begin).add(begin, time)
+
+    def _strip_of(self, motion: Motion, task: str, waited: Place, begin: float = 0.0) -> Strip:
+        """The strip of a move, or of what is left of it from `begin` on."""
+        _, began, line, axes, shape = motion
+        place = self.places.at_line(line)
+        if waited.callers and place.sub == waited.sub:
+            place = self.places.called(place.line, waited.callers)
+        phases = self.motions.phases(shape)
+        if begin > began:
+            phases = _behind(phases, begin - began)
+        key = id(place), id(phases), axes, task, waited.line
+        strip = self._strips.get(key)
+        if strip is None:
+            strip = self._strips[key] = Strip(place, task, phases, waited.line, axes)
+        return strip
+
+
+def _behind(phases: Phases, seconds: float) -> Phases:
+    """What is left of phases after some seconds."""
+    for number, (name, duration) in enumerate(phases[:-1]):
+        if seconds < duration:
+            return (name, duration - seconds), *phases[number + 1 :]
+        seconds -= duration
+    return phases[-1:]
+
+
+def _put(found: dict[object, Alike], link: Link, times: list[float]) -> None:
+    key = id(link.place), link.cause, link.axes, link.waited
+    if key in found:
+        found[key][1].extend(times)
+    else:
+        found[key] = link, times
+
+
+def alike(links: Iterable[Link]) -> list[Alike]:
+    """Some links by place, cause, axes and the line that waited."""
+    found: dict[object, Alike] = {}
+    for link in links:
+        _put(found, link, [link.duration])
+    return list(found.values())

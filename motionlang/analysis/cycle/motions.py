@@ -1,0 +1,218 @@
+"""The moves of a run by their ends: what the chain asks when it looks for what a wait waited for.
+
+Axes that begin and end together on one line are one motion.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from itertools import compress, islice
+from operator import add, itemgetter, lt, ne
+
+from motionlang.planners.ramps import named_ramps
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from typing import Any
+
+    from motionlang.controller.move import Move
+    from motionlang.planners import Profile
+    from motionlang.planners.ramps import Recipe
+    from motionlang.result import Run
+
+    # End, begin, line, axes, and the profile or its recipe of ramps: those that are one motion have the axes of all of
+    # them, and the profile of the first that moves.
+    Motion = tuple[float, float, int, tuple[int, ...], Profile | Recipe]
+    # What a stretch is called in each phase of a move, and how many seconds that takes.
+    Phases = tuple[tuple[str, float], ...]
+
+# Phases of a move, and what a stretch of the chain is called in which one runs.
+PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
+OTHER = "in motion"
+MOVING = (*PHASES.values(), OTHER)
+# Of a plain move as it is kept: (axis, begin, _, _, duration, recipe, _, _, _, (_, _, command, line, …)).
+_AXIS, _BEGIN, _DURATION, _ENTRY, _LINE = map(itemgetter, (0, 1, 4, 9, 3))
+
+
+class Motions:
+    """Every motion of a run by its end, at the latest that of the run: in columns, as a shift has tens of thousands.
+
+    `ends` are in the order of time, `order[n]` is the number of the motion that ended as the n-th, by which `begins`,
+    `lines` and `rows` have it. A plain move is read as it lies in the log, any other one as the same tuple.
+    """
+
+    def __init__(self, run: Run) -> None:
+        over = run.time
+        self.alone: dict[int, tuple[int, ...]] = {axis: (axis,) for axis in run.controller.axes}
+        log: Iterable[Any] = run.controller.log.moves.as_kept()
+        self.rows: list[tuple[Any, ...]] = [
+            row if row.__class__ is tuple else _kept(row)
+            for row in log
+            if row.__class__ is tuple or row.profile is not None
+        ]
+        self.begins: list[float] = list(map(_BEGIN, self.rows))
+        ends: list[float] = list(map(add, self.begins, map(_DURATION, self.rows)))
+        self._in_order = self.begins == sorted(self.begins)
+        self.ends = sorted(ends)
+        if ends and self.ends[-1] > over:
+            ends = [min(end, over) for end in ends]
+            self.ends = sorted(ends)
+        self._ends_of = ends  # by number
+        # Those that end together in the order of their begins.
+        self.order = sorted(self._by_begin(), key=ends.__getitem__)
+        self.lines: list[int] = list(map(_LINE, map(_ENTRY, self.rows)))
+        self._phases: dict[object, Phases] = {}
+
+    def together(self) -> tuple[Sequence[int], list[float], list[int], list[int]]:
+        """Where those of a begin start, and behind the last; ends, axes and lines of all, in the order of begins."""
+        begins, ends, axes, lines = self.begins, self._ends_of, list(map(_AXIS, self.rows)), self.lines
+        if not self._in_order:
+            numbers = self._by_begin()
+            begins, ends = [begins[number] for number in numbers], [ends[number] for number in numbers]
+            axes, lines = [axes[number] for number in numbers], [lines[number] for number in numbers]
+        return _cuts(begins), ends, axes, lines
+
+    def _by_begin(self) -> Sequence[int]:
+        numbers = range(len(self.rows))
+        return numbers if self._in_order else sorted(numbers, key=self.begins.__getitem__)
+
+    def phases(self, shape: Profile | Recipe) -> Phases:
+        """The phases of a profile, or of a recipe of ramps, the same object for all that are alike."""
+        key = shape if isinstance(shape, tuple) else id(shape)  # the rows keep it
+        known = self._phases.get(key)
+        if known is None:
+            if isinstance(shape, tuple):
+                steps, whole = [ramp[:2] for ramp in named_ramps(shape)], 0.0
+            else:
+                steps, whole = [(phase.name, phase.duration) for phase in shape.phases], shape.duration
+            known = tuple((PHASES.get(name, OTHER), seconds) for name, seconds in steps)
+            known = self._phases[key] = known or ((OTHER, whole),)
+        return known
+
+    def that_ended(
+        self, since: float, time: float, near: float, axes: tuple[int, ...] | None = None
+    ) -> Motion | None:
+        """The motion that ended within `near` of `time`, and behind `since`: of several the one that began last.
+
+        With `axes` one of theirs (with () of any axis), and where none ended then the last one before.
+        """
+        ends, low = self.ends, time - near
+        place = bisect_right(ends, time + near) - 1
+        alone = place > 0 and ends[place - 1] < low <= ends[place] > since  # no other one is near to it
+        if alone and (not axes or self.axis(place) in axes):
+            return self._motion(place)
+        found, best = -1, (0.0, 0.0)
+        while place >= 0:
+            end = ends[place]
+            if end <= since or (end < low and (found >= 0 or axes is None)):
+                break
+            if not axes or self.axis(place) in axes:
+                if end < low:
+                    return self._whole(place)
+                begin = self.begins[self.order[place]]
+                if found < 0 or (begin, end) >= best:
+                    found, best = place, (begin, end)
+            place -= 1
+        return None if found < 0 else self._whole(found)
+
+    def before(self, axes: tuple[int, ...], begin: float, near: float) -> Motion | None:
+        """The motion of one of some axes that began before `begin`, and ended within `near` of it or was blended."""
+        first = bisect_right(self.ends, begin + near)
+        place = first - 1
+        while place >= 0 and self.ends[place] >= begin - near:
+            if self.axis(place) in axes and self.begins[self.order[place]] < begin:
+                return self._whole(place)
+            place -= 1
+        for place in range(first, len(self.ends)):
+            if self.axis(place) not in axes:
+                continue
+            began = self.begins[self.order[place]]
+            if began < begin:
+                return self._whole(place)
+            if began > begin:  # so has whatever ends later
+                return None
+        return None
+
+    def last(self, after: float, time: float) -> Motion | None:
+        """The last one that ended behind `after`, and by `time`."""
+        place = bisect_right(self.ends, time) - 1
+        return self._whole(place) if place >= 0 and self.ends[place] > after else None
+
+    def last_end(self, axis: int | None, after: float, until: float) -> float | None:
+        """When a motion of an axis, or of any, ended last behind `after` and by `until`."""
+        place = bisect_right(self.ends, until) - 1
+        while place >= 0 and self.ends[place] > after:
+            if axis is None or self.axis(place) == axis:
+                return self.ends[place]
+            place -= 1
+        return None
+
+    def under_way(self, axis: int | None, time: float) -> int | None:
+        """The axis, that one or any, which is in motion at a moment."""
+        found = self.crossing(axis, time)
+        return None if found is None else found[3][0]
+
+    def crossing(self, axis: int | None, time: float) -> Motion | None:
+        """The motion of an axis, or of any, that is under way at a moment, as if it ended there."""
+        for place in range(bisect_right(self.ends, time), len(self.ends)):
+            if (axis is None or self.axis(place) == axis) and self.begins[self.order[place]] < time:
+                _, begin, line, axes, shape = self._whole(place)
+                return time, begin, line, axes, shape
+        return None
+
+    def axis(self, place: int) -> int:
+        """Whose motion it is that ended as the one of that number."""
+        axis: int = self.rows[self.order[place]][0]
+        return axis
+
+    def _whole(self, place: int) -> Motion:
+        """The motion that ended as the one of that number, with the axes of all that are one with it."""
+        ends, order, begins = self.ends, self.order, self.begins
+        end, number = ends[place], order[place]
+        first, last = place, place + 1
+        while first and ends[first - 1] == end:
+            first -= 1
+        while last < len(ends) and ends[last] == end:
+            last += 1
+        if last - first == 1:
+            return self._motion(place)
+        begin, line = begins[number], self.lines[number]
+        same = [each for each in order[first:last] if begins[each] == begin and self.lines[each] == line]
+        shapes = [self.rows[each][5] for each in same]
+        shape = next(filter(_moves, shapes), shapes[0])
+        return end, begin, line, tuple(self.rows[each][0] for each in same), shape
+
+    def _motion(self, place: int) -> Motion:
+        """That motion alone."""
+        number = self.order[place]
+        row = self.rows[number]
+        return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
+
+
+def _moves(shape: Profile | Recipe) -> bool:
+    """True unless the axis stands, as on a path that leads along another one."""
+    if isinstance(shape, tuple):
+        return any(shape[::3])
+    return shape.start != shape.end or shape.peak_speed > 0.0
+
+
+def _cuts(begins: list[float]) -> Sequence[int]:
+    """Where each begin is first, and behind the last; of one in which always as many begin together, a range."""
+    if not begins:
+        return ()
+    width = bisect_right(begins, begins[0])
+    firsts = begins[::width]
+    alike = len(begins) % width == 0 and all(begins[k::width] == firsts for k in range(1, width))
+    if alike and all(map(lt, firsts, islice(firsts, 1, None))):
+        return range(0, len(begins) + 1, width)
+    return [0, *compress(range(1, len(begins)), map(ne, begins, islice(begins, 1, None))), len(begins)]
+
+
+def _kept(move: Move) -> tuple[Any, ...]:
+    """A move that is none of the plain ones, as those are kept: as much of it as is asked for."""
+    profile = move.profile
+    assert profile is not None
+    shape = profile._recipe if profile.pieced and len(profile._recipe) > 2 else profile
+    entry = None, None, move.command, move.line
+    return move.axis, move.start_time, None, None, profile.duration, shape, None, None, None, entry

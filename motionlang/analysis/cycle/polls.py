@@ -1,0 +1,297 @@
+"""Loops as a profile sees them: a loop that polls is a wait for what ended it, any other one computes.
+
+A loop *waits* if all it does in an execution is to look, to compute, to set outputs and to let time pass, and if the
+conditions by which it ends read something beyond its own variables. It has waited for the last thing that it reads
+and that changed: an axis that came to rest, an input, else the time or whoever writes a variable. What is left of the
+loop from then on is its own: its WAITs, and computing.
+
+A loop that also starts motion or waits in other ways *works*, and what it does is charged by itself. Between two such
+acts it may iterate like a state machine, which waits in the same way for anything that a condition in it reads.
+
+A loop that reads nothing computes, and is charged to its own line, or that of the loop in it that took the time.
+
+This goes by the log and the text of the program alone: by when each loop ran, when motion ended and inputs changed.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import Counter
+from math import fsum
+from operator import itemgetter
+
+from motionlang.lang.asked import KINDS, MOVING, Asked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
+
+    from motionlang.analysis.cycle.motions import Motions
+    from motionlang.analysis.cycle.tasks import Wait
+    from motionlang.lang.asked import Read
+    from motionlang.result import Run
+
+    # Task, place, begin, end, callers: as `records.Looped` is written.
+    Row = tuple[str, int, float, float, tuple[int, ...]]
+    # Begin, end, place and callers of what was computed.
+    Span = tuple[float, float, int, tuple[int, ...]]
+    # When a wait was over, its cause, and the axes or channels.
+    Ended = tuple[float, str, tuple[int, ...]]
+
+# So many statements pass between a change and the end of the wait for it, where the loop has no WAIT of its own; a
+# stretch of a loop that is shorter was no wait.
+LEAST = 100.0
+ROUNDING = 1e-9
+_NOTHING = Asked(frozenset())
+_SINCE: Callable[[Wait], float] = itemgetter(2)
+
+
+class _Loop:
+    """One execution of a loop: `items` are the waits in it, `inner` the loops.
+
+    `acts` says when it started motion, or waited for anything but time.
+    """
+
+    __slots__ = ("acts", "at", "callers", "inner", "items", "since", "until")
+
+    def __init__(self, row: Row) -> None:
+        _, self.at, self.since, self.until, self.callers = row
+        self.items: list[Wait] = []
+        self.acts: list[tuple[float, float]] = []
+        self.inner: list[tuple[float, float]] = []
+
+
+class Polls:
+    """The waits of a run by task, with those that are loops, and where each task computed in loops."""
+
+    def __init__(self, run: Run, motions: Motions, waits: dict[str, list[Wait]]) -> None:
+        self._run, self._motions = run, motions
+        self._cost = run.machine.instruction_time
+        self._ask: Callable[[int], Asked | None] | None = None
+        self._asked: dict[int, Asked] = {}
+        self._changes: dict[str, dict[int | None, list[float]]] | None = None
+        self.waits = waits
+        self.spans: dict[str, list[Span]] = {}
+        loops = _loops(run)
+        if loops:
+            self._started = sorted(zip(motions.begins, motions.lines, strict=True))
+            self.waits = dict(waits)
+        for task, rows in loops.items():
+            asking = {row[1] for row in rows}
+            if any(asked.leaves or asked.within for asked in map(self.asked, asking)):
+                self.waits[task] = self._nested(task, rows, waits.get(task, []))
+            spans = sorted(((row[2], -row[3], row) for row in reversed(rows)), key=itemgetter(0, 1))
+            self.spans[task] = list(_innermost((row[2], row[3], row[1], row[-1]) for _, _, row in spans))
+
+    def asked(self, at: int) -> Asked:
+        """What the loop or the wait at a place asks for."""
+        found = self._asked.get(at)
+        if found is None:
+            if self._ask is None:
+                self._ask = self._run.dialect.asked(self._run.source)
+            found = self._asked[at] = self._ask(at) or _NOTHING
+        return found
+
+    # ------------------------------------------------------------------------------------------- nesting
+
+    def _nested(self, task: str, rows: list[Row], waits: list[Wait]) -> list[Wait]:
+        """The waits of a task, from the loops outermost first and what is in each."""
+        each: list[tuple[float, float, int, Row | Wait]] = [
+            (row[2], -row[3], 0, row) for row in reversed(rows)
+        ]
+        each += [(wait[2], -wait[3], 1, wait) for wait in waits]
+        each.sort(key=itemgetter(0, 1, 2))
+        around: list[_Loop] = []
+        whole = _Loop((task, 0, 0.0, self._run.time, ()))
+        for since, end, is_wait, row in each:
+            while around and around[-1].until < max(-end, since + ROUNDING) - ROUNDING:
+                self._close(task, around, whole)
+            if is_wait:
+                wait: Any = row
+                owner = around[-1] if around else whole
+                owner.items.append(wait)
+                if wait[4] != "time":
+                    owner.acts.append((wait[2], wait[3]))
+            else:
+                around.append(_Loop(row))  # type: ignore[arg-type]
+        while around:
+            self._close(task, around, whole)
+        return whole.items
+
+    def _close(self, task: str, around: list[_Loop], whole: _Loop) -> None:
+        """The innermost loop has ended: what it was becomes part of the one around it."""
+        loop = around.pop()
+        outer = around[-1] if around else whole
+        asked = self.asked(loop.at)
+        if asked.leaves or asked.within:
+            loop.acts += [(begin, begin) for begin in self._starts(asked.lines, loop.since, loop.until)]
+            if asked.leaves and not loop.acts:
+                stretch = loop.since, loop.until
+                loop.items = self._wait(
+                    task, loop, asked, stretch, asked.leaves, not asked.counts, loop.items
+                )
+            elif asked.within:
+                self._between(task, loop, asked)
+        outer.items += loop.items
+        outer.acts += loop.acts
+        outer.inner.append((loop.since, loop.until))
+
+    def _between(self, task: str, loop: _Loop, asked: Asked) -> None:
+        """The waits of a loop that works, between its acts."""
+        items, inner = sorted(loop.items, key=_SINCE), sorted(loop.inner)
+        made: list[Wait] = []
+        begin, place, number = loop.since, 0, 0
+        for act, over in [*sorted(loop.acts), (loop.until, loop.until)]:
+            first, place = place, _up_to(items, place, act, _SINCE)
+            stretch = items[first:place]
+            lower, number = number, _up_to(inner, number, act, itemgetter(0))
+            if act - begin > LEAST * self._cost + ROUNDING and _iterates(
+                stretch, inner[lower:number], begin, act
+            ):
+                stretch = self._wait(task, loop, asked, (begin, act), asked.within, False, stretch)
+            first, place = place, _up_to(items, place, over, _SINCE)
+            made += stretch + items[first:place]
+            begin = max(begin, over)
+        loop.items = made + items[place:]
+
+    def _wait(
+        self,
+        task: str,
+        loop: _Loop,
+        asked: Asked,
+        stretch: tuple[float, float],
+        reads: frozenset[Read],
+        whole: bool,
+        items: list[Wait],
+    ) -> list[Wait]:
+        """Where a loop waited in a stretch: that in the place of the waits in it, `items`, up to what ended it."""
+        begin, end = stretch
+        longest = max((wait[3] - wait[2] for wait in items), default=0.0)
+        late = LEAST * self._cost + 2.0 * longest + ROUNDING
+        found = self._ended(reads, begin, end, late, whole)
+        if found is None or (asked.counts and end - found[0] > late):
+            return items
+        over, cause, what = found
+        after = [wait for wait in items if wait[3] > over]
+        if after and after[0][2] < over:
+            after[0] = (*after[0][:2], over, *after[0][3:])
+        if cause != "time":
+            loop.acts.append((begin, over))
+        return [(task, loop.at, begin, over, cause, what, asked.why, loop.callers), *after]
+
+    # --------------------------------------------------------------------------------------- what ended it
+
+    def _ended(
+        self, reads: frozenset[Read], begin: float, end: float, late: float, whole: bool
+    ) -> Ended | None:
+        """What ended a wait for something read, no more than `late` before its end where others may have.
+
+        `whole`: it was the loop that ended; else something in it that need not have been waited for.
+        """
+        near = end + 2.5 * self._cost + ROUNDING
+        found = [
+            (min(moment, end), KINDS[kind], () if number is None else (number,))
+            for kind, number in sorted(reads, key=str)
+            if (moment := self._changed(kind, number, begin, near)) is not None
+        ]
+        last = max(found, key=itemgetter(0), default=None)
+        if last is not None and (end - last[0] <= late):
+            return last
+        for kind, number in sorted(reads, key=str):
+            if kind == "position":
+                axis = self._motions.under_way(number, end)
+                if axis is not None:
+                    return end, MOVING, (axis,)
+        others = [
+            kind for kind in ("time", "task", "operator", "host", "encoder", "other") if _has(reads, kind)
+        ]
+        if others and (whole or others[0] == "time"):
+            return end, KINDS[others[0]], ()
+        if last is not None or not whole:
+            return last
+        if end >= self._run.time - ROUNDING:
+            return end, "condition", ()  # the run was cut short: nothing has ended it
+        numbers = {number for kind, number in reads if KINDS[kind] == "input"}
+        if not numbers:
+            return end, "condition", ()  # an axis that follows another one, or is not yet settled
+        return end, "input", tuple(sorted(number for number in numbers if number is not None))
+
+    def of_condition(self, wait: Wait, end: float) -> Ended | None:
+        """What ended a wait for a condition."""
+        reads = self.asked(wait[1]).leaves
+        late = 2.5 * self._cost + ROUNDING
+        return self._ended(reads, wait[2], end, late, True) if reads else None
+
+    def _changed(self, kind: str, number: int | None, begin: float, end: float) -> float | None:
+        """When something changed for the last time behind `begin` and up to `end`."""
+        if kind in ("axis", "position"):
+            return self._motions.last_end(number, begin, end)
+        if self._changes is None:
+            log = self._run.controller.log
+            self._changes = {"input": _by_channel(log.inputs), "analogue": _by_channel(log.analogue_inputs)}
+        times = self._changes.get(kind, {}).get(number, [])
+        place = bisect_right(times, end) - 1
+        return times[place] if place >= 0 and times[place] > begin else None
+
+    def _starts(self, lines: frozenset[int], begin: float, end: float) -> list[float]:
+        """When motion that some lines ordered began."""
+        first = bisect_left(self._started, (begin + ROUNDING,))
+        last = bisect_left(self._started, (end - ROUNDING,))
+        return [start for start, line in self._started[first:last] if line in lines]
+
+
+def _has(reads: frozenset[Read], kind: str) -> bool:
+    return any(each == kind for each, _ in reads)
+
+
+def _loops(run: Run) -> dict[str, list[Row]]:
+    """The loops of each task, those too that it was in when the run ended."""
+    found: dict[str, list[Row]] = {}
+    for row in run.machine.log.loops.as_kept():
+        found.setdefault(row[0], []).append(tuple(row))
+    scheduler = run.machine.scheduler
+    for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
+        for at, since, callers in reversed(task.loops):
+            if since < run.time:
+                found.setdefault(task.name, []).append((task.name, at, since, run.time, callers))
+    return found
+
+
+def _up_to(rows: list[Any], place: int, time: float, since: Callable[[Any], float]) -> int:
+    """The number of the first row, from `place` on, that does not begin before a time."""
+    while place < len(rows) and since(rows[place]) < time:
+        place += 1
+    return place
+
+
+def _iterates(waits: list[Wait], loops: list[tuple[float, float]], begin: float, end: float) -> bool:
+    """True if a loop went round from `begin` to `end`, and did not just carry out a WAIT or a loop in it once."""
+    inside = fsum(min(until, end) - since for since, until in loops)
+    times = Counter(wait[1] for wait in waits)
+    return inside < 0.5 * (end - begin) and all(count > 1 for count in times.values())
+
+
+def _by_channel(changes: Iterable[object]) -> dict[int | None, list[float]]:
+    """When channels changed; under None any of them."""
+    found: dict[int | None, list[float]] = {None: []}
+    for change in changes:
+        found[None].append(change.time)  # type: ignore[attr-defined]
+        found.setdefault(change.channel, []).append(change.time)  # type: ignore[attr-defined]
+    return found
+
+
+def _innermost(spans: Iterable[Span]) -> Iterator[Span]:
+    """Spans within one another, the outer ones first, as spans side by side: each moment is the innermost one's."""
+    around: list[Span] = []
+    time = 0.0
+    for span in [*spans, (float("inf"), float("inf"), 0, ())]:
+        while around and around[-1][1] <= span[0] + ROUNDING:
+            _, until, *place = around.pop()
+            if until > time:
+                yield time, until, *place  # type: ignore[misc]
+                time = until
+        if around and span[0] > time:
+            yield time, span[0], *around[-1][2:]
+        time = max(time, span[0])
+        around.append(span)

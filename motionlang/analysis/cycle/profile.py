@@ -1,0 +1,201 @@
+"""The time profile of a run: its tasks, its critical chain by line, sub and cause, and which axis waits for which."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import fsum
+from operator import attrgetter
+
+from motionlang.analysis.cycle.chain import Chain, Link, alike
+from motionlang.analysis.cycle.slacks import Slack, slacks
+from motionlang.analysis.cycle.tasks import TaskTime, parent_of, task_times, told
+from motionlang.planners.total import exact_terms
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
+
+    from motionlang.analysis.cycle.chain import About
+    from motionlang.log.records import Waited
+    from motionlang.result import Run
+
+SCHEMA = "motionlang.cycle/1"
+# What calls everything, and has what stands in no sub.
+PROGRAM = "the program"
+
+
+class Share:
+    """Seconds of the chain that belong together: of a line, a sub or an axis; `total` has what it called, too."""
+
+    __slots__ = ("causes", "line", "name", "seconds", "total")
+
+    def __init__(self, name: str, line: int, seconds: float, total: float, causes: dict[str, float]) -> None:
+        self.name, self.line = name, line
+        self.seconds, self.total, self.causes = seconds, total, causes
+
+
+class TimeProfile:
+    """Where the time of a run went; all sums are exact."""
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+        self._chain = Chain(run)
+        self._waits = self._chain.waits
+        self._places = self._chain.places
+        self._alike = _summed(self._chain.alike())
+
+    @cached_property
+    def tasks(self) -> list[TaskTime]:
+        """Each task's own time."""
+        return task_times(self.run, self._waits)
+
+    @property
+    def has_tasks(self) -> bool:
+        """Whether there is more than the parent task."""
+        return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.turns)
+
+    def waits(self) -> dict[str, Iterator[Waited]]:
+        """The waits of each task in the order of time, the loops that waited among them."""
+        from motionlang.log.records import Waited
+
+        return {name: map(Waited._make, told(waits)) for name, waits in self._waits.items()}
+
+    @property
+    def links(self) -> list[Link]:
+        """The stretches of the chain, from the begin of the run to its end."""
+        return self._chain.links
+
+    def spans(self) -> list[tuple[float, float, About]]:
+        """The same without an object for each."""
+        return self._chain.spans()
+
+    @property
+    def seconds(self) -> float:
+        """What the chain adds up to: the run's time."""
+        return fsum(term for _, terms in self._alike for term in terms)
+
+    def lines(self) -> list[Share]:
+        """The chain by the lines of the program, the longest first."""
+        return self._shares(lambda link: ((str(link.place.line), link.place.line),), own=True)
+
+    def subs(self) -> list[Share]:
+        """By sub: `seconds` in the sub itself, `total` with what it called. What stands in none is the program."""
+
+        places = self._places
+
+        def names(link: Link) -> Iterable[tuple[str, int]]:
+            yield link.place.sub or PROGRAM, 0
+            for line in reversed(link.place.callers):
+                yield places.sub(line) or PROGRAM, 0
+            yield PROGRAM, 0
+
+        return self._shares(names)
+
+    def kinds(self) -> list[Share]:
+        """By what takes the time: travel of which axes, dwells, waits, computing."""
+
+        return self._shares(lambda link: ((_kind(link), 0),), own=True)
+
+    def held(self) -> list[Share]:
+        """By the line at which a task waited, however it is written; `causes` says for what, by kind."""
+        lines = self._shares(lambda link: ((str(link.waited), link.waited),), own=True, cause=_kind)
+        return [share for share in lines if share.line]
+
+    def slacks(self) -> list[Slack]:
+        """Who stood and waited for whom, where a task waited for several axes that had begun together."""
+        return slacks(self._chain.motions, self._waits)
+
+    def report(self, *, chain: bool = True) -> dict[str, Any]:
+        """The profile as plain data, schema `motionlang.cycle/1`; the chain, if it is wanted, is the last of it."""
+        document: dict[str, Any] = {
+            "schema": SCHEMA,
+            "program": self.run.source.name,
+            "time": self.run.time,
+            "tasks": [
+                _row(task, "name", "begin", "end", "waiting", "computing", "ready") for task in self.tasks
+            ],
+            "kinds": list(map(_share, self.kinds())),
+            "lines": list(map(_share, self.lines())),
+            "subs": list(map(_share, self.subs())),
+            "waits": list(map(_share, self.held())),
+            "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
+        }
+        if chain:
+            document["chain"] = [
+                {"begin": begin, "end": end, **about_link(about)} for begin, end, about in self.spans()
+            ]
+        return document
+
+    def sub(self, line: int) -> str:
+        """The sub that a line stands in, "" for none."""
+        return self._places.sub(line)
+
+    def total(self, links: Iterable[Link]) -> float:
+        """The seconds of some of the chain."""
+        return fsum(link.duration for link in links)
+
+    def shares_of(self, links: Iterable[Link]) -> list[Share]:
+        """Some of the chain by line, the longest first; what has no line left out."""
+        made = self._shares(lambda link: ((str(link.place.line), link.place.line),), True, links)
+        return [share for share in made if share.line]
+
+    def _shares(
+        self,
+        names: Any,
+        own: bool = False,
+        links: Iterable[Link] | None = None,
+        cause: Callable[[Link], str] = attrgetter("cause"),
+    ) -> list[Share]:
+        """The chain by the names that a link has: the first has it for its own, all of them have it in their totals."""
+        mine: dict[str, dict[str, list[float]]] = {}
+        totals: dict[str, list[float]] = {}
+        lines: dict[str, int] = {}
+        for link, terms in self._alike if links is None else _summed(alike(links)):
+            for k, (name, line) in enumerate(dict.fromkeys(names(link))):
+                lines[name] = line
+                causes = mine.setdefault(name, {})
+                if k == 0:
+                    causes.setdefault(cause(link), []).extend(terms)
+                totals.setdefault(name, []).extend(terms)
+        shares = [
+            Share(
+                name,
+                lines[name],
+                fsum(term for terms in causes.values() for term in terms),
+                fsum(totals[name]),
+                {cause: fsum(terms) for cause, terms in causes.items()},
+            )
+            for name, causes in mine.items()
+        ]
+        return sorted(
+            shares, key=lambda share: (-(share.seconds if own else share.total), share.line, share.name)
+        )
+
+
+def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[float]]]:
+    """Links with a few terms in place of their many durations, which add up to the very same."""
+    return [(link, exact_terms(times)) for link, times in links]
+
+
+def _kind(link: Link) -> str:
+    """What takes the time of a stretch."""
+    if not link.is_motion:
+        return link.cause
+    axes = ", ".join(map(str, link.axes))
+    return f"travel of axis {axes}" if len(link.axes) == 1 else f"travel of axes {axes}"
+
+
+def _share(share: Share) -> dict[str, Any]:
+    return _row(share, "name", "line", "seconds", "total", "causes")
+
+
+def _row(each: object, *names: str) -> dict[str, Any]:
+    return {name: getattr(each, name) for name in names}
+
+
+def about_link(about: About) -> dict[str, Any]:
+    """What a report says of a link besides its times."""
+    cause, place, task, axes, waited = about
+    where = {"line": place.line, "sub": place.sub, "callers": place.callers}
+    return {"cause": cause, **where, "task": task, "axes": axes, "waited": waited}

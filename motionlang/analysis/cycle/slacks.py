@@ -1,0 +1,112 @@
+"""Which axis stood and waited for which, of those that began together; in columns, as a shift has thousands of such."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from itertools import compress
+from math import fsum
+from operator import eq, sub
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
+    from typing import TypeVar
+
+    from motionlang.analysis.cycle.motions import Motions
+    from motionlang.analysis.cycle.tasks import Wait
+
+    T = TypeVar("T")
+    # The axes of moves that began together, and the ends of each, begin after begin.
+    Group = tuple[tuple[int, ...], list[list[float]]]
+
+
+class Slack:
+    """`axis` had ended its move and stood while `other` still moved: the seconds that it could have been slower."""
+
+    __slots__ = ("axis", "other", "seconds")
+
+    def __init__(self, axis: int, other: int, seconds: float) -> None:
+        self.axis, self.other, self.seconds = axis, other, seconds
+
+
+def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]:
+    """Who waited for whom, the longest first, where a task waited for the last of several that had begun together."""
+    waited: set[int] = set()  # in milliseconds
+    for mine in waits.values():
+        waited.update([int(wait[3] * 1000.0) for wait in mine if wait[4] != "time"])
+    found: dict[tuple[int, int], list[float]] = defaultdict(list)
+    for axes, ends in _together(motions):
+        for last, stood in _by_last(ends, waited):
+            for number, axis in enumerate(axes):
+                if number != last:
+                    found[axis, axes[last]] += map(sub, stood[last], stood[number])
+    rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items() if any(times)]
+    return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))
+
+
+def _together(motions: Motions) -> Iterator[Group]:
+    """The moves that began together on one line, those of the same axes at once."""
+    cuts, ends, axes, lines = motions.together()
+    for width, firsts in _by_width(cuts):
+        by_line = _columns(lines, firsts, width)
+        by_axis = _columns(axes, firsts, width)
+        if all(map(by_line[0].__eq__, by_line)) and all(each.count(each[0]) == len(each) for each in by_axis):
+            yield tuple(each[0] for each in by_axis), _columns(ends, firsts, width)
+        else:
+            yield from _one_by_one(firsts, width, ends, axes, lines)
+
+
+def _by_width(cuts: Sequence[int]) -> Iterator[tuple[int, Sequence[int]]]:
+    """Where groups of a width are, of each width but 1."""
+    if isinstance(cuts, range):
+        if cuts.step > 1:
+            yield cuts.step, cuts[:-1]
+        return
+    widths = list(map(sub, cuts[1:], cuts))
+    for width in set(widths) - {1}:
+        yield width, list(compress(cuts, map(width.__eq__, widths)))
+
+
+def _columns(values: Sequence[T], firsts: Sequence[int], width: int) -> list[list[T]]:
+    """The values at each of `firsts`, at the places behind those, and so on."""
+    begin, end = firsts[0], firsts[-1]
+    step = firsts[1] - begin if len(firsts) > 1 else width
+    each = range(begin, end + 1, step)
+    if firsts == each or (len(firsts) == len(each) and firsts == list(each)):  # as in most cycles
+        return [list(values[begin + k : end + k + 1 : step]) for k in range(width)]
+    return [[values[first + k] for first in firsts] for k in range(width)]
+
+
+def _one_by_one(
+    firsts: Iterable[int], width: int, ends: Sequence[float], axes: Sequence[int], lines: Sequence[int]
+) -> Iterator[Group]:
+    """The same of any moves that began together, on several lines it may be, or other axes each time."""
+    found: dict[tuple[int, ...], list[tuple[float, ...]]] = defaultdict(list)
+    for first in firsts:
+        members = range(first, first + width)
+        for line in dict.fromkeys(lines[first : first + width]):
+            mine = [each for each in members if lines[each] == line]
+            if len(mine) > 1:
+                found[tuple(map(axes.__getitem__, mine))].append(tuple(map(ends.__getitem__, mine)))
+    for group, rows in found.items():
+        yield group, list(map(list, zip(*rows, strict=True)))
+
+
+def _by_last(ends: list[list[float]], waited: set[int]) -> Iterator[tuple[int, list[list[float]]]]:
+    """Which axis ended last (the first where several did) and the ends of all, of those that a task has waited for."""
+    last = list(map(max, *ends))
+    millis = [int(each * 1000.0) for each in last]
+    if not waited.issuperset(millis):
+        kept = [each in waited or each + 1 in waited for each in millis]
+        last, ends = list(compress(last, kept)), [list(compress(column, kept)) for column in ends]
+    for number, column in enumerate(ends):
+        if column == last:
+            yield number, ends  # always the same one
+            return
+        if any(map(eq, column, last)):
+            break
+    found: dict[int, list[tuple[float, ...]]] = defaultdict(list)
+    for row in zip(*ends, strict=True):
+        found[row.index(max(row))].append(row)
+    for number, rows in found.items():
+        yield number, list(map(list, zip(*rows, strict=True)))

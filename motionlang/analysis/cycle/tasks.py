@@ -1,0 +1,101 @@
+"""Each task's own time: what it computed, what it waited for, and when others had the machine; it adds up to its life.
+
+With one task the machine is its own whenever it does not wait. Where several run, the log has who computed in between;
+what is left of a task's life is time in which it was ready and others had the machine, or in which polls that could
+change nothing were skipped.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from itertools import groupby
+from math import fsum
+from operator import itemgetter
+
+from motionlang.lang.asked import MOVING
+from motionlang.log.written_waits import whole
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from motionlang.log.written_waits import Whole
+    from motionlang.result import Run
+
+    Wait = Whole
+
+
+class TaskTime:
+    """Seconds of one task from `begin` to `end`: `waiting` by cause, `computing`, and `ready` while others computed."""
+
+    __slots__ = ("begin", "computing", "end", "name", "ready", "waiting")
+
+    def __init__(
+        self, name: str, begin: float, end: float, waiting: dict[str, float], computing: float, ready: float
+    ) -> None:
+        self.name, self.begin, self.end = name, begin, end
+        self.waiting, self.computing, self.ready = waiting, computing, ready
+
+    @property
+    def life(self) -> float:
+        """How long it lived."""
+        return self.end - self.begin
+
+
+def told(waits: Iterable[Wait]) -> Iterator[Wait]:
+    """Waits as they are reported: one that ended while its axis moved was a wait for that axis."""
+    for wait in waits:
+        yield (*wait[:4], "axis", *wait[5:]) if wait[4] == MOVING else wait
+
+
+def kept_waits(run: Run) -> dict[str, list[Wait]]:
+    """The waits of each task in the order of time, those too that were under way when the run ended."""
+    found: dict[str, list[Wait]] = {}
+    for name, waits in groupby(map(whole, run.machine.log.waits.as_kept()), itemgetter(0)):
+        found.setdefault(name, []).extend(waits)
+    scheduler = run.machine.scheduler
+    for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
+        under_way, mine = task.wait, found.setdefault(task.name, [])
+        if under_way is not None and under_way.since < run.time:
+            *callers, at = task.stack
+            about = under_way.cause, tuple(under_way.what), under_way.why, tuple(callers)
+            mine.append((task.name, at, under_way.since, run.time, *about))
+    return found
+
+
+def parent_of(run: Run) -> str:
+    """The name of the task whose end is the program's."""
+    return run.machine.scheduler.parent.name if run.machine.scheduler is not None else ""
+
+
+def ended_at(run: Run) -> float:
+    """When the program had ended, if it has; motion may have gone on after that."""
+    scheduler = run.machine.scheduler
+    return run.time if scheduler is None or scheduler.ended is None else scheduler.ended
+
+
+def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
+    """The time of each task, with its `waits`: the parent first, then in the order in which they began."""
+    parent, over = parent_of(run), ended_at(run)
+    first: dict[str, float] = {}
+    last: dict[str, float] = {}
+    computed: dict[str, list[float]] = {}
+    for turn in run.machine.log.turns:
+        for name, seconds in zip(turn.tasks, turn.seconds, strict=True):
+            computed.setdefault(name, []).append(seconds)
+            first.setdefault(name, turn.time)
+            last[name] = turn.until
+    made = []
+    for name in dict.fromkeys((parent, *first, *waits)):
+        mine = waits.get(name, [])
+        begin = 0.0 if name == parent else min(first.get(name, over), mine[0][2] if mine else over)
+        end = over if name == parent else max(last.get(name, begin), mine[-1][3] if mine else begin)
+        waiting: dict[str, list[float]] = defaultdict(list)
+        for _, _, since, until, cause, _, _, _ in told(mine):
+            waiting[cause].append((until if until < end else end) - since)
+        causes = {cause: fsum(times) for cause, times in waiting.items()}
+        rest = fsum((end, -begin, *(-time for time in causes.values())))
+        computing = fsum(computed[name]) if name in computed and len(first) > 1 else rest
+        computing = min(computing, rest)
+        made.append(TaskTime(name, begin, end, causes, computing, fsum((rest, -computing))))
+    return made

@@ -1,0 +1,137 @@
+"""The changes of one report to another, one by one, and the report in which only some of them were made.
+
+A change is what a person can say yes or no to: the moves of one line that have become otherwise in the same way, moves
+that were put in or taken out together, a printed line, an event, an error, a field. What follows from changes is none:
+moves, events and the end of the run come later or earlier by what was accepted before them.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from typing import Any
+
+from motionlang.analysis.diff.reports import Difference, LineChange, end_of
+from motionlang.analysis.diff.timeline import Timeline
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterator
+
+    from motionlang.analysis.diff.reports import Move, Pair, Report
+
+
+class Change:
+    """One change: what `kind` it is, and which of them, as `Difference` has it."""
+
+    __slots__ = ("kind", "what")
+
+    def __init__(self, kind: str, what: Any) -> None:
+        self.kind, self.what = kind, what
+
+    @property
+    def key(self) -> tuple[str, object]:
+        """What tells it from the others of a difference."""
+        return self.kind, id(self.what) if isinstance(self.what, LineChange) else self.what
+
+
+def changes(found: Difference) -> list[Change]:
+    """All that is otherwise, in the order in which it is told; none where nothing is."""
+    made = [Change("status", "")] if found.status is not None else []
+    by_time = sorted(found.lines, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis))
+    made += [Change("line", each) for each in by_time]
+    made += [Change("moves", number) for number in dict.fromkeys(found.hunks.values())]
+    made += [Change("end", "")] if found.tail else []
+    for kind, pairs in (("print", found.prints), ("event", found.events), ("error", found.errors)):
+        made += [Change(kind, n) for n in range(len(pairs))]
+    return made + [Change("field", name) for name in found.fields]
+
+
+def merged(old: Report, new: Report, found: Difference, accepted: Collection[Change]) -> dict[str, Any]:
+    """The old report with those changes that are accepted, as a report of its own."""
+    keys = {change.key for change in accepted}
+    line = Timeline()
+    moves, shifts = _moves(old, new, found, keys, line)
+    made = dict(old)
+    made["moves"] = moves
+    _, made["time"] = line.pair(end_of(old), end_of(new), None, ("end", "") in keys)
+    if ("status", "") in keys:
+        made["status"] = new.get("status")
+    made["output"] = list(
+        _chosen(old.get("output", []), new.get("output", []), found.printed, _numbers(keys, "print"))
+    )
+    made["diagnostics"] = list(
+        _chosen(old.get("diagnostics", []), new.get("diagnostics", []), found.told, _numbers(keys, "error"))
+    )
+    if "events" in old or "events" in new:
+        olds, news = shifts
+        rows = [
+            {**row, "time": row["time"] + _shift(olds if side == 0 else news, row["time"])}
+            for side, row in _sided(
+                old.get("events", []), new.get("events", []), found.happened, _numbers(keys, "event")
+            )
+        ]
+        made["events"] = rows
+    for name in found.fields:
+        if ("field", name) in keys:
+            made.pop(name, None)
+            if name in new:
+                made[name] = new[name]
+    return {name: made[name] for name in dict.fromkeys((*new, *old)) if name in made}
+
+
+def _moves(
+    old: Report, new: Report, found: Difference, keys: set[tuple[str, object]], line: Timeline
+) -> tuple[list[Move], tuple[list[tuple[float, float]], list[tuple[float, float]]]]:
+    """The moves of both, and how much later those of the old and of the new run begin and end there, by time."""
+    was, is_ = old.get("moves", []), new.get("moves", [])
+    made: list[Move] = []
+    shifts: tuple[list[tuple[float, float]], list[tuple[float, float]]] = ([], [])
+    for i, j, change in found.pairs:
+        if i is not None and j is not None:
+            accepted = change is not None and ("line", id(change)) in keys
+            row = is_[j] if accepted else was[i]
+            _, begin = line.pair(was[i], is_[j], row, accepted)
+            sides = ((0, was[i]), (1, is_[j]))
+        else:
+            side, row = (0, was[i]) if i is not None else (1, is_[j])
+            kept = (("moves", found.hunks[i, j]) in keys) is (side == 1)
+            begin = line.alone(row, side, kept)
+            if not kept:
+                continue
+            sides = ((side, row),)  # type: ignore[assignment]
+        made.append({**row, "start_time": begin})
+        over = begin + (row["duration"] or 0.0)
+        for side, each in sides:
+            shifts[side].append((each["start_time"], begin - each["start_time"]))
+            end = each["start_time"] + (each["duration"] or 0.0)
+            shifts[side].append((end, over - end))
+    for each in shifts:
+        each.sort()
+    return made, shifts
+
+
+def _shift(shifts: list[tuple[float, float]], time: float) -> float:
+    """How much later it is what was at a time: as the move that began or ended last before."""
+    place = bisect_right(shifts, (time + 1e-9, float("inf")))
+    return shifts[place - 1][1] if place else 0.0
+
+
+def _numbers(keys: set[tuple[str, object]], kind: str) -> set[object]:
+    return {what for each, what in keys if each == kind}
+
+
+def _chosen(old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[object]) -> Iterator[Any]:
+    for _, row in _sided(old, new, pairs, accepted):
+        yield row
+
+
+def _sided(
+    old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[object]
+) -> Iterator[tuple[int, Any]]:
+    """Entries of a list in order, and whether each is of the old or the new one; what is the same is the new one's."""
+    for i, j, number in pairs:
+        take = number is None or number in accepted
+        if take and j is not None:
+            yield 1, new[j]
+        elif not take and i is not None:
+            yield 0, old[i]

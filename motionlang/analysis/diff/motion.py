@@ -1,0 +1,138 @@
+"""Where the motion of two runs parts: the first moment at which an axis stands elsewhere."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+import numpy as np
+
+from motionlang.log.track import WholeTrack
+from motionlang.planners.sample import PieceTable, piece_values
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.controller.axis import Axis
+    from motionlang.result import Run
+
+    Array = NDArray[np.float64]
+
+# Places in each stretch between two profiles of either run at which they are compared, and halvings to find the moment.
+LOOKS, HALVINGS = 8, 40
+# What rounding makes of a position, as a part of it; and a hundredth of it, which a table of pieces may be off besides.
+ROUNDING, TABLE = 1e-9, 1e-11
+# Stretches that are looked at together.
+TOGETHER = 50_000
+
+
+class Parting:
+    """The machine `time` at which `axis` is first elsewhere, and the largest distance, user units, with its time."""
+
+    __slots__ = ("axis", "largest", "largest_at", "time")
+
+    def __init__(self, axis: int, time: float, largest: float, largest_at: float) -> None:
+        self.axis, self.time, self.largest, self.largest_at = axis, time, largest, largest_at
+
+
+def parting(old: Run, new: Run, tolerance: float = 0.0) -> Parting | None:
+    """The first parting of all axes that both have; None where all stand together as long as both run."""
+    end = min(old.time, new.time)
+    found = [
+        parted
+        for number, a in old.controller.axes.items()
+        if number in new.controller.axes
+        and (parted := _of_axis(a, new.controller.axes[number], end, tolerance)) is not None
+    ]
+    return min(found, key=lambda each: (each.time, each.axis), default=None)
+
+
+def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
+    def apart(time: float) -> float:
+        one, other = a.scale.position_to_user(a.position(time)), b.scale.position_to_user(b.position(time))
+        return max(abs(one - other) - ROUNDING * max(abs(one), abs(other), 1.0), 0.0)
+
+    first: float | None = None
+    largest = (0.0, 0.0)
+    before = 0.0
+    for times in _looks(a, b, end):
+        far, apart_enough = _worth_a_look(a, b, times, tolerance)
+        if first is None:
+            for k in apart_enough:
+                if apart(times[k]) > tolerance:
+                    first = _moment(apart, times[k - 1] if k else before, times[k], tolerance)
+                    break
+        for k in far:
+            distance = apart(times[k])
+            if distance > largest[0]:
+                largest = (distance, times[k])
+        before = times[-1]
+    return None if first is None else Parting(a.index, first, *largest)
+
+
+def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
+    """The moments at which two axes are compared, many at a time."""
+    edges = np.fromiter(_edges(a, b, end), dtype=np.float64)
+    for first in range(0, len(edges) - 1, TOGETHER):
+        some = edges[first : first + TOGETHER + 1]
+        begins, lengths = some[:-1, None], np.diff(some)[:, None]
+        yield (begins + lengths * np.arange(1, LOOKS + 1) / LOOKS).ravel().tolist()
+
+
+def _worth_a_look(
+    a: Axis, b: Axis, times: Sequence[float], tolerance: float
+) -> tuple[list[int], Sequence[int]]:
+    """By tables of pieces, which are nearly exact: where two axes may be farthest apart, and where too far at all."""
+    one, other = _positions(a, times), _positions(b, times)
+    if one is None or other is None:
+        return list(range(len(times))), range(len(times))
+    size = np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)
+    zeros = max(abs(each.scale.zero / each.scale.counts) for each in (a, b))
+    distance, doubt = np.abs(one - other) - ROUNDING * size, TABLE * (size + zeros)
+    far = np.flatnonzero((distance + 2.0 * doubt >= np.max(distance)) & (distance + doubt > 0.0))
+    first_such: dict[tuple[float, float], int] = {}  # a cycle comes to the same places again and again
+    for k, places in zip(far.tolist(), zip(one[far].tolist(), other[far].tolist(), strict=True), strict=True):
+        first_such.setdefault(places, k)
+    return list(first_such.values()), np.flatnonzero(distance + doubt > tolerance).tolist()
+
+
+def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
+    """Where an axis was, user units; None where its motion is not all in pieces."""
+    track = WholeTrack(axis)
+    some = slice(max(track.place(times[0]) - 1, 0), track.place(times[-1]) + 1)
+    table = PieceTable(track.starts[some], track.profiles[some])
+    if not table.is_exact:
+        return None
+    piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
+    values = piece_values(table.columns[:, piece], np.asarray(times) - table.origins[piece], 0)
+    return (values - axis.scale.zero) / axis.scale.counts
+
+
+def _edges(a: Axis, b: Axis, end: float) -> list[float]:
+    """When profiles of either began up to the end, but for those at the start that both have alike."""
+    tracks = WholeTrack(a), WholeTrack(b)
+    same, pairs = (
+        0,
+        zip(tracks[0].starts, tracks[0].profiles, tracks[1].starts, tracks[1].profiles, strict=False),
+    )
+    for start, profile, other_start, other in pairs:
+        if (start, profile.start, profile.end, profile.duration, profile._recipe) != (
+            other_start, other.start, other.end, other.duration, other._recipe
+        ):  # fmt: skip
+            break
+        same += 1
+    same = max(same - 1, 0)
+    starts = sorted({*list(tracks[0].starts)[same:], *list(tracks[1].starts)[same:], end})
+    return starts[: bisect_right(starts, end)]
+
+
+def _moment(apart: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if apart(middle) > tolerance:
+            high = middle
+        else:
+            low = middle
+    return high

@@ -1,0 +1,403 @@
+"""Two reports of runs compared: how long, what moved, what was printed, what else is otherwise.
+
+Moves are aligned by their axis, command and distance, prints by their words, and not by their numbers; the line of a
+move may be another one. What follows a longer move later is no difference of its own: only what lies between two moves
+is compared.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from bisect import bisect_right
+from math import inf
+from typing import Any
+
+from motionlang.analysis.diff.align import aligned, common
+from motionlang.analysis.diff.timeline import Timeline
+from motionlang.analysis.diff.tolerance import EXACT, Tolerance
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping
+
+    Report = Mapping[str, Any]
+    Move = dict[str, Any]
+    # Places in the old and the new list, and the number of what is otherwise there; None where nothing is.
+    Pair = tuple[int | None, int | None, int | None]
+
+_FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
+_LINE = re.compile(r"\bline \d+")
+# The fields that are compared by themselves, and those that say where something stands and not what it is.
+OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "readings")
+PLACES = ("line", "column")
+# Fields of a move that say what was commanded: where no other one differs, the motion does not.
+COMMANDED = frozenset(("asked_speed",))
+# Events whose figures are positions; those of the others are speeds.
+PLACED = ("limit", "soft limit", "following error")
+
+
+class LineChange:
+    """What is otherwise with the moves of one line: how many, which figures, how much time that makes together.
+
+    `figures` has for each field that differs its first old and new value; `duration` and `wait` are sums, s: of the
+    moves themselves, and of what lies between them and what was before.
+    """
+
+    __slots__ = ("axis", "command", "count", "duration", "figures", "first", "new", "old", "wait")
+
+    def __init__(self, old: int, new: int, axis: int, command: str, first: float) -> None:
+        self.old, self.new, self.axis, self.command, self.first = old, new, axis, command, first
+        self.count = 0
+        self.figures: dict[str, tuple[Any, Any]] = {}
+        self.duration = self.wait = 0.0
+
+    @property
+    def is_motion(self) -> bool:
+        """True if the motion differs, and not only what was commanded."""
+        return bool(self.wait) or not self.figures.keys() <= COMMANDED
+
+
+class Difference:
+    """How one report differs from another; `same` where it does not.
+
+    `pairs` has every move of both beside its other one, and the `LineChange` that tells of them; `hunks` by such places
+    which moves were put in or taken out together; `printed`, `happened` and `told` the same of prints, events, errors.
+    """
+
+    __slots__ = ("errors", "events", "fields", "gone", "happened", "hunks", "later", "lines", "moved", "moves", "new",
+                 "pairs", "printed", "prints", "status", "tail", "time", "told")  # fmt: skip
+
+    def __init__(self) -> None:
+        self.time: tuple[float, float] | None = None
+        self.status: tuple[str, str] | None = None
+        self.moves = (0, 0)
+        self.lines: list[LineChange] = []
+        self.gone: list[Move] = []
+        self.new: list[Move] = []
+        # Lines that have become other ones, which is no difference.
+        self.moved: dict[int, int] = {}
+        # How much later the run ends after its last motion.
+        self.tail = 0.0
+        self.prints: list[tuple[int | None, int | None, str, str]] = []
+        # What was and what is; None where it is gone or new. Of those that come later by themselves: by how much.
+        self.events: list[tuple[Move | None, Move | None, float]] = []
+        self.errors: list[tuple[str, str]] = []
+        # What else is otherwise, by the field of the report.
+        self.fields: dict[str, list[str]] = {}
+        self.pairs: list[tuple[int | None, int | None, LineChange | None]] = []
+        self.hunks: dict[tuple[int | None, int | None], int] = {}
+        # When moves began and ended, on which axis, and how much later that is.
+        self.later: list[tuple[float, int, float]] = []
+        self.printed: list[Pair] = []
+        self.happened: list[Pair] = []
+        self.told: list[Pair] = []
+
+    @property
+    def others(self) -> list[str]:
+        """What else is otherwise, of all fields."""
+        return [line for lines in self.fields.values() for line in lines]
+
+    @property
+    def same(self) -> bool:
+        """Whether nothing is otherwise."""
+        return not (
+            self.time
+            or self.status
+            or self.lines
+            or self.gone
+            or self.new
+            or self.tail
+            or self.prints
+            or self.events
+            or self.errors
+            or self.fields
+        )
+
+    @property
+    def first(self) -> tuple[float, int] | None:
+        """When and on which axis the motion is first otherwise, as far as reports tell."""
+        times = [(each["start_time"], each["axis"]) for each in (*self.gone, *self.new)]
+        times += [(each.first, each.axis) for each in self.lines if each.is_motion]
+        return min(times, default=None)
+
+    @property
+    def is_commanded(self) -> bool:
+        """True if moves differ in what was commanded, and none in its motion."""
+        return bool(self.lines) and self.first is None
+
+
+# What a move must have to be compared, and what kind of value that is.
+_NEEDED = {"axis": int, "command": str, "line": int, "start_time": float, "phases": list}
+
+
+def end_of(report: Report) -> Move:
+    """The end of a run, as a move that begins there."""
+    return {"start_time": report.get("time", 0.0), "duration": None}
+
+
+def check(report: object) -> None:
+    """ValueError where something is no report of a run, or has lost a part."""
+    if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
+        raise ValueError("it is no report of a run")
+    for name in ("moves", "output", "events", "diagnostics"):
+        if not isinstance(report.get(name, []), list):
+            raise ValueError(f"its {name} are no list")
+    for number, event in enumerate(report.get("events", [])):
+        if not isinstance(event, dict) or not {"kind", "time"} <= event.keys():
+            raise ValueError(f"its event {number} has no kind or time")
+    for number, move in enumerate(report.get("moves", [])):
+        lacks = [
+            name
+            for name, kind in _NEEDED.items()
+            if not isinstance(move, dict) or not isinstance(move.get(name), kind)
+        ]
+        lacks += [name for name in ("duration", "distance") if isinstance(move, dict) and name not in move]
+        phases = move["phases"] if not lacks else []
+        if lacks or not all(
+            isinstance(each, dict) and {"name", "duration", "distance"} <= each.keys() for each in phases
+        ):
+            raise ValueError(f"its move {number} lacks {', '.join(lacks) or 'a part of a phase'}")
+
+
+def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Difference:
+    """How `new` differs from `old`, both as `motionlang.report/1`; ValueError where one of them is none."""
+    check(old)
+    check(new)
+    found = Difference()
+    if not tolerance.same(old.get("time"), new.get("time"), "time"):
+        found.time = old.get("time", 0.0), new.get("time", 0.0)
+    if old.get("status") != new.get("status"):
+        found.status = str(old.get("status")), str(new.get("status"))
+    line = Timeline()
+    _moves(found, old.get("moves", []), new.get("moves", []), tolerance, line)
+    tail, _ = line.pair(end_of(old), end_of(new))
+    if found.time is not None and not tolerance.same(found.time[0] + tail, found.time[0], "time"):
+        found.tail = tail
+    _prints(found, old.get("output", []), new.get("output", []))
+    _events(found, old.get("events", []), new.get("events", []), tolerance)
+    _errors(found, old.get("diagnostics", []), new.get("diagnostics", []))
+    for name in sorted(old.keys() | new.keys()):
+        if name not in OWN and (lines := list(_others(name, old.get(name), new.get(name), tolerance))):
+            found.fields[name] = lines
+    return found
+
+
+# ------------------------------------------------------------------------------------------------------ moves
+
+
+def _by_figures(move: Any) -> tuple[object, ...]:
+    return *_by_content(move), _rounded(move["duration"]), _rounded(move.get("peak_speed"))
+
+
+def _by_content(move: Any) -> tuple[object, ...]:
+    return move["axis"], move["command"], _rounded(move["distance"]), move.get("ended", "")
+
+
+def _by_kind(move: Any) -> tuple[object, ...]:
+    return move["axis"], move["command"]
+
+
+def _at_lines(old: list[Move], new: list[Move], content: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Besides by what a move is, by the line that ordered it: as it is in the new program, where that is plain.
+
+    Reports have no text; a line is known again by the moves that it orders, in the order of the lines.
+    """
+    here = [_lines_of(moves) for moves in (old, new)]
+    pairs = common([kinds for _, kinds in here[0]], [kinds for _, kinds in here[1]]) or []
+    now = {here[0][i][0]: here[1][j][0] for i, j in pairs}
+    known, olds = set(now.values()), {id(move) for move in old}
+
+    def key(move: Any) -> tuple[object, ...]:
+        line = move["line"]
+        if id(move) in olds:
+            return now.get(line, -line), *content(move)
+        return line if line in known else None, *content(move)
+
+    return key
+
+
+def _lines_of(moves: list[Move]) -> list[tuple[int, frozenset[object]]]:
+    found: dict[int, set[object]] = {}
+    for move in moves:
+        found.setdefault(move["line"], set()).add((move["axis"], move["command"]))
+    return [(line, frozenset(found[line])) for line in sorted(found)]
+
+
+def _rounded(value: object) -> object:
+    return round(value, 6) + 0.0 if isinstance(value, float) else value
+
+
+def _moves(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance, line: Timeline) -> None:
+    found.moves = len(old), len(new)
+    changes: dict[tuple[int, int, int, str], LineChange] = {}
+    lines: dict[int, set[int]] = {}
+    hunk, last = 0, True
+    exact = _at_lines(old, new, _by_figures)
+    for i, j in aligned(old, new, exact, _by_figures, _by_content, _by_kind):
+        if i is None or j is None:
+            hunk += last
+            last = False
+            found.hunks[i, j] = hunk
+            found.pairs.append((i, j, None))
+            if j is None and i is not None:
+                found.gone.append(old[i])
+                line.alone(old[i], 0, False)
+            elif j is not None:
+                found.new.append(new[j])
+                line.alone(new[j], 1, True)
+            continue
+        last = True
+        a, b = old[i], new[j]
+        lines.setdefault(a["line"], set()).add(b["line"])
+        wait, _ = line.pair(a, b)
+        found.later += _moments(a, b)
+        figures = {name: pair for name, *pair in _figures(a, b, tolerance)}
+        later = not tolerance.same(a["start_time"] + wait, a["start_time"], "start_time") and abs(wait) > 1e-9
+        if not figures and not later:
+            found.pairs.append((i, j, None))
+            continue
+        key = a["line"], b["line"], a["axis"], a["command"]
+        change = changes.get(key)
+        if change is None:
+            change = changes[key] = LineChange(*key, b["start_time"])
+        found.pairs.append((i, j, change))
+        change.count += 1
+        change.duration += (b["duration"] or 0.0) - (a["duration"] or 0.0) if "duration" in figures else 0.0
+        change.wait += wait if later else 0.0
+        for name, (was, is_) in figures.items():
+            change.figures.setdefault(name, (was, is_))
+    found.lines = list(changes.values())
+    found.moved = {was: next(iter(now)) for was, now in lines.items() if len(now) == 1 and now != {was}}
+
+
+def _moments(a: Move, b: Move) -> list[tuple[float, int, float]]:
+    begin, shift = a["start_time"], b["start_time"] - a["start_time"]
+    if a["duration"] is None or b["duration"] is None:
+        return [(begin, a["axis"], shift)]
+    return [
+        (begin, a["axis"], shift),
+        (begin + a["duration"], a["axis"], shift + b["duration"] - a["duration"]),
+    ]
+
+
+def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
+    """The fields in which two moves differ, with both values."""
+    for name in ("duration", "distance", "start", "end", "peak_speed", "asked_speed", "profile", "ended"):
+        was, is_ = a.get(name), b.get(name)
+        if (was != is_ or was.__class__ is not is_.__class__) and not tolerance.same(was, is_, name):
+            yield name, was, is_
+    one, other = a.get("phases", []), b.get("phases", [])
+    if one != other:
+        yield from _phases(one, other, tolerance)
+    motor, other_motor = a.get("motor") or {}, b.get("motor") or {}
+    for name in sorted(motor.keys() | other_motor.keys()):
+        if not tolerance.same(motor.get(name), other_motor.get(name), name):
+            yield name, motor.get(name), other_motor.get(name)
+
+
+def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
+    names, others = [each["name"] for each in one], [each["name"] for each in other]
+    if names != others:
+        yield "phases", ", ".join(names), ", ".join(others)
+        return
+    for was, is_ in zip(one, other, strict=True):
+        if not tolerance.same(was["duration"], is_["duration"], "duration"):
+            yield was["name"], was["duration"], is_["duration"]
+        elif not tolerance.same(was["distance"], is_["distance"], "distance"):
+            yield f"{was['name']} distance", was["distance"], is_["distance"]
+
+
+# ------------------------------------------------------------------------------------------------- everything else
+
+
+def _prints(found: Difference, old: list[str], new: list[str]) -> None:
+    for i, j in aligned(old, new, str, lambda text: _FIGURES.sub("", str(text))):
+        was, is_ = "" if i is None else old[i], "" if j is None else new[j]
+        otherwise = i is None or j is None or was != is_
+        found.printed.append((i, j, len(found.prints) if otherwise else None))
+        if otherwise:
+            found.prints.append((None if i is None else i + 1, None if j is None else j + 1, was, is_))
+
+
+def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance) -> None:
+    """Events by what happened where; one that comes later as the motion does is none that is otherwise."""
+    shifts = sorted(found.later)
+    for i, j in aligned(old, new, _by_happening, _by_axis):
+        was, is_ = None if i is None else old[i], None if j is None else new[j]
+        later = 0.0
+        otherwise = was is None or is_ is None
+        if was is not None and is_ is not None:
+            kind = "position" if was["kind"] in PLACED else "peak_speed"
+            otherwise = was.get("text") != is_.get("text") or not all(
+                tolerance.same(was.get(name), is_.get(name), kind) for name in ("value", "limit")
+            )
+            shift = is_["time"] - was["time"]
+            if not any(
+                tolerance.same(was["time"] + each, is_["time"], "time") for each in _later(shifts, was)
+            ):
+                later, otherwise = shift, True
+        found.happened.append((i, j, len(found.events) if otherwise else None))
+        if otherwise:
+            found.events.append((was, is_, later))
+
+
+def _later(shifts: list[tuple[float, int, float]], event: Move) -> list[float]:
+    """By how much an event may come later: not at all, as the last motion, or as the last one of its axis."""
+    found = [0.0]
+    place = bisect_right(shifts, (event["time"] + 1e-9, inf)) - 1
+    if place >= 0:
+        found.append(shifts[place][2])
+    while place >= 0 and shifts[place][1] != event.get("axis"):
+        place -= 1
+    return [*found, shifts[place][2]] if place >= 0 else found
+
+
+def _by_happening(event: Any) -> tuple[object, ...]:
+    return (
+        event["kind"],
+        event.get("axis"),
+        _rounded(event.get("value")),
+        _rounded(event.get("limit")),
+        event.get("text"),
+    )
+
+
+def _by_axis(event: Any) -> tuple[object, ...]:
+    return event["kind"], event.get("axis")
+
+
+def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
+    """Diagnostics by what they say; where they stand may be another place."""
+    told = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
+    tells = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
+    for i, j in aligned(told, tells, str):
+        found.told.append((i, j, len(found.errors) if i is None or j is None else None))
+        if j is None and i is not None:
+            found.errors.append(("gone", told[i]))
+        elif i is None and j is not None:
+            found.errors.append(("new", tells[j]))
+
+
+def _others(place: str, old: object, new: object, tolerance: Tolerance, field: str = "") -> Iterator[str]:
+    """Every difference between two JSON values, by the place in the document at which it is."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        for name in sorted(old.keys() | new.keys()):
+            if name in PLACES:
+                continue
+            if name not in old or name not in new:
+                yield f"{place}.{name} is {'new' if name not in old else 'missing'}"
+            else:
+                yield from _others(f"{place}.{name}", old[name], new[name], tolerance, name)
+    elif isinstance(old, list) and isinstance(new, list):
+        if len(old) != len(new):
+            yield f"{place} has {len(new)} entries instead of {len(old)}"
+        for i, (one, other) in enumerate(zip(old, new, strict=False)):
+            yield from _others(f"{place}[{i}]", one, other, tolerance, field)
+    elif old is None or new is None:
+        if old is not new:
+            yield f"{place} is {'new' if old is None else 'missing'}"
+    elif isinstance(old, str) and isinstance(new, str) and _LINE.sub("", old) == _LINE.sub("", new):
+        return
+    elif not tolerance.same(old, new, field):
+        yield f"{place} is {json.dumps(new)} instead of {json.dumps(old)}"

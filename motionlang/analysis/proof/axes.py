@@ -1,0 +1,175 @@
+"""Checks single axes: bounds and times of what was planned from their settings."""
+
+from __future__ import annotations
+
+from math import copysign, inf, isfinite
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import SLACK, Uses
+from motionlang.analysis.proof.flanks import begin, last_change
+from motionlang.analysis.proof.segments import derivatives, spans
+from motionlang.analysis.proof.slowing import LATE, slowing
+from motionlang.analysis.proof.time_bounds import law, lead, move_times, rounding, top_speed
+
+if TYPE_CHECKING:
+    from motionlang.analysis.proof.checker import Proof
+    from motionlang.analysis.proof.flanks import Begin
+    from motionlang.analysis.proof.segments import Span
+    from motionlang.analysis.proof.slowing import Slowing
+    from motionlang.log.order import Order
+    from motionlang.log.track import WholeTrack
+    from motionlang.planners import Profile
+
+# Kinds that are planned from the settings of the axis, and so keep its rates.
+PLANNED = frozenset({"move", "step", "jog", "stop"})
+# Places of a span at which two motions are compared: two cubics that agree at four of them are one.
+FOUR = (0.05, 0.35, 0.65, 0.95)
+
+
+def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bool, length: float) -> None:
+    """Speed, rates, jerk and time of what was planned from the settings of the axis; continuity of all in pieces.
+
+    A profile that was `shifted` is the one before at a new zero.
+    """
+    profile = a.profiles[i]
+    proof.counts["profiles"] += order.kind != "rest"
+    _judge_edges(proof, a, i, order)
+    if not profile.pieced or order.kind == "rest":
+        return
+    parts = spans(profile, 0.0, min(length, 1e300))
+    _judge_knots(proof, a, i, order, parts)
+    if order.kind not in PLANNED:
+        return
+    # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
+    begun = begin(a, i, order, shifted)
+    slow = _slowing(profile, order, begun)
+    still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
+    uses = Uses(proof)
+    eased = abs(begun.bent)
+    for span in slow.cuts(parts):
+        middle = span.begin + 0.5 * span.length
+        uses.look("speed", span.peak(1), slow.bound(middle))
+        sides = list(span.sides())
+        for power, left, right in sides:
+            side = 0 if power > 0.0 else 1
+            rate, jerk = order.rates[side], order.jerks[side]
+            if max(abs(left[1]), abs(right[1])) <= still:  # at rest but for rounding
+                rate = max(order.rates)
+            if len(sides) > 1:  # what turns round eases out at the jerk that it came with
+                jerk = max(order.jerks)
+            name = ("acceleration", "deceleration")[side]
+            uses.look(
+                name, max(abs(left[2]), abs(right[2])), max(rate, eased if middle < slow.eased else 0.0)
+            )
+            if order.jerks[0] < inf:
+                uses.look("jerk", max(abs(left[3]), abs(right[3])), jerk)
+    where = f"axis {a.index} from {a.starts[i]:.6f} s"
+    uses.tell(order.line, where, " counts")
+    if isfinite(length):
+        reached, due = abs(profile.velocity(length)), slow.due(length)
+        if reached > due + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
+            words = f"it does not slow down: {reached:g} counts/s after {length:g} s, due are {due:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    size = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
+    _judge_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
+
+
+def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
+    """What was planned takes as long as its bounds ask for, from whatever state it begins with, and ends as ordered.
+
+    `size` is the position at which it begins, at the zero before it or its own, whichever is farther away.
+    """
+    by = law(order.shape, order.rates, order.jerks, order.ramp)
+    v0, a0 = begun.velocity, begun.acceleration
+    if order.kind in ("move", "step"):
+        if not isfinite(profile.duration):
+            return
+        way, late = _to_go(profile, order, begun)
+        least, most = move_times(v0, a0, way, order.speed, by, rounding(way, size, profile.end))
+        least, most, took = least - late, most - late, profile.duration
+    else:
+        least = most = lead(v0, a0, order.goal, by)[0]
+        took = last_change(profile)
+        if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
+            words = f"it comes to {profile.end_velocity:g} counts/s, ordered is {order.goal:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    least, most = least + begun.time, most + begun.time
+    if begun.left is not None:  # it may go on as it was planned to
+        least, most = min(least, begun.left), max(most, begun.left)
+    slack = 1e-9 + 4e-16 * abs(profile.start)
+    if took > most * (1.0 + SLACK) + slack:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {most:g} s are due")
+    elif took < least * (1.0 - SLACK) - slack:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where no less than {least:g} s are due")
+
+
+def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
+    """The distance of a move behind the flank that it begins with, and the seconds that a stepper saves.
+
+    It stops at once at the velocity of its step, as if it came to rest so much later and farther on.
+    """
+    late = order.step / order.rates[1]
+    return profile.distance + copysign(0.5 * order.step * late, profile.distance) - begun.way, late
+
+
+def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
+    """How it comes to its speed; without the room to do so and to stop, to a higher one."""
+    by = law(order.shape, order.rates, order.jerks, order.ramp)
+    v0, a0, speed = begun.velocity, begun.acceleration, order.speed
+    if order.kind in ("move", "step") and isfinite(profile.duration):
+        speed = max(speed, top_speed(v0, a0, _to_go(profile, order, begun)[0], speed, by))
+    if order.jerks[0] < inf or not begun.bent:
+        return slowing(v0, a0, speed, by)
+    slow = slowing(v0, a0, speed, by, begun.time)
+    over = max(begun.time, begun.left or 0.0) * (1.0 + SLACK) + LATE
+    came, until = max(slow.came, begun.came), max(slow.until, over if begun.came > speed else 0.0)
+    return slow._replace(came=came, until=until, eased=over)
+
+
+def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+    """A profile begins and ends where its pieces do: what it says of its ends is what joins are compared by."""
+    profile = a.profiles[i]
+    duration = profile.duration
+    if not isfinite(duration) or not duration:
+        return
+    if profile.pieced:
+        first, speed = derivatives(profile.pieces[0], 0.0)[:2]
+        last = derivatives(profile.pieces[-1], profile.knots[-1] - profile.knots[-2])[0]
+    else:  # a moment before its end
+        early = 1e-9 * duration
+        state = profile.at(duration - early)
+        first, last, speed = profile.at(0.0).position, state.position + early * state.velocity, state.velocity
+    size = SLACK * max(1.0, abs(profile.start), abs(profile.end))
+    late = 4e-16 * (1.0 + a.starts[i] + duration)
+    for name, told, done in (("begins", profile.start, first), ("ends", profile.end, last)):
+        if abs(told - done) > size + 4.0 * late * abs(speed):
+            where = f"axis {a.index} from {a.starts[i]:.6f} s"
+            proof.breaks(order.line, f"{where}: it {name} at {told:g}, its pieces have it at {done:g}")
+
+
+def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:
+    """Position goes on from piece to piece; the velocity of planned motion too, and the acceleration of S-ramps."""
+    profile = a.profiles[i]
+    names = ("position", "velocity", "acceleration")[
+        : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends and profile.shape != "blend" else 2
+    ]
+    sizes = [max(1.0, abs(profile.start))]
+    # A ramp between velocities that differ by their rounding takes no time, whatever its rate: what it changes counts.
+    if not parts:
+        return
+    left, changed = parts[0], [0.0, 0.0, 0.0]
+    for right in parts[1:]:
+        if right.length <= 4e-16 * (1.0 + a.starts[i] + right.begin):
+            first, last = right.at(0.0), right.at(right.length)
+            changed = [before + abs(y - x) for before, x, y in zip(changed, first, last, strict=False)]
+            continue
+        before, after = left.at(left.length), right.at(0.0)
+        if len(sizes) == 1:
+            sizes += [max(1.0, profile.peak_speed), max(1.0, *(r for r in order.rates if r < inf), 1.0)]
+        late = 4e-16 * (1.0 + a.starts[i] + right.begin)
+        for which, name in enumerate(names):
+            gap = abs(after[which] - before[which])
+            if gap > SLACK * sizes[which] + 4.0 * late * abs(before[which + 1]) + changed[which]:
+                where = f"axis {a.index} at {a.starts[i] + right.begin:.6f} s"
+                proof.breaks(order.line, f"{where}: the {name} jumps by {gap:g} counts within a profile")
+        left, changed = right, [0.0, 0.0, 0.0]

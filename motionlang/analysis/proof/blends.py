@@ -1,0 +1,141 @@
+"""Checks paths that overlap: two at most, each within its own bounds, and the axes do the sum of both.
+
+So the sum keeps the bounds that the program has set for both. A stop, an override or a limit acts on each of them.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from math import fsum
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import ROUNDED, SLACK
+from motionlang.analysis.proof.paths import Way, judge_tail, spans_along
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.controller.move import Move
+    from motionlang.log.order import Order
+    from motionlang.log.track import WholeTrack
+    from motionlang.planners import Profile
+
+# Paths that may overlap.
+MAX_OVERLAP = 2
+# The largest share of a path that another one may overlap.
+MAX_SHARE = 0.5
+# Seconds of a path that are looked at to find the place where it is.
+MOMENT = 1e-6
+# The parts of a profile at which the velocities of its paths are added up.
+SHARES = (0.0, 0.35, 0.65, 0.95)
+
+
+def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+    """The paths that the path of a profile is blended with, while that is in force."""
+    path, begin = order.path, master.starts[i]
+    assert path is not None
+    if begin == path.begun:
+        _judge_begin(proof, run, master, i, order)
+    ends: list[float] = []
+    entries = [run.members(path)]
+    for tail in path.tails:
+        assert tail.path is not None
+        moves = run.members(tail.path)
+        if len(moves) != len(path.members) or moves[0].profile is None:
+            continue
+        finish = min(end, moves[0].start_time + moves[0].profile.duration)
+        if finish - begin > ROUNDED * (1.0 + begin):
+            ends.append(finish)
+            entries.append(moves)
+            judge_tail(proof, run, tail, begin, finish - begin)
+    if len(ends) >= MAX_OVERLAP:
+        count = len(ends) + 1
+        words = f"{count} paths overlap at {begin:.6f} s, {MAX_OVERLAP} may at the most"
+        proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
+    if ends and all(len(moves) == len(path.members) for moves in entries):
+        _judge_sum(proof, run, order, entries, (begin, min(end, *ends)))
+
+
+def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:
+    """A path begins at its distance before the end of the one before it, as soon as what it waits for is there."""
+    path, begin = order.path, master.starts[i]
+    assert path is not None
+    while i > 0 and master.starts[i] == begin:  # a path that has come to its end stands there for no time
+        i -= 1
+    earlier = path.tails[-1].path if path.tails else run.orders.of[master.index][i].path
+    if earlier is None or earlier.members != path.members or earlier.rests or earlier.entry == path.entry:
+        return
+    moves, late = run.members(earlier), ROUNDED * (1.0 + begin)
+    if len(moves) != len(path.members) or (not path.tails and (moves[0].ended or not path.blend)):
+        return
+    way = Way(earlier, [move.profile.start for move in moves if move.profile is not None])
+    profiles = [(move.profile, begin - move.start_time) for move in moves if move.profile is not None]
+    left, speed = _left(way, profiles)
+    due = min(path.blend, MAX_SHARE * way.length)
+    slack = SLACK * max(1.0, way.length) + 8.0 * late * speed
+    prompts = [
+        each
+        for number in path.members
+        for each in run.orders.prompted(number, moves[0].start_time + late, begin + late)
+    ]
+    # A blend that is planned by then keeps the distance that was in force.
+    if left is None or any(word in ("blend_mode", "blend_distance") for _, word in prompts):
+        return
+    where = f"path from {begin:.6f} s"
+    if left > due + slack:
+        if all(word != "blend" for _, word in prompts):
+            words = f"it begins {left:g} before the end of the one before it, ordered are {due:g} at the most"
+            proof.breaks(order.line, f"{where}: {words}")
+    elif left < due - slack and not any(
+        abs(time - begin) <= late for time in _causes(run, moves[0], prompts, begin)
+    ):
+        words = f"it begins {left:g} before the end of the one before it, ordered are {due:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+
+
+def _left(way: Way, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
+    """How far a path is before its end, None where nothing says so, and its speed along it."""
+    parts = [
+        (end - profile.position(time), profile.velocity(time), end - start, abs(k))
+        for (profile, time), start, end, k in zip(
+            profiles, way.starts, way.ends, way.path.scales, strict=True
+        )
+    ]
+    fast = max(abs(velocity) / k for _, velocity, _, k in parts)
+    if way.unit is not None:
+        left, _, length, _ = max(parts, key=lambda part: abs(part[2]) / part[3])
+        return (way.length * left / length if length else 0.0), fast
+    along = spans_along(profiles, way, MOMENT)
+    return (way.length - along[0].at(0.0)[0] if along else None), fast
+
+
+def _causes(run: Run, before: Move, prompts: Sequence[tuple[float, str]], begin: float) -> Iterator[float]:
+    """The times at which a path may begin late: of a prompt, and of the end of a path that the one before is on."""
+    yield from (time for time, _ in prompts)
+    entries = run.paths[before.axis]
+    k = bisect_left(entries, begin, key=lambda move: move.start_time) - 1
+    for move in entries[max(k - MAX_OVERLAP, 0) : k + 1]:
+        if move.profile is not None and move is not before:
+            yield move.start_time + move.profile.duration
+
+
+def _judge_sum(
+    proof: Proof, run: Run, order: Order, entries: list[list[Move]], time: tuple[float, float]
+) -> None:
+    path, (begin, end) = order.path, time
+    assert path is not None
+    for place, number in enumerate(path.members):
+        a = run.axes[number]
+        for share in SHARES:
+            now = begin + share * (end - begin)
+            k = a.place(now)
+            state = a.profiles[k].at(now - a.starts[k])
+            profiles = [(moves[place].profile, moves[place].start_time) for moves in entries]
+            parts = [profile.velocity(now - start) for profile, start in profiles if profile is not None]
+            done, due = state.velocity, fsum(parts)
+            rounding = 8e-16 * (1.0 + now) * abs(state.acceleration)
+            if abs(done - due) > SLACK * max(1.0, *map(abs, parts)) + rounding:
+                words = f"axis {number} runs at {done:g} counts/s at {now:.6f} s, its paths add up to {due:g}"
+                proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
+                return

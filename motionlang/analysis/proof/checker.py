@@ -1,0 +1,264 @@
+"""What a proof notes, and what it looks things up in."""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from math import fsum, inf, isfinite
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic
+from motionlang.log.track import WholeTrack
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.move import Move
+    from motionlang.log.order import Order, PathOrder
+    from motionlang.log.orders import Orders
+
+# A part of the largest figure that rounding may be worth.
+SLACK = 1e-6
+# By how much of itself an end may be late, which is a beginning and a time added up.
+ROUNDED = 4e-16
+
+
+class Proof:
+    """What was proved: `counts` of things looked at, the `worst` use of each bound (1.0: all of it), `exceptions` that
+    the program has ordered by name, and `violations`, each a diagnostic at its line."""
+
+    def __init__(self) -> None:
+        self.counts = {"moves": 0, "profiles": 0, "joins": 0, "paths": 0}
+        self.worst: dict[str, float] = {}
+        self.exceptions: dict[str, int] = {}
+        self.violations: list[Diagnostic] = []
+
+    @property
+    def holds(self) -> bool:
+        """Whether nothing was broken."""
+        return not self.violations
+
+    def lines(self) -> list[str]:
+        """The same for a person."""
+        looked = ", ".join(f"{name} {count}" for name, count in self.counts.items())
+        found = [
+            f"proof: {looked}; {len(self.violations) or 'no'} violation{'s'[: len(self.violations) != 1]}"
+        ]
+        found += [f"  {name}: {share:.9f} of what is allowed" for name, share in sorted(self.worst.items())]
+        found += [f"  ordered: {name}, {count} x" for name, count in sorted(self.exceptions.items())]
+        return found
+
+    def breaks(self, line: int, message: str) -> None:
+        """Something is broken."""
+        self.violations.append(Diagnostic("proof", message, line))
+
+    def excuses(self, name: str) -> None:
+        """Something would be broken if the program had not ordered it."""
+        self.exceptions[name] = self.exceptions.get(name, 0) + 1
+
+    def uses(self, name: str, figure: float, bound: float) -> bool:
+        """Note how much of a bound is used; whether it is kept."""
+        if bound == inf:
+            return True
+        share = figure / bound if bound else (0.0 if figure <= SLACK else inf)
+        if share <= 1.0 + SLACK:
+            if share > self.worst.get(name, 0.0):
+                self.worst[name] = share
+            return True
+        return False
+
+
+class Uses:
+    """The bounds of one profile, of which each that is broken is told once, with its largest figure."""
+
+    __slots__ = ("_broken", "_proof")
+
+    def __init__(self, proof: Proof) -> None:
+        self._proof = proof
+        self._broken: dict[str, tuple[float, float]] = {}
+
+    def look(self, name: str, figure: float, bound: float) -> None:
+        """A figure beside its bound; what stands behind "of" in the name is left out of the figures of the whole."""
+        if not self._proof.uses(name.split(" of axis")[0], figure, bound):
+            self._broken[name] = max(self._broken.get(name, (0.0, bound)), (figure, bound))
+
+    def tell(self, line: int, where: str, unit: str) -> None:
+        """Tell of what is broken."""
+        for name, (figure, bound) in self._broken.items():
+            self._proof.breaks(line, f"{where}: the {name} reaches {figure:g}{unit}, above {bound:g}")
+
+
+class Offsets:
+    """The entries of one axis that lie on top of its following, in the order of their beginnings."""
+
+    __slots__ = ("_ends", "_moves", "_starts", "_sums")
+
+    def __init__(self) -> None:
+        self._moves: list[Move] = []
+        self._starts: list[float] = []
+        # Up to each entry, that not included: the latest end, and how far all of them have gone by then.
+        self._ends: list[float] = []
+        self._sums = [0.0]
+
+    def add(self, move: Move) -> None:
+        """Append an entry."""
+        profile = move.profile
+        if profile is None:
+            return
+        end = move.start_time + profile.duration
+        self._moves.append(move)
+        self._starts.append(move.start_time)
+        self._ends.append(max(end, self._ends[-1]) if self._ends else end)
+        self._sums.append(self._sums[-1] + (profile.distance if isfinite(profile.duration) else 0.0))
+
+    def gone(self, time: float) -> float:
+        """How far all of them have gone at a time."""
+        in_force, over = self._in_force(time)
+        return fsum((self._sums[over], *(gone(move, time)[0] for move in in_force)))
+
+    def moves_at(self, time: float) -> bool:
+        """Whether one of them is under way."""
+        return bool(self._in_force(time)[0])
+
+    def begin_at(self, time: float) -> bool:
+        """Whether one of them begins at a time."""
+        k = bisect_left(self._starts, time)
+        return k < len(self._starts) and self._starts[k] == time
+
+    def _in_force(self, time: float) -> tuple[list[Move], int]:
+        """Those under way at a time, and the number of entries before them."""
+        k, found = bisect_right(self._starts, time), []
+        while k > 0 and self._ends[k - 1] > time:
+            k -= 1
+            found.append(self._moves[k])
+        return found, k
+
+
+class Run:
+    """What a run left behind: the tracks of its axes, its log, what was ordered, and when it ended."""
+
+    def __init__(
+        self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: Orders, until: float
+    ) -> None:
+        self.axes, self.orders, self.until = axes, orders, until
+        # A log makes its entries anew each time it is read; those of paths and offsets, by number, are kept.
+        self._log = moves
+        self._kept: dict[int, Move] = {}
+        # The entries of paths by axis, beginning and number, as the orders name them; and in a row.
+        self.entries: dict[tuple[int, float, int], Move] = {}
+        self.paths: dict[int, list[Move]] = {}
+        # Of each entry of a path its number in that row; and by axis the latest end of any entry up to each.
+        self._numbers: dict[int, int] = {}
+        self._ends: dict[int, list[float]] = {}
+        self.offsets: dict[int, Offsets] = {}
+        # By axis the last offset that was judged, and how far it is to go.
+        self.offset_goals: dict[int, tuple[Move, float]] = {}
+        self._begins: dict[int, list[float]] = {}
+        self._order_of: dict[int, Order] = {}
+        self._tracks: dict[int, WholeTrack] = {}
+        ordered = {
+            order.path.entry: order
+            for records in orders.of.values()
+            for order in records
+            if order.path is not None
+        }
+        for number, move in enumerate(moves):
+            if move.overlaid:
+                self._kept[number] = move
+                self.offsets.setdefault(move.axis, Offsets()).add(move)
+                continue
+            order = ordered.get(number)
+            if order is not None and order.path is not None:
+                self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
+                self._add_path(move)
+                self._order_of[id(move)] = order
+
+    def _add_path(self, move: Move) -> None:
+        """Put an entry of a path into the row of its axis."""
+        entries, ends = self.paths.setdefault(move.axis, []), self._ends.setdefault(move.axis, [])
+        end = move.start_time + (move.profile.duration if move.profile is not None else 0.0)
+        self._numbers[id(move)] = len(entries)
+        entries.append(move)
+        ends.append(max(end, ends[-1]) if ends else end)
+
+    @property
+    def moves(self) -> Iterator[Move]:
+        """The entries of the log in their order."""
+        for number, move in enumerate(self._log):
+            yield self._kept.get(number, move)
+
+    def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
+        """When a profile of a track was in force."""
+        begin = a.starts[i]
+        if i + 1 < len(a.starts):
+            return begin, a.starts[i + 1]
+        return begin, min(self.until, begin + a.profiles[i].duration)
+
+    def track(self, a: Axis) -> WholeTrack:
+        """The whole motion of a master, an axis or an encoder."""
+        found = self._tracks.get(id(a))
+        if found is None:
+            found = self._tracks[id(a)] = WholeTrack(a)
+        return found
+
+    def order_of(self, move: Move) -> Order:
+        """What holds for an entry of the log when it begins."""
+        found = self._order_of.get(id(move))
+        if found is None:
+            a, records = self.axes[move.axis], self.orders.of[move.axis]
+            i = a.place(move.start_time)
+            while records[i].path is not None and i and a.starts[i] == move.start_time:
+                i -= 1  # a path that begins at the moment at which a move without a distance has ended
+            found = records[i]
+        return found
+
+    def begins_near(self, axis: int, time: float) -> list[float]:
+        """The times next to one, or at it, at which motion or an offset of an axis has begun."""
+        begins = self._begins.get(axis)
+        if begins is None:
+            offsets = {begun for number, begun in self.orders.offsets if number == axis}
+            begins = self._begins[axis] = sorted(offsets | self.orders.begun[axis])
+        k = bisect_left(begins, time)
+        return begins[max(k - 1, 0) : k + 1]
+
+    def members(self, path: PathOrder) -> list[Move]:
+        """The entries of a path."""
+        found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
+        return [entry for entry in found if entry is not None and entry.profile is not None]
+
+    def is_blended(self, a: WholeTrack, time: float) -> bool:
+        """Whether an axis is on two paths at once."""
+        return a.profiles[a.place(time)].shape == "blend"
+
+    def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
+        """The position of a track as a log entry tells it: of paths that are blended without what the others add."""
+        done = position(a, time, ending)
+        k = self._numbers.get(id(move))
+        if k is None:
+            return done
+        entries, ends = self.paths[a.index], self._ends[a.index]
+        before = k - 1
+        while before >= 0 and ends[before] > time:
+            done -= gone(entries[before], time)[1]
+            before -= 1
+        after = k + 1
+        while after < len(entries) and entries[after].start_time < time:
+            done -= gone(entries[after], time)[0]
+            after += 1
+        return done
+
+
+def gone(move: Move, time: float) -> tuple[float, float]:
+    """How far a log entry has come at a time, and how far that is from its end, signed."""
+    profile = move.profile
+    assert profile is not None
+    here = profile.position(min(time - move.start_time, profile.duration))
+    return here - profile.start, here - profile.end
+
+
+def position(a: WholeTrack, time: float, ending: bool = False) -> float:
+    """The position of a track; `ending` before what begins at that very moment, such as another zero."""
+    i = a.place(time)
+    while ending and i > 0 and a.starts[i] >= time - ROUNDED * (1.0 + time):
+        i -= 1
+    return a.profiles[i].position(time - a.starts[i])

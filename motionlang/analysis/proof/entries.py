@@ -1,0 +1,275 @@
+"""Checks the entries of the log beside each other: one after the other, all that their axis has done.
+
+Each ends for the reason that it gives, before the run does, and the last one where its axis is left.
+"""
+
+from __future__ import annotations
+
+from math import fsum, isfinite
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, position
+from motionlang.analysis.proof.offsets import judge_offset
+from motionlang.controller.move import CONTINUED, MOST_PIECES
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.controller.move import Move
+    from motionlang.log.order import Order
+    from motionlang.log.track import WholeTrack
+    from motionlang.planners import Profile
+
+
+# A part of a time by which one that was added up may differ.
+LATE = 4.0 * ROUNDED
+# The reasons of entries that another one follows at once.
+FOLLOWED = ("retarget", CONTINUED)
+# Kinds of motion that come to rest by themselves, or never.
+RESTING = ("move", "jog")
+
+
+class Ends:
+    """How the entries of one axis end: `going` are those that end after the run, `last` is the one begun last.
+
+    `until` is the latest end of all, and `place` the number of the profile of the track that comes behind it. `begun`
+    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time by the
+    clock. `said` are the stops, time and word, that an entry says it was ended by; `unsaid` are those at the edge of an
+    entry that says nothing of it, with its line and the message: one of its neighbours has to.
+    """
+
+    __slots__ = ("begun", "going", "last", "place", "said", "stood", "unsaid", "until")
+
+    def __init__(self, begun: Iterable[float] = ()) -> None:
+        self.begun, self.stood = set(begun), set[float]()
+        self.going: list[Move] = []
+        self.last: Move | None = None
+        self.until = 0.0
+        self.place = 0
+        self.said: set[tuple[float, str]] = set()
+        self.unsaid: list[tuple[tuple[float, str], int, str]] = []
+
+
+def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> None:
+    """Judge an entry beside the one before it; those that lie on top of another one are none of their own."""
+    profile = move.profile
+    if profile is None:
+        return
+    if move.overlaid:
+        judge_offset(proof, run, move, profile)
+        return
+    found = ends.get(move.axis)
+    if found is None:
+        found = ends[move.axis] = Ends(run.orders.begun[move.axis])
+    if not run.orders.was_cut:
+        _judge_entry(proof, run, found, move, profile)
+    found.last, found.until = move, max(found.until, move.start_time + profile.duration)
+    if move.start_time + profile.duration > run.until * (1.0 + ROUNDED):
+        found.going.append(move)
+
+
+def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profile) -> None:
+    a, start, before = run.axes[move.axis], move.start_time, found.last
+    where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
+    order, scale = run.order_of(move), run.orders.scale(move.axis, start)
+    if order.kind != "rest" and move.line not in _lines(run, a, start):
+        proof.breaks(move.line, f"{where}: it is ordered by line {order.line}")
+    if profile.duration <= late:
+        found.stood.add(start)
+    elif start in found.begun:
+        found.begun.remove(start)
+    else:
+        proof.breaks(move.line, f"{where}: no motion begins then that has no other entry")
+    if scale and (move.scale, move.zero) not in scale:
+        words = f"it counts {move.scale:g} a unit from {move.zero:g}, its axis differs"
+        proof.breaks(move.line, f"{where}: {words}")
+    if start < found.until - late and order.kind != "path":
+        proof.breaks(move.line, f"{where}: the entry before it ends at {found.until:.6f} s")
+    if before is not None and before.profile is not None and before.ended in FOLLOWED:
+        end = before.start_time + before.profile.duration
+        if abs(start - end) > late:
+            words = f"it does not follow at {end:.6f} s, where the one before ends"
+            proof.breaks(before.line, f"{where}: {words}")
+    _judge_gap(proof, run, a, found, start - late)
+    if start + profile.duration <= run.until * (1.0 + ROUNDED):
+        _judge_ended(proof, run, a, found, move, where)
+
+
+def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
+    """The lines of what begins on an axis at a moment."""
+    i, records = a.place(start), run.orders.of[a.index]
+    found = {records[i].line}
+    while i > 0 and a.starts[i] == start:
+        i -= 1
+        found.add(records[i + 1].line)
+    return found
+
+
+def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
+    """Between the entries up to now and a time the axis has not moved."""
+    records = run.orders.of[a.index]
+    while found.place < len(a.starts) and a.starts[found.place] < until:
+        i = found.place
+        begin, over = run.span(a, i)
+        begin, end = max(begin, found.until), min(over, until)
+        if end - begin > LATE * (1.0 + begin) and records[i].kind != "rest":
+            first = a.profiles[i].position(begin - a.starts[i])
+            middle, last = (a.profiles[i].position(each - a.starts[i]) for each in (0.5 * (begin + end), end))
+            if max(abs(middle - first), abs(last - first)) > SLACK * max(1.0, abs(first)):
+                where = f"axis {a.index} from {begin:.6f} s"
+                proof.breaks(records[i].line, f"{where}: it moves, and no entry of the log says so")
+                return
+        if over > until:
+            return
+        found.place += 1
+
+
+def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
+    """An entry has ended for the reason that it gives: a stop that was ordered, another one, or its own end."""
+    assert move.profile is not None
+    orders, start = run.orders, move.start_time
+    end = start + move.profile.duration
+    late = LATE * (1.0 + end)
+    stops = orders.stopped(a.index, start - late, end + late)
+    i = _last(a, start, end)
+    last, over = orders.of[a.index][i], run.span(a, i)[1]
+    if move.profile.duration > late and last.kind != "path" and abs(over - end) > late:
+        proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
+    if move.ended == CONTINUED and len(move.profile.knots) <= MOST_PIECES:
+        proof.breaks(move.line, f"{where}: it is said to go on as another entry, and has room")
+    elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
+        proof.breaks(move.line, f"{where}: it is said to be replaced, where it comes to its end")
+    found.said.update(stop for stop in stops if stop[1] == move.ended)
+    if move.ended in ("stop", "cancel", "fault"):
+        # A stop may lead through the end of one path into the next.
+        earlier = last.path is not None and last.path.rests
+        ordered = orders.was_stopped(a.index, move.ended, end + late) if earlier else False
+        if not ordered and all(word != move.ended for _, word in stops):
+            proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
+    elif not move.ended and move.profile.duration:
+        rests = last.kind in RESTING or last.slopes is not None
+        if rests and abs(move.profile.end_velocity) > SLACK * max(1.0, move.profile.peak_speed):
+            proof.breaks(move.line, f"{where}: it is said to have come to its end, where it moves")
+        points = None if last.points is None or move.offset else last.points[0]
+        if points is not None and abs(move.profile.end - points[-1]) > SLACK * max(1.0, abs(points[-1])):
+            proof.breaks(move.line, f"{where}: it is said to have come to its end, which is {points[-1]:g}")
+        for time, word in stops:
+            if (
+                time < end + (late if last.tie is not None else -late)
+                and _order_before(run, a, time).kind != "stop"
+            ):
+                words = f"{where}: a {word} was ordered at {time:.6f} s, and it says nothing of it"
+                if start + late < time < end - late:
+                    proof.breaks(move.line, words)
+                else:
+                    found.unsaid.append(((time, word), move.line, words))
+                return
+
+
+def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool:
+    """Whether what an entry ends with comes to its own end then: what is to go on for ever, or has been stopped, has
+    none."""
+    order = run.orders.of[a.index][i]
+    if order.tie is not None and order.tie.table is not None and order.tie.table[2] == "even":
+        gone = position(run.track(order.tie.master), end) - order.tie.origin
+        length = order.tie.table[0][-1]
+        return abs(gone * order.tie.direction - length) <= SLACK * max(1.0, length)
+    if order.kind in ("jog", "stop", "Gear"):
+        return False
+    # The clock has no rounding: what takes over a last digit before the end has replaced it.
+    over = a.starts[i + 1] if i + 1 < len(a.starts) else end + late
+    return a.starts[i] + a.profiles[i].duration <= (over if abs(over - end) <= late else end + late)
+
+
+def _order_before(run: Run, a: WholeTrack, time: float) -> Order:
+    i = a.place(time)
+    while i > 0 and a.starts[i] >= time:
+        i -= 1
+    return run.orders.of[a.index][i]
+
+
+def _last(a: WholeTrack, start: float, end: float) -> int:
+    """The number of the last profile of an entry."""
+    i = a.place(end)
+    while i > 0 and a.starts[i] >= end - LATE * (1.0 + end) and a.starts[i] > start:
+        i -= 1
+    return i
+
+
+def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
+    """No entry ends after the run unless its axis is on it, as fast as it says; the last one ends where its axis is."""
+    for number, a in run.axes.items():
+        found = ends.get(number)
+        if found is None:
+            found = Ends(run.orders.begun[number])
+        if run.orders.was_cut:
+            found.begun.clear()
+        else:
+            _judge_gap(proof, run, a, found, run.until)
+        for time in sorted(found.begun - found.stood):
+            line = run.orders.of[number][a.place(time)].line
+            proof.breaks(line, f"axis {number} from {time:.6f} s: no entry of the log tells of it")
+        for stop, line, words in found.unsaid:
+            if stop not in found.said:
+                proof.breaks(line, words)
+        if found.last is not None and found.last.ended in FOLLOWED and not run.orders.was_cut:
+            where = f"axis {number} from {found.last.start_time:.6f} s"
+            proof.breaks(found.last.line, f"{where}: nothing follows what is said to be replaced")
+        _judge_waiting(proof, run, a)
+        if found.going:
+            _judge_going(proof, run, a, found.going)
+        elif found.last is not None:
+            _judge_last(proof, run, a, found.last)
+
+
+def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
+    """No move that was released waits as the run ends, unless another one is under way."""
+    offsets = run.offsets.get(a.index)
+    follows = run.orders.of[a.index][-1].tie is not None
+    found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
+    if follows and (offsets is None or not offsets.moves_at(run.until)):
+        found += [move for move in a.waiting if move.action is not None and move.action.lies_on_top]
+    for move in found:
+        if not move.released:
+            continue
+        proof.breaks(move.line, f"axis {a.index}: its move waits as the run ends, and nothing is under way")
+
+
+def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> None:
+    present = a.move
+    first = going[0]
+    where = f"axis {a.index} from {first.start_time:.6f} s"
+    if present is None:
+        assert first.profile is not None
+        end = first.start_time + first.profile.duration
+        proof.breaks(first.line, f"{where}: its entry ends at {end:g} s, the run at {run.until:g} s")
+        return
+    if a.index in run.offsets:
+        return
+    speeds = [
+        each.profile.velocity(run.until - each.start_time) for each in going if each.profile is not None
+    ]
+    k = a.place(run.until)
+    done = a.profiles[k].velocity(run.until - a.starts[k])
+    if abs(fsum(speeds) - done) > SLACK * max(1.0, abs(done), *map(abs, speeds)):
+        words = f"its entries run at {fsum(speeds):g} counts/s as the run ends, the axis at {done:g}"
+        proof.breaks(first.line, f"{where}: {words}")
+
+
+def _judge_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
+    profile = last.profile
+    assert profile is not None
+    if a.feedback is not None or a.index in run.offsets or not isfinite(profile.end) or run.orders.was_cut:
+        return
+    data, done = run.orders.data[a.index], position(a, run.until)
+    # What it has been shifted by since it began: another zero may have come at that very moment.
+    i = a.place(last.start_time)
+    shifts = [data[-1] - data[i]]
+    while i > 0 and a.starts[i] >= last.start_time - ROUNDED * (1.0 + last.start_time):
+        i -= 1
+        shifts.append(data[-1] - data[i])
+    end = min((profile.end + shift for shift in shifts), key=lambda each: abs(each - done))
+    if abs(end - done) > SLACK * max(1.0, abs(end), abs(done)):
+        where = f"axis {a.index} from {last.start_time:.6f} s"
+        proof.breaks(last.line, f"{where}: the last entry ends at {end:g}, the axis stands at {done:g}")

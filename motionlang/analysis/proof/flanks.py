@@ -1,0 +1,90 @@
+"""How planned motion begins: its velocity and acceleration, and for PMC's S-curves the flank that leaves a ramp.
+
+A ramp of PMC's has no jerk of its own. Left in its middle, it first lets the acceleration fall along its falling flank,
+and the new ramp follows. The proof takes slope and wave of the ramp from the track before the profile, never from the
+profile that it judges.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from math import inf, isfinite, pi
+from typing import TYPE_CHECKING, NamedTuple
+
+from motionlang.analysis.proof.segments import derivatives
+
+if TYPE_CHECKING:
+    from motionlang.log.order import Order
+    from motionlang.log.track import WholeTrack
+    from motionlang.planners import Profile
+    from motionlang.planners.ramps import Piece
+
+
+class Begin(NamedTuple):
+    """The velocity and acceleration that a plan begins with, once a flank of so much time and distance is over.
+
+    `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before would
+    have gone on changing its velocity, for motion that may simply go on as it was planned.
+    """
+
+    velocity: float
+    acceleration: float
+    time: float
+    way: float
+    came: float
+    bent: float
+    left: float | None
+
+
+def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
+    """How profile number i begins, which was `shifted` if it is the one before at a new zero."""
+    profile = a.profiles[i]
+    entry = profile.at(0.0)
+    v, bent = entry.velocity, entry.acceleration
+    if order.jerks[0] < inf:
+        return Begin(v, bent, 0.0, 0.0, abs(v), bent, None)
+    if order.shape == "trapezoid" or not bent or not i or not a.profiles[i - 1].pieced:
+        return Begin(v, 0.0, 0.0, 0.0, abs(v), 0.0, None)
+    before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
+    left = None
+    if shifted or (order.kind == "stop" and bent * v < 0.0):
+        left = max(0.0, last_change(before) - elapsed)
+    flank = _flank(before, elapsed) if order.shape != "parabolic" else None
+    if flank is None:
+        return Begin(v, 0.0, 0.0, 0.0, abs(v), bent, left)
+    falling, x, time = flank
+    p0, v0, _, _ = derivatives(falling, x)
+    p1, v1, _, _ = derivatives(falling, x + time)
+    return Begin(v + v1 - v0, 0.0, time, p1 - p0 + (v - v0) * time, abs(v), bent, left)
+
+
+def last_change(profile: Profile) -> float:
+    """The time after which the velocity of a profile changes no more."""
+    knots = profile.knots
+    return knots[-1] if isfinite(knots[-1]) else knots[-2]
+
+
+def _flank(profile: Profile, elapsed: float) -> tuple[Piece, float, float] | None:
+    """The flank of the ramp that a profile is in: its curve, from where on, and for how long.
+
+    None where the ramp has none, as a trapezoid.
+    """
+    knots = profile.knots
+    k = min(max(0, bisect_right(knots, elapsed) - 1), len(profile.pieces) - 1)
+    piece, x = profile.pieces[k], elapsed - knots[k]
+    _, _, _, c3, amplitude, omega, phase = piece
+    if amplitude:
+        angle = omega * x + phase
+        if not 0.0 < angle < pi:
+            return None
+        falls = max(angle, pi - angle)
+        return piece, (falls - phase) / omega, (pi - falls) / omega
+    position, v, bent, _ = derivatives(piece, x)
+    slope = c3
+    if not slope and k + 1 < len(profile.pieces):
+        following = profile.pieces[k + 1]
+        slope = 0.0 if following[4] or following[3] * bent >= 0.0 else following[3]
+    if not slope:
+        return None
+    slope = -abs(slope) if bent > 0.0 else abs(slope)
+    return (position, v, 0.5 * bent, slope, 0.0, 0.0, 0.0), 0.0, -bent / (6.0 * slope)

@@ -1,0 +1,276 @@
+"""Checks what follows: slaves beside their masters, curves and splines beside the tables they were made of."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from itertools import pairwise
+from math import fsum, isfinite, sqrt
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import SLACK, Uses, position
+from motionlang.analysis.proof.flanks import last_change
+from motionlang.analysis.proof.segments import Span, derivatives
+
+if TYPE_CHECKING:
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.log.order import Order, Tie
+    from motionlang.log.track import WholeTrack
+    from motionlang.planners import Profile
+
+# Places of a span at which two motions are compared: two cubics that agree at four of them are one.
+FOUR = (0.05, 0.35, 0.65, 0.95)
+# Stretches, beyond which only the ends of each are compared.
+MANY = 24
+
+
+def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+    """A slave is where its ratio, or its table, has it wherever its master is; before that it ramps at its rates."""
+    tie = order.tie
+    assert tie is not None
+    track, begin = run.track(tie.master), a.starts[i]
+    where = f"axis {a.index} from {begin:.6f} s"
+    if tie.curve is None and tie.locked > begin:
+        earlier = run.orders.of[a.index][i - 1]
+        if not tie.ramp and earlier.kind != "stop" and tie.takes_up(earlier.tie):
+            proof.breaks(order.line, f"{where}: it ramps to its ratio, ordered is to take it up at once")
+        _judge_chase(proof, run, a, i, order, end)
+        begin = tie.locked
+    if tie.curve is not None and tie.table is not None:
+        _judge_table(proof, run, a, i, order, tie.curve)
+    times = [t for t in _moments(a, track, begin, end) if t < end]
+    base: float | None = None
+    for time in times:
+        offset = _offset(run, a, time)
+        done = position(a, time) - offset
+        master = position(track, time)
+        if tie.curve is None:
+            wanted = done if base is None else base + tie.ratio * master
+            base = done - tie.ratio * master if base is None else base
+        else:
+            along = tie.direction * (master - tie.origin)
+            wanted = _wanted(tie, tie.curve, along)
+            base = done - wanted if base is None else base
+            wanted += base
+        size = max(1.0, abs(done), abs(wanted))
+        speed = abs(a.profiles[i].velocity(time - a.starts[i]))
+        if abs(done - wanted) > SLACK * size + 8e-16 * (1.0 + time) * speed:
+            proof.breaks(
+                order.line, f"{where}: at {time:.6f} s it is at {done:g}, its master has it at {wanted:g}"
+            )
+            return
+
+
+def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+    """Until it has the velocity of its ratio a slave changes its own at its rates, no faster and no slower."""
+    tie = order.tie
+    assert tie is not None
+    if _offset_moves(run, a, a.starts[i]):
+        return
+    until = min(end, tie.locked)
+    uses = Uses(proof)
+    for share in FOUR:
+        time = a.starts[i] + share * (until - a.starts[i])
+        state = a.profiles[i].at(time - a.starts[i])
+        side = 0 if state.velocity * state.acceleration > 0.0 else 1
+        uses.look("rate of a slave", abs(state.acceleration), order.rates[side])
+        if abs(state.acceleration) < order.rates[side] * (1.0 - SLACK):
+            words = f"its rate on the way to its ratio is {abs(state.acceleration):g} counts/s²"
+            where = f"axis {a.index} at {time:.6f} s"
+            proof.breaks(order.line, f"{where}: {words}, ordered is {order.rates[side]:g}")
+            return
+    uses.tell(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
+
+
+def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
+    """The ends of every stretch on which both master and slave are one piece, and of the first ones four places."""
+    knots = {begin, end}
+    for track in (a, master):
+        k = track.place(begin)
+        while k < len(track.starts) and track.starts[k] < end:
+            knots.update(t for t in (track.starts[k] + x for x in track.profiles[k].knots) if begin < t < end)
+            k += 1
+    ordered = sorted(t for t in knots if isfinite(t))
+    inside = [x + share * (y - x) for x, y in list(pairwise(ordered))[:MANY] for share in FOUR]
+    return sorted((*ordered[1:], *inside))
+
+
+def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+    """The curve leads through its table; between its places it is straight, smooth, or changes evenly."""
+    tie = order.tie
+    assert tie is not None
+    assert tie.table is not None
+    places, values, kind = tie.table
+    where = f"axis {a.index} from {a.starts[i]:.6f} s"
+    first = _on(curve, 0.0)
+    size = SLACK * max(1.0, *(abs(value) for value in values))
+    for place, value in zip(places, values, strict=True):
+        gone, wanted = _on(curve, place) - first, value - values[0]
+        if abs(gone - wanted) > size:
+            proof.breaks(
+                order.line,
+                f"{where}: its curve has {gone:g} at {place:g} of its master, ordered is {wanted:g}",
+            )
+            return
+    if abs(curve.end - curve.start - values[-1] + values[0]) > size:
+        words = (
+            f"its curve is told to rise by {curve.end - curve.start:g}, ordered is {values[-1] - values[0]:g}"
+        )
+        proof.breaks(order.line, f"{where}: {words}")
+    if curve.duration != places[-1]:
+        proof.breaks(order.line, f"{where}: its curve is {curve.duration:g} long, ordered is {places[-1]:g}")
+    slopes = [derivatives(curve.pieces[0], 0.0)[1]]
+    slopes.append(derivatives(curve.pieces[-1], curve.knots[-1] - curve.knots[-2])[1])
+    for stated, slope in zip((curve.start_velocity, curve.end_velocity), slopes, strict=True):
+        if abs(stated - slope) * places[-1] > size:
+            words = f"its curve has a slope of {slope:g} at one end, and is run on at {stated:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    for (left, right), (low, high) in zip(pairwise(places), pairwise(values), strict=True):
+        if (
+            kind == "linear"
+            and abs(_on(curve, 0.5 * (left + right)) - first - 0.5 * (low + high) + values[0]) > size
+        ):
+            proof.breaks(
+                order.line, f"{where}: its curve is not straight from {left:g} to {right:g} of its master"
+            )
+            return
+    for left_piece, right_piece, width in zip(
+        curve.pieces, curve.pieces[1:], (y - x for x, y in pairwise(curve.knots)), strict=False
+    ):
+        gap = derivatives(right_piece, 0.0)[1] - derivatives(left_piece, width)[1]
+        if kind == "cubic" and abs(gap) * places[-1] > size:
+            proof.breaks(order.line, f"{where}: the slope of its curve jumps by {gap:g}")
+            return
+    if kind == "even":
+        _judge_segment(proof, run, a, i, order, curve)
+
+
+def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+    """The ratio of a flying shear begins at rest, or where the segment before it ends, and changes evenly."""
+    tie = order.tie
+    assert tie is not None
+    before = run.orders.of[a.index][i - 1].tie if i else None
+    begins, bends = derivatives(curve.pieces[0], 0.0)[1], curve.pieces[0][3]
+    wanted = 0.0
+    if before is not None and before.curve is not None and before.table is not None:
+        last = before.curve
+        if before.table == tie.table and (before.origin == tie.origin or last.start == curve.start):
+            return  # the same segment, looked at again
+        on = before.master is tie.master and before.direction == tie.direction
+        if on and before.table[2] == "even":
+            wanted = derivatives(last.pieces[-1], last.knots[-1] - last.knots[-2])[1]
+    if abs(begins - wanted) > SLACK * max(1.0, abs(wanted)) or bends or len(curve.pieces) != 1:
+        where = f"axis {a.index} from {a.starts[i]:.6f} s"
+        proof.breaks(order.line, f"{where}: its segment begins at a ratio of {begins:g}, due is {wanted:g}")
+
+
+def _wanted(tie: Tie, curve: Profile, along: float) -> float:
+    """Where a slave is on its curve: of a table with straight lines worked out from its numbers."""
+    if tie.table is None or tie.table[2] != "linear":
+        return _on(curve, along)
+    places, values, _ = tie.table
+    k = min(max(bisect_right(places, along) - 1, 0), len(places) - 2)
+    slope = (values[k + 1] - values[k]) / (places[k + 1] - places[k])
+    return values[k] + slope * (along - places[k])
+
+
+def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+    """What runs through points is at each of them at its time, at its velocity, on one cubic from one to the next."""
+    assert order.points is not None
+    points, velocities, times = order.points
+    profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
+    ends = abs(profile.end - points[-1]) <= SLACK * max(1.0, abs(points[-1]))
+    if isfinite(profile.duration) and not ends:
+        proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, ordered is {points[-1]:g}")
+    if not profile.pieced or abs(profile.duration - fsum(times)) > SLACK:
+        return  # it is suspended, or stops on the way
+    if len(profile.pieces) != len(times):
+        proof.breaks(order.line, f"{where}: it has {len(profile.pieces)} segments, ordered are {len(times)}")
+        return
+    size = max(1.0, *(abs(point) for point in points))
+    fast = max(1.0, *(abs(velocity) for velocity in velocities))
+    for k, (piece, time) in enumerate(zip(profile.pieces, times, strict=True)):
+        for at, n in ((0.0, k), (time, k + 1)):
+            place, speed, _, _ = derivatives(piece, at)
+            if abs(place - points[n]) > SLACK * size or abs(speed - velocities[n]) > SLACK * fast:
+                words = f"point {n} is {points[n]:g} at {velocities[n]:g} counts/s"
+                proof.breaks(order.line, f"{where}: {words}, it is at {place:g} at {speed:g} counts/s")
+                return
+
+
+def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+    """A position that is written is where the profile ends; a speed is come to by its slopes, in their time."""
+    profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
+    if order.slopes is None:
+        if abs(profile.end - order.goal) > SLACK * max(1.0, abs(order.goal)):
+            proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, written is {order.goal:g}")
+        return
+    if not profile.pieced:
+        return
+    entry, endless = profile.at(0.0), not isfinite(profile.duration)
+    if endless and not order.goal:
+        proof.breaks(order.line, f"{where}: it never comes to its end, where it stands")
+    uses = Uses(proof)
+    fades = order.slopes[0 if entry.acceleration * entry.velocity >= 0.0 else 1][2]
+    eased = abs(entry.acceleration) if fades else 0.0
+    came = abs(entry.velocity) + eased * max(end for _, _, end in order.slopes)
+    for piece, begin, finish in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
+        span = Span(begin, finish - begin if isfinite(finish) else 1.0, piece)
+        uses.look("speed", span.peak(1), max(order.speed, came))
+        for power, left, right in span.sides():
+            rate = order.rates[0 if power > 0.0 else 1] if abs(power) > SLACK else max(order.rates)
+            uses.look("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
+    uses.tell(order.line, where, " counts")
+    took = profile.knots[-2] if endless else profile.knots[-1]
+    wanted = _reference_time(entry.velocity, _carried(a, i), order.goal, order.slopes)
+    if abs(took - wanted) > wanted * SLACK + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
+    if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
+        words = f"it comes to {profile.end_velocity:g} counts/s, written is {order.goal:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+
+
+def _carried(a: WholeTrack, i: int) -> float:
+    """The acceleration that profile number i finds; its own may begin with another one, where a slope has no edge."""
+    if not i or not a.profiles[i - 1].pieced:
+        return 0.0
+    before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
+    return before.at(elapsed).acceleration if elapsed < last_change(before) else 0.0
+
+
+def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:
+    """From a velocity and an acceleration, which fades first, to a velocity."""
+    up, down = slopes
+    rate, _, end = up if a0 * v0 >= 0.0 else down
+    if a0 and end:
+        fading = abs(a0) * end / rate
+        return fading + _reference_time(v0 + 0.5 * a0 * fading, 0.0, v1, slopes)
+    if v0 * v1 < 0.0:
+        return _slope_time(abs(v0), down) + _slope_time(abs(v1), up)
+    return _slope_time(abs(v1 - v0), down if abs(v1) < abs(v0) else up)
+
+
+def _slope_time(change: float, slope: tuple[float, float, float]) -> float:
+    """T = dv/A + (T_begin + T_end)/2, and a change too small for the rate in the time in which both slopes meet."""
+    rate, begin, end = slope
+    edges = begin + end
+    return change / rate + 0.5 * edges if 2.0 * change >= rate * edges else sqrt(2.0 * change * edges / rate)
+
+
+def _on(curve: Profile, along: float) -> float:
+    """A curve over its distance; straight on before its beginning and beyond its end."""
+    knots = curve.knots
+    x = min(max(along, 0.0), knots[-1])
+    k = max(0, min(bisect_right(knots, x), len(curve.pieces)) - 1)
+    p, slope, _, _ = derivatives(curve.pieces[k], x - knots[k])
+    return p + slope * (along - x)
+
+
+def _offset(run: Run, a: WholeTrack, time: float) -> float:
+    """What offsets on top of following have added up to a time."""
+    offsets = run.offsets.get(a.index)
+    return 0.0 if offsets is None else offsets.gone(time)
+
+
+def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:
+    offsets = run.offsets.get(a.index)
+    return offsets is not None and offsets.moves_at(time)

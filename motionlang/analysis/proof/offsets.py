@@ -1,0 +1,69 @@
+"""Checks offsets on top of following: each goes as far as was ordered, and what the one before it has left."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import ROUNDED, SLACK
+
+if TYPE_CHECKING:
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.controller.move import Move
+    from motionlang.planners import Profile
+
+# A part of a time by which one that was added up may differ.
+LATE = 4.0 * ROUNDED
+
+
+def _left(run: Run, move: Move) -> float:
+    """What the offset before one has left to do, if that one takes its place."""
+    before, wanted = run.offset_goals.get(move.axis, (None, 0.0))
+    if before is None or before.profile is None or before.ended != "retarget":
+        return 0.0
+    start, end = move.start_time, before.start_time + before.profile.duration
+    if abs(start - end) > LATE * (1.0 + start) or start in run.orders.begun[move.axis]:
+        return 0.0  # other following begins then, and with it nothing of an offset goes on
+    return wanted - before.profile.end
+
+
+def judge_missing(proof: Proof, run: Run) -> None:
+    """Every OFFSET that adds a distance has an entry."""
+    if run.orders.was_cut:
+        return
+    for (axis, time), (line, distance) in run.orders.offsets.items():
+        offsets = run.offsets.get(axis)
+        if distance and (offsets is None or not offsets.begin_at(time)):
+            proof.breaks(
+                line, f"axis {axis} at {time:.6f} s: its offset of {distance:g} counts does not begin"
+            )
+
+
+def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
+    """The entry of an offset; what an offset goes on with after a suspension has no order of its own."""
+    start, end = move.start_time, move.start_time + profile.duration
+    where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + end)
+    if abs(profile.start) > SLACK:
+        proof.breaks(move.line, f"{where}: it lies on top of other motion, and begins at {profile.start:g}")
+    orders = run.orders
+    scale = {counts for counts, _ in orders.scale(move.axis, start)}
+    if (scale and move.scale not in scale) or move.zero:
+        proof.breaks(move.line, f"{where}: it counts {move.scale:g} a unit, its axis differs")
+    ordered = orders.offsets.get((move.axis, start))
+    if ordered is None:
+        return
+    line, distance = ordered
+    wanted = distance + _left(run, move)
+    run.offset_goals[move.axis] = move, wanted
+    if line != move.line:
+        proof.breaks(move.line, f"{where}: it is ordered by line {line}")
+    if not move.ended:
+        if end <= run.until and abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
+            proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")
+    elif end <= run.until:
+        words = {word for _, word in orders.stopped(move.axis, end - late, end + late)}
+        followed = any(abs(time - end) <= late for time in run.begins_near(move.axis, end))
+        # A suspension and the end of a cam stop it, too.
+        short = abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted))
+        cut = move.ended == "stop" or (move.ended == "retarget" and followed)
+        if move.ended not in words and not (short and cut):
+            proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")

@@ -1,0 +1,116 @@
+"""Checks what is told of a run: its report and its trace say what the tracks of its axes do."""
+
+from __future__ import annotations
+
+from itertools import zip_longest
+from math import isfinite
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, position
+from motionlang.analysis.proof.segments import spans
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.controller.move import Move
+    from motionlang.log.trace import Samples
+    from motionlang.log.track import WholeTrack
+
+# Rows of the trace that are compared with the tracks.
+ROWS = 40
+
+
+def judge_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
+    """Every move of a report is where the track is when it begins and ends, lasts as long, and peaks as high."""
+    moves = (move for move in run.moves if move.profile is not None)
+    told, logged, before = 0, 0, len(proof.violations)
+    for row, move in zip_longest(rows, moves):
+        told, logged = told + (row is not None), logged + (move is not None)
+        if row is not None and move is not None:
+            _judge_row(proof, run, row, move)
+    if told != logged:
+        del proof.violations[before:]
+        proof.breaks(0, f"the report tells of {told} moves, the log of {logged}")
+
+
+def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:
+    a, profile = run.axes[move.axis], move.profile
+    assert profile is not None
+    start, end, duration, peak = (float(row[name]) for name in ("start", "end", "duration", "peak_speed"))  # type: ignore[arg-type]
+    where = f"axis {move.axis} from {move.start_time:.6f} s"
+    if row["axis"] != move.axis or row["line"] != move.line or row["start_time"] != move.start_time:
+        proof.breaks(move.line, f"{where}: the report has it at {row['start_time']} s, line {row['line']}")
+        return
+    if move.start_time + duration > run.until + 1e-12 * (1.0 + run.until):
+        proof.breaks(
+            move.line,
+            f"{where}: the report has it end at {move.start_time + duration:g} s, the run at {run.until:g} s",
+        )
+        return
+    if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
+        return
+    places = [(move.start_time, start)]
+    finish = move.start_time + duration
+    if isfinite(end) and finish <= run.until and not run.is_blended(a, finish):
+        places.append((finish, end))
+    for time, place in places:
+        counts = place * move.scale + move.zero
+        done = run.logged(a, move, time, time == finish and duration > 0.0)
+        if abs(counts - done) > SLACK * max(1.0, abs(done)) + 8e-16 * (1.0 + time) * _speed(a, time):
+            proof.breaks(
+                move.line,
+                f"{where}: the report has it at {counts:g} at {time:.6f} s, the track at {done:g}",
+            )
+    _judge_peak(proof, run, a, peak * abs(move.scale), (move.start_time, finish), move.line)
+
+
+def _judge_peak(
+    proof: Proof, run: Run, a: WholeTrack, told: float, time: tuple[float, float], line: int
+) -> None:
+    """The peak speed of a move: exactly that of its pieces, and no less than any speed of a formula."""
+    begin, finish = time[0], min(time[1], run.until)
+    k, seen, exact = max(a.place(begin), 0), 0.0, True
+    late = finish - ROUNDED * (1.0 + finish)  # an end is a beginning and a time added up
+    while k < len(a.starts) and a.starts[k] < late:
+        profile, first = a.profiles[k], max(begin - a.starts[k], 0.0)
+        last = min(finish, a.starts[k + 1] if k + 1 < len(a.starts) else finish) - a.starts[k]
+        if profile.shape == "blend" or run.orders.of[a.index][k].kind == "rest":
+            return
+        if profile.pieced:
+            seen = max([seen, *(span.peak(1) for span in spans(profile, first, last - first))])
+        elif last > first:  # another profile may take its place at once
+            exact = False
+            steps = [first + (last - first) * n / 16.0 for n in range(17)]
+            seen = max([seen, *(abs(profile.velocity(step)) for step in steps)])
+        k += 1
+    slack = 1e-9 + SLACK * seen
+    if told < seen - slack or (exact and finish == time[1] and told > seen + slack):
+        proof.breaks(
+            line, f"axis {a.index} from {begin:.6f} s: the report has a peak of {told:g}, the track {seen:g}"
+        )
+
+
+def judge_trace(proof: Proof, run: Run, samples: Samples) -> None:
+    """Every row of a trace is where the track is, and as fast."""
+    for column, values in zip(samples.columns, samples.data, strict=True):
+        if column.axis is None or column.quantity != "position":
+            continue
+        a = run.axes[column.axis]
+        for time, value in zip(samples.time.tolist(), values.tolist(), strict=True):
+            counts = value * a.scale.counts + a.scale.zero
+            # The time of a row is rounded: what begins at that moment may have begun.
+            late = time + 4e-15 * (1.0 + time)
+            places = position(a, late), position(a, time, ending=True)
+            slack = SLACK * max(1.0, *map(abs, places)) + 8e-16 * (1.0 + time) * _speed(a, time)
+            if min(abs(counts - place) for place in places) > slack:
+                proof.breaks(
+                    0,
+                    f"axis {a.index} at {time:.6f} s: the trace has it at {counts:g}, the track at {places[0]:g}",
+                )
+                break
+
+
+def _speed(a: WholeTrack, time: float) -> float:
+    i = a.place(time)
+    return abs(a.profiles[i].velocity(time - a.starts[i]))

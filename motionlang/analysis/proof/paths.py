@@ -1,0 +1,495 @@
+"""Checks paths: the way that was ordered, the speed along it and how it changes, the limits of every axis, and
+where it ends."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import SLACK, Uses
+from motionlang.analysis.proof.segments import combined, rotation, spans
+from motionlang.analysis.proof.slowing import slowing
+from motionlang.analysis.proof.time_bounds import law, lead, move_time, move_times, ramp, rounding
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.analysis.proof.segments import Span
+    from motionlang.analysis.proof.slowing import Slowing
+    from motionlang.analysis.proof.time_bounds import Law
+    from motionlang.controller.move import Move
+    from motionlang.log.order import Order, PathOrder
+    from motionlang.log.track import WholeTrack
+    from motionlang.planners import Profile
+
+
+# A part of the time of the clock within which one path is told from the next.
+ROUNDED = 1e-12
+
+
+class Way:
+    """A path as it was ordered, laid out from where it began, in user units.
+
+    `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per way along the path
+    and `begin` its direction at first; `flat` is the part of the way that its plane has, `climbs` those of the further
+    axes. `stretch` is the way in space per unit of the length that the path counts as.
+    """
+
+    def __init__(self, path: PathOrder, starts: Sequence[float]) -> None:
+        self.path, self.starts = path, starts
+        self.first = [start / k for start, k in zip(starts, path.scales, strict=True)]
+        self.ends = _ends(path, starts)
+        ways = [(end - start) / k for start, end, k in zip(starts, self.ends, path.scales, strict=True)]
+        self.turn = 0.0
+        self.unit: list[float] | None = None
+        if path.line or not path.angle:
+            space = hypot(*ways)
+            self.length = space if path.length is None else path.length
+            self.unit = [way / space for way in ways] if space else ways
+            self.stretch = space / self.length if self.length else 1.0
+            return
+        i, j = path.plane
+        self.centre = _centre(path, starts)
+        x, y = self.first[i] - self.centre[0], self.first[j] - self.centre[1]
+        self.radius = hypot(x, y)
+        climbs = [0.0 if k in path.plane else way for k, way in enumerate(ways)]
+        round_ = self.radius * abs(path.angle) * pi / 180.0
+        self.length = hypot(round_, *climbs) if path.length is None else path.length
+        size = self.length or 1.0
+        self.stretch = 1.0
+        self.flat, self.turn = round_ / size, abs(path.angle) * pi / 180.0 / size
+        self.begin = atan2(y, x)
+        self.climbs = [abs(climb) / size for climb in climbs]
+
+    def slopes(self, first: float, last: float) -> list[float]:
+        """The largest part of the speed along the path that each axis has between two places of it."""
+        if self.unit is not None:
+            return [abs(each) * self.stretch for each in self.unit]
+        angles = self._angles(first, last, 0.0)
+        found = list(self.climbs)
+        found[self.path.plane[0]] = self.flat * max(abs(sin(angle)) for angle in angles)
+        found[self.path.plane[1]] = self.flat * max(abs(cos(angle)) for angle in angles)
+        return found
+
+    def rates(self, first: float, last: float, rate: float, speed: float) -> list[float]:
+        """The largest acceleration that each axis can have there at a rate and a speed along the path."""
+        if self.unit is not None:
+            return [abs(each) * self.stretch * rate for each in self.unit]
+        across = self.turn * speed * speed
+        both = atan2(across, rate)
+        x = max(abs(sin(a)) * rate + abs(cos(a)) * across for a in self._angles(first, last, 0.5 * pi - both))
+        y = max(abs(cos(a)) * rate + abs(sin(a)) * across for a in self._angles(first, last, both))
+        found = [climb * rate for climb in self.climbs]
+        found[self.path.plane[0]], found[self.path.plane[1]] = self.flat * x, self.flat * y
+        return found
+
+    def _angles(self, first: float, last: float, summit: float) -> list[float]:
+        """The directions of the radius at two places and, between, at all quarters and at a summit from these."""
+        way = copysign(self.turn, self.path.angle)
+        low, high = sorted((self.begin + way * first, self.begin + way * last))
+        found = [low, high]
+        high = min(high, low + 2.0 * pi)
+        for angle in (0.0, summit, -summit):
+            k = ceil((low - angle) / (0.5 * pi))
+            while angle + k * 0.5 * pi < high and len(found) < 16:
+                found.append(angle + k * 0.5 * pi)
+                k += 1
+        return found
+
+    def turning(self) -> Iterator[tuple[int, float, float]]:
+        """The places of the axes of an arc, the acceleration that each has as it turns at a speed of one along it,
+        counts, and the share of its limits that this and a change of the speed may each take."""
+        if self.unit is not None:
+            return
+        x, y = self.path.plane
+        angles = self._angles(0.0, self.length, 0.0)
+        for place, along, across in ((x, sin, cos), (y, cos, sin)):
+            most, least = (max(abs(each(angle)) for angle in angles) for each in (along, across))
+            if not most or not least:
+                continue
+            summit = atan2(least, most) if place == x else atan2(most, least)
+            met = self._angles(0.0, self.length, summit)
+            share = 1.0 / max(abs(along(a)) / most + abs(across(a)) / least for a in met)
+            yield place, self.flat * self.turn * abs(self.path.scales[place]) * least, share
+
+    def at(self, gone: float) -> list[float]:
+        """The place, counts, that lies so far along an arc."""
+        angle = self.begin + copysign(self.turn, self.path.angle) * gone
+        part = gone / self.length
+        found = [start + part * (end - start) for start, end in zip(self.starts, self.ends, strict=True)]
+        (i, j), scales = self.path.plane, self.path.scales
+        found[i] = (self.centre[0] + self.radius * cos(angle)) * scales[i]
+        found[j] = (self.centre[1] + self.radius * sin(angle)) * scales[j]
+        return found
+
+    def off(self, places: Sequence[float]) -> float:
+        """How far a point, counts, lies off the way, user units."""
+        point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
+        if self.unit is not None:
+            gone = [p - f for p, f in zip(point, self.first, strict=True)]
+            along = fsum(g * u for g, u in zip(gone, self.unit, strict=True))
+            return max(abs(g - along * u) for g, u in zip(gone, self.unit, strict=True))
+        i, j = self.path.plane
+        return abs(hypot(point[i] - self.centre[0], point[j] - self.centre[1]) - self.radius)
+
+
+def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+    """The way, the speed along it and how that changes, and the limits of each axis, while one profile is in force."""
+    path = order.path
+    assert path is not None
+    proof.counts["paths"] += 1
+    begin = master.starts[i]
+    moves = run.members(path)
+    if len(moves) != len(path.members):
+        proof.breaks(order.line, f"path from {begin:.6f} s: the log does not tell of all of its axes")
+        return
+    profiles = [entry.profile for entry in moves if entry.profile is not None]
+    way = Way(path, [profile.start for profile in profiles])
+    blended = run.is_blended(master, begin)
+    where = f"path from {begin:.6f} s"
+    tracks: list[tuple[Profile, float]] = []
+    if blended:
+        proof.excuses("paths blended into each other")
+        along = spans_along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
+    else:
+        axes = [run.axes[number] for number in path.members]
+        places = [a.place(begin) for a in axes]
+        tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
+        along = spans_along(tracks, way, end - begin)
+    _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
+    if along:
+        fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
+        _judge_along(proof, order, way, along, where, fresh)
+        reached = [profile.position(end - path.begun) for profile in profiles]
+        if not blended:  # what was planned counts, also where something else has come before its end
+            planned = min(profile.duration - time for profile, time in tracks)
+            if planned == inf and order.speed and min(order.rates) and way.length and not path.rests:
+                proof.breaks(order.line, f"{where}: it never comes to its end")
+            if end - begin < planned < inf:
+                along = spans_along(tracks, way, planned)
+                reached = [profile.position(time + planned) for profile, time in tracks]
+        if not along:
+            return
+        # A full circle ends where it begins.
+        gone = way.length if way.unit is not None else along[-1].at(along[-1].length)[0]
+        if gone >= way.length * (1.0 - SLACK) and all(
+            abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
+        ):
+            _judge_path_time(proof, order, way, along, where)
+
+
+def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
+    """Whether the path before one was not slowing down: what begins too fast then should have slowed down for it."""
+    earlier = run.orders.of[master.index][i - 1].path
+    if earlier is None or earlier.rests or earlier.members != path.members:
+        return False
+    begin, end = master.starts[i - 1], master.starts[i]
+    entries = [(run.axes[number], k) for number, k in zip(path.members, path.scales, strict=True)]
+    first, last = (
+        fsum(
+            (a.profiles[a.place(begin)].velocity(time - a.starts[a.place(begin)]) / k) ** 2
+            for a, k in entries
+        )
+        for time in (begin, end)
+    )
+    return first < last * (1.0 - SLACK)
+
+
+def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
+    """The speed along a path, and how that changes, while another one is on top of it."""
+    path = order.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    way = Way(path, [profile.start for profile in profiles])
+    along = spans_along([(profile, begin - path.begun) for profile in profiles], way, length)
+    if along:
+        _judge_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
+
+
+def _judge_way(
+    proof: Proof,
+    order: Order,
+    way: Way,
+    profiles: Sequence[Profile],
+    along: list[Span],
+    time: tuple[float, float],
+    where: str,
+) -> None:
+    """At four times its axes are on the way, and on an arc as far along it as the path has come.
+
+    `time` is when the profile begins, since the path did, and how long it is in force.
+    """
+    first, length = time
+    slack = SLACK * max(
+        1.0, way.length, *(abs(s / k) for s, k in zip(way.starts, way.path.scales, strict=True))
+    )
+    for share in (0.0, 0.3, 0.7, 1.0):
+        places = [profile.position(first + share * length) for profile in profiles]
+        off = way.off(places)
+        if off > slack:
+            proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
+            return
+        if along and way.unit is None:
+            span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
+            gone = span.at(min(share * length - span.begin, span.length))[0]
+            beside = max(abs(p - w) for p, w in zip(places, way.at(gone), strict=True))
+            if beside > slack * max(map(abs, way.path.scales)):
+                proof.breaks(order.line, f"{where}: {gone:g} along it lie {beside:g} counts elsewhere")
+                return
+
+
+def _judge_along(
+    proof: Proof, order: Order, way: Way, along: list[Span], where: str, fresh: bool = False
+) -> None:
+    """The bounds along a path; a `fresh` one may not begin above them."""
+    path = order.path
+    assert path is not None
+    smooth = order.jerks[0] < inf
+    _, v0, a0, _ = along[0].at(0.0)
+    slow = _slowing(order, way, v0, a0)
+    speed, rates = order.speed, order.rates
+    if way.unit is None:
+        speed, by = _least(order, way)
+        rates = by.rates
+    if fresh:
+        slow = slow._replace(speed=order.speed, came=0.0, until=0.0, eased=0.0, stretches=())
+    uses = Uses(proof)
+    axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
+    late = ROUNDED * (1.0 + path.begun)
+    # An axis that turns beyond its limit has to brake for that, and turning and braking add up until it has.
+    braking = min(order.rates[1], _hardest(path, way)) if way.unit is None else 0.0
+    for span in slow.cuts(along):
+        if span.length <= late:  # the time of a join is rounded
+            continue
+        # What begins too fast, since a limit has come down, is excused until it has slowed down.
+        middle = span.begin + 0.5 * span.length
+        excused = middle < max(slow.until, slow.eased)
+        came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
+        eased = bent if middle < slow.eased else 0.0
+        fastest, peak = 0.0 if path.rests else speed, span.peak(1)
+        if peak > SLACK or not path.rests:  # at rest but for rounding
+            uses.look("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
+        for power, left, right in span.sides():
+            side = 0 if power > 0.0 else 1
+            rate, fast = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
+            if fast <= SLACK * max(1.0, slow.came):  # at rest but for rounding
+                continue
+            name = ("path acceleration", "path deceleration")[side]
+            uses.look(name, rate, max(rates[side], eased))
+            if smooth:
+                # Rounding at the end of a ramp says nothing of its side.
+                jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
+                uses.look("path jerk", max(abs(left[3]), abs(right[3])), jerk)
+            first, last = left[0], right[0]
+            slowed = [
+                max(x, came * s)
+                for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
+            ]
+            for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
+                uses.look(f"speed on paths of axis {number}", fast * slope * k, most)
+            limits = path.most_decel if side else path.most_accel
+            own = way.rates(first, last, rate, fast)
+            came_with = way.rates(first, last, max(bent, braking) if side and excused else bent, came)
+            for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
+                uses.look(f"rate on paths of axis {number}", figure * k, max(most, other * k))
+    uses.tell(order.line, where, "")
+    took = along[-1].begin + along[-1].length
+    reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
+    if reached > due + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
+        words = f"it does not slow down: {reached:g} after {took:g} s, due are {due:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+    names = ("speed", "acceleration")[: 2 if smooth else 1]
+    for before, after in pairwise(along):
+        for which, name in enumerate(names, 1):
+            gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
+            if gap > SLACK * max(1.0, slow.came, *(r for r in (order.speed, *order.rates) if r < inf)):
+                proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
+
+
+def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
+    """How a path that begins too fast, for its speed or for one of its axes, comes to its speed."""
+    assert order.path is not None
+    speed, by = _least(order, way)
+    extra = 0.0
+    if a0 and order.shape != "trapezoid" and not by.smooth:
+        # The flank of the ramp that PMC's S-curve is in, as long as a whole one to its speed at the most.
+        v0 *= 2.0
+        extra = ramp(0.0, max(speed, v0), by)[0]
+    if order.path.rests:
+        speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
+    return slowing(v0, a0, speed, by, extra)
+
+
+def _hardest(path: PathOrder, way: Way) -> float:
+    """The highest deceleration along a path that keeps the limits of its axes, turning not counted."""
+    slopes = zip(way.slopes(0.0, way.length), path.scales, path.most_decel, strict=True)
+    return min((limit / (slope * abs(k)) for slope, k, limit in slopes if slope), default=inf)
+
+
+def _gentlest(order: Order, way: Way, rate: float) -> float:
+    """The lowest deceleration that a stop has to keep, on a path and on those behind it that it may come into."""
+    assert order.path is not None
+    for each in order.path.ahead:
+        assert each.path is not None
+        way = Way(each.path, way.ends)
+        rate = min(rate, _least(each, way)[1].rates[1])
+    return rate
+
+
+def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
+    """What ends a path takes no longer than to stop, and to run the rest of it alone, from rest to rest.
+
+    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster.
+    """
+    if not order.speed or not min(order.rates) > 0.0:
+        return
+    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    speed, by = _least(order, way)
+    bent = first[2] if by.smooth else 0.0
+    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
+    hard = by._replace(rates=order.rates)
+    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
+    shaped = order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates)
+    if shaped:
+        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
+        time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
+        gone = 0.0
+    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
+    if way.unit is not None and not last[1] > SLACK * speed and not shaped:
+        left = last[0] - first[0]
+        due = min(due, move_times(first[1], bent, left, speed, by, rounding(left, first[0], last[0]))[1])
+    took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
+    if took > due * (1.0 + SLACK) + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
+
+
+def _least(order: Order, way: Way) -> tuple[float, Law]:
+    """The speed and the law that a path may always be run by, whatever its axes are limited to.
+
+    On arcs turning and a change of the speed take the same share of the limits of an axis.
+    """
+    path = order.path
+    assert path is not None
+    speed, rates = order.speed, list(order.rates)
+    shares = [1.0] * len(path.members)
+    for place, figure, share in way.turning():
+        shares[place] = share
+        speed = min(speed, sqrt(share * min(path.most_accel[place], path.most_decel[place]) / figure))
+    slopes = way.slopes(0.0, way.length)
+    for slope, k, share, most, up, down in zip(
+        slopes, path.scales, shares, path.most, path.most_accel, path.most_decel, strict=True
+    ):
+        steep = slope * abs(k)
+        if steep:
+            speed = min(speed, most / steep)
+            rates = [min(rates[0], share * up / steep), min(rates[1], share * down / steep)]
+    return speed, law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
+
+
+def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:
+    return [part * k for part, (_, k) in zip(parts, axes, strict=True)]
+
+
+def spans_along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span]:
+    """The distance along the way over time, of profiles that have been in force for some time already.
+
+    Empty where it cannot be told.
+    """
+    found: list[Span] = []
+    gone = 0.0
+    while length > 0.0:
+        parts = [_part(profile, begin + gone) for profile, begin in rows]
+        span = min(length, *(left for _, _, left in parts))
+        some = _spans_along([(profile, at) for profile, at, _ in parts], way, span)
+        if some is None:
+            return []
+        offset = found[-1].begin + found[-1].length if found else 0.0
+        for each in some:
+            each.begin += offset
+        found += some
+        gone, length = gone + span, length - span
+        if span <= 0.0 or not isfinite(length):
+            break
+    return found
+
+
+def _part(profile: Profile, time: float) -> tuple[Profile, float, float]:
+    """The profile of a row of them that is in force at a time, how long it has been, and how long it still is."""
+    parts = getattr(profile, "parts", None)
+    if parts is None:
+        left = profile.duration - time
+        return profile, time, left if left > 0.0 else inf
+    for begin, part in zip(profile.begins, parts, strict=True):  # type: ignore[attr-defined]
+        if time < begin + part.duration:
+            return _part(part, time - begin)
+    return parts[-1], time - profile.begins[-1], inf  # type: ignore[attr-defined]
+
+
+def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span] | None:
+    for profile, begin in parts:
+        travelled = getattr(profile, "along", None)
+        if travelled is not None:
+            return spans(travelled, begin, length) if travelled.pieced else None
+    if not all(profile.pieced for profile, _ in parts):
+        return None
+    if way.unit is None:  # an arc of which every axis is straight is none, or stands
+        return []
+    # Of axes that the path moves: what has a length and leads nowhere (a user defined path) moves none.
+    moving = [
+        (spans(profile, begin, length), u / k / way.stretch)
+        for (profile, begin), u, k in zip(parts, way.unit, way.path.scales, strict=True)
+        if u
+    ]
+    if not moving or len({len(row) for row, _ in moving}) != 1:
+        return None
+    return [combined([row[n] for row, _ in moving], [w for _, w in moving]) for n in range(len(moving[0][0]))]
+
+
+# --------------------------------------------------------------------------------------------------- the end
+
+
+def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
+    """A path ends where the program has it end, and takes time."""
+    profile = move.profile
+    assert profile is not None
+    path = run.order_of(move).path
+    assert path is not None
+    entries = run.members(path)
+    starts = [entry.profile.start for entry in entries if entry.profile is not None]
+    if len(starts) != len(path.members) or any(entry.offset for entry in entries):
+        return
+    which = path.members.index(move.axis)
+    end = _ends(path, starts)[which]
+    where = f"axis {move.axis} from {move.start_time:.6f} s"
+    size = max(1.0, abs(end), abs(profile.start))
+    if over and abs(profile.end - end) > SLACK * size:
+        proof.breaks(move.line, f"{where}: its path ends at {profile.end:g}, ordered was {end:g}")
+    if which == 0 and over and not profile.duration and Way(path, starts).length > SLACK:
+        proof.breaks(move.line, f"{where}: a path in no time")
+
+
+def _centre(path: PathOrder, starts: Sequence[float]) -> tuple[float, float]:
+    """The centre of an arc, user units."""
+    x, y = (
+        (c + (starts[k] if path.relative else 0.0)) / path.scales[k]
+        for c, k in zip(path.centre, path.plane, strict=True)
+    )
+    return x, y
+
+
+def _ends(path: PathOrder, starts: Sequence[float]) -> list[float]:
+    """Where a path that begins at `starts` ends, counts."""
+    if path.line:
+        return [s + t for s, t in zip(starts, path.line, strict=True)] if path.relative else list(path.line)
+    rest = iter(path.rest)
+    ends = [
+        s if k in path.plane else next(rest) + (s if path.relative else 0.0) for k, s in enumerate(starts)
+    ]
+    centre, (i, j) = _centre(path, starts), path.plane
+    x, y = rotation(
+        starts[i] / path.scales[i] - centre[0], starts[j] / path.scales[j] - centre[1], path.angle
+    )
+    ends[i], ends[j] = (centre[0] + x) * path.scales[i], (centre[1] + y) * path.scales[j]
+    return ends

@@ -1,0 +1,314 @@
+"""A proof of a run: check all motion against what the program ordered.
+
+Problem. A planner that is wrong in a rare case gives a plausible profile, and a test finds it only if it has that case.
+The same holds for the log and for the report. So a whole run can be checked afterwards, by code that shares nothing
+with the planners and uses only what the run has recorded.
+
+Idea. During the run `Orders` records the expected motion, an `Order` for each profile: the kind of motion and the
+settings in force when it began, never anything that a planner has computed. Afterwards each profile is compared with
+its order and with the profile before it, and each entry of the log with the tracks of the axes.
+
+    program ──▶ settings ──▶ planners ──▶ profiles ──▶ tracks, log ──▶ report, trace
+                   │                                       │                │
+                   └──────▶ expected motion ─────────▶ checkers ◀───────────┘
+
+Data. `Run` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how much was
+checked, the largest fraction used of each bound, exceptions by name, and violations, each a diagnostic at the line of
+its move. The other files each check one kind of motion or record. They use the arithmetic of `segments.py`
+(extremes of polynomials and waves) and `time_bounds.py` (how long a motion may take).
+
+`prove` checks, in this order:
+1. the report and the trace, if there are any,
+2. each axis: every profile, and how it continues the one before,
+3. settings that were written in motion,
+4. each entry of the log,
+5. the entries of each axis together: none is missing, that of an OFFSET included, and the last one leads to where the
+   axis is.
+
+Invariants.
+- The checkers import no planner. Ramps, times and bounds are computed a second time.
+- No bound is checked by sampling. Extremes are found in closed form.
+- A rule that the program breaks on purpose, such as by CANCEL, a new zero or a kink within CONTOURANGLE, is an
+  exception. Exceptions are counted by name, so none goes unseen.
+- A figure may exceed its bound only by rounding (`SLACK`).
+- A run with too many different orders to record is not proved, and that is a violation.
+
+Cost. One pass over the profiles of each axis and one over the log; lookups are bisections. Packed records are read
+chunk by chunk, so memory grows only with the orders and with the entries of paths and offsets. Other runs record none.
+"""
+
+from __future__ import annotations
+
+from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.axes import PLANNED, judge_profile
+from motionlang.analysis.proof.blends import judge_blend
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
+from motionlang.analysis.proof.entries import Ends, judge_ends, take_entry
+from motionlang.analysis.proof.followers import judge_points, judge_reference, judge_tie
+from motionlang.analysis.proof.offsets import judge_missing
+from motionlang.analysis.proof.outputs import judge_report, judge_trace
+from motionlang.analysis.proof.paths import judge_path, judge_path_end
+from motionlang.analysis.proof.segments import half_angle
+from motionlang.analysis.proof.settings import judge_settings
+from motionlang.errors import Diagnostic
+from motionlang.log.orders import MOST
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from motionlang.controller.move import Move
+    from motionlang.log.order import Order, PathOrder
+    from motionlang.log.orders import Orders
+    from motionlang.log.trace import Samples
+    from motionlang.log.track import Recorded, WholeTrack
+    from motionlang.planners import Profile, State
+
+# The part of the time of a log entry at which the track is compared with it, beside its ends.
+LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
+
+
+def prove(
+    controller: Recorded,
+    orders: Orders,
+    until: float,
+    report: Iterable[Mapping[str, object]] | None = None,
+    samples: Samples | None = None,
+) -> Proof:
+    """Prove what a controller did up to a time, by its log; the moves of a report and a trace too, where there are.
+
+    Of a run with more motion than is kept nothing is proved, which is a violation.
+    """
+    proof = Proof()
+    if orders.is_full:
+        message = (
+            f"the run has more than {MOST} profiles of motion with orders of their own, and a proof takes no more: "
+            "nothing is proved"
+        )
+        proof.violations.append(Diagnostic("proof", message, hint="--until ends the run sooner"))
+        return proof
+    run = Run(controller.axes, controller.moves, orders, until)
+    if report is not None:
+        judge_report(proof, run, report)
+    if samples is not None:
+        judge_trace(proof, run, samples)
+    for number, a in controller.axes.items():
+        records = orders.of[number]
+        assert orders.was_cut or len(records) == len(a.starts), (
+            f"axis {number} has a profile that nobody recorded"
+        )
+        for i, order in enumerate(records):
+            begin, end = run.span(a, i)
+            if end > begin:
+                shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
+                judge_profile(proof, a, i, order, shifted, end - begin)
+                if order.path is not None and order.path.members[0] == number:
+                    judge_path(proof, run, a, i, order, end)
+                    judge_blend(proof, run, a, i, order, end)
+                elif order.tie is not None:
+                    judge_tie(proof, run, a, i, order, end)
+                elif order.points is not None:
+                    judge_points(proof, a, i, order)
+                elif order.kind == "reference":
+                    judge_reference(proof, a, i, order)
+            if i:
+                _judge_join(proof, run, a, i)
+    judge_settings(proof, run)
+    ends: dict[int, Ends] = {}
+    for move in run.moves:
+        _judge_move(proof, run, move)
+        take_entry(proof, ends, run, move)
+    judge_ends(proof, run, ends)
+    judge_missing(proof, run)
+    return proof
+
+
+# ------------------------------------------------------------------------------------------------------- joins
+
+
+def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
+    """Position and velocity go on where one profile follows another, and the acceleration of S-ramps."""
+    proof.counts["joins"] += 1
+    orders = run.orders
+    time, order, earlier = a.starts[i], orders.of[a.index][i], orders.of[a.index][i - 1]
+    before = a.profiles[i - 1].at(time - a.starts[i - 1])
+    after = a.profiles[i].at(0.0)
+    shift = orders.data[a.index][i] - orders.data[a.index][i - 1]
+    where = f"axis {a.index} at {time:.6f} s"
+    line = order.line or earlier.line
+    # The time of a join is rounded to the clock, and the axis has gone on by as much.
+    late = 4e-16 * (1.0 + time)
+    moved = abs(after.position - before.position - shift)
+    if shift:
+        proof.excuses("a position that is given a new value")
+    if moved > SLACK * max(1.0, abs(before.position) * 1e-6) + 4.0 * late * abs(before.velocity):
+        if a.feedback is not None and not after.velocity and order.kind == "rest":
+            proof.excuses("a demand that is taken to where its motor is")
+        else:
+            proof.breaks(line, f"{where}: the position jumps by {moved:g} counts")
+    jump = abs(after.velocity - before.velocity)
+    kinds = (earlier.kind, order.kind)
+    slack = SLACK * max(1.0, abs(before.velocity), abs(after.velocity)) + 4.0 * late * abs(
+        before.acceleration
+    )
+    if jump > slack:
+        excuse = _excuse(run, a, i, kinds)
+        if not excuse and jump <= earlier.step + order.step + slack:
+            excuse = "a step of a stepper that starts or stops at once"
+        if excuse:
+            proof.excuses(excuse)
+        else:
+            proof.breaks(line, f"{where}: the velocity jumps by {jump:g} counts/s")
+        return
+    if not order.bends:
+        return
+    size = SLACK * max(1.0, *order.rates)
+    if kinds == ("path", "path") and order.path is not None and order.path.members[0] == a.index:
+        bend = _bend(order.path, _alone(run, a, i) or _both(run, order, time))
+        if bend > size:
+            proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
+    elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
+        bend = abs(after.acceleration - before.acceleration)
+        jerk = order.jerks[0] if order.jerks[0] < inf else abs(before.jerk)
+        if bend > size + 4.0 * late * jerk:
+            proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
+
+
+def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
+    """What the program has ordered that makes the velocity jump; "" where nothing has."""
+    if (a.index, a.starts[i]) in run.orders.stands:
+        return "a stop at once: cancelled, switched off, or at a limit"
+    order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
+    if order.tie is not None and order.tie.ramp and order.tie.takes_up(earlier.tie):
+        return ""
+    named = [kind for kind in kinds if kind not in (*PLANNED, "rest", "path")]
+    if named:
+        return f"a step of {named[-1]}: a table, a master or a reference of the program"
+    if order.path is None or earlier.path is None:
+        return ""
+    scales = order.path.scales
+    old, new = _both(run, order, a.starts[i])
+    alone = _alone(run, a, i)
+    if alone is not None:
+        k = order.path.members.index(a.index)
+        jump, part = new[k].velocity - old[k].velocity, alone[1][k].velocity - alone[0][k].velocity
+        if abs(jump - part) > SLACK * max(1.0, abs(jump)):
+            return ""  # what is blended with both goes on as it was
+        old, new = alone
+    before, after = _speed(scales, old), _speed(scales, new)
+    if abs(before - after) > SLACK * max(1.0, before) or not before:
+        return ""
+    ways = [
+        (o.velocity / k / before, n.velocity / k / after) for k, o, n in zip(scales, old, new, strict=True)
+    ]
+    dot = fsum(o * n for o, n in ways)
+    chord = sqrt(fsum((o - n) ** 2 for o, n in ways))
+    angle = half_angle(chord) if dot > 0.5 else degrees(acos(max(-1.0, min(1.0, dot))))
+    return "a kink within CONTOURANGLE" if angle <= order.path.angle_into + 1e-6 else ""
+
+
+def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:
+    """By how much the acceleration along a path changes from one state of its axes to the other."""
+    scales = path.scales
+    rates = []
+    for states in both:
+        speed = _speed(scales, states)
+        power = fsum(s.velocity * s.acceleration / k**2 for k, s in zip(scales, states, strict=True))
+        if speed < SLACK:
+            return 0.0
+        rates.append(power / speed)
+    return abs(rates[1] - rates[0])
+
+
+def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
+    return sqrt(fsum((s.velocity / k) ** 2 for k, s in zip(scales, states, strict=True)))
+
+
+def _at_last(profile: Profile, time: float) -> State:
+    """Its state at a time that may be rounded to its end, where it has no acceleration any more."""
+    return profile.at(min(time, nextafter(profile.duration, 0.0)))
+
+
+def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] | None:
+    """The states at the end of a path and at the beginning of the next, without those of one that is blended with both.
+
+    None where no path goes on into another one, or none is blended with it.
+    """
+    earlier, path = (run.orders.of[a.index][k].path for k in (i - 1, i))
+    if earlier is None or path is None or a.profiles[i - 1].shape != "blend":
+        return None
+    ended = [entry.profile for entry in run.members(earlier) if entry.profile is not None]
+    begun = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    ends = [earlier.begun + each.duration for each in ended]
+    if not ends or abs(max(ends) - path.begun) > ROUNDED * (1.0 + path.begun):
+        return None
+    return [_at_last(each, each.duration) for each in ended], [each.at(0.0) for each in begun]
+
+
+def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
+    """The states of the axes of a path just before a moment and from then on."""
+    assert order.path is not None
+    axes = [run.axes[number] for number in order.path.members]
+    places = [a.place(time) for a in axes]
+    # An axis that was given another zero has a profile of its own from then on, the others of the path have not.
+    before = [k - (a.starts[k] == time) for a, k in zip(axes, places, strict=True)]
+    old = [_at_last(a.profiles[k], time - a.starts[k]) for a, k in zip(axes, before, strict=True)]
+    return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
+
+
+# ---------------------------------------------------------------------------------------------------- the log
+
+
+def _judge_move(proof: Proof, run: Run, move: Move) -> None:
+    """An entry of the log: it takes time, its phases add up, it ends where it was sent, and the track says the same."""
+    proof.counts["moves"] += 1
+    profile, a = move.profile, run.axes[move.axis]
+    assert profile is not None
+    where = f"axis {move.axis} from {move.start_time:.6f} s"
+    size = max(1.0, abs(profile.start), abs(profile.end) if isfinite(profile.end) else 0.0)
+    if not profile.duration and abs(profile.distance) > SLACK * size:
+        proof.breaks(move.line, f"{where}: {profile.distance:g} counts in no time")
+    if isfinite(profile.duration):
+        phases = profile.phases
+        time, way = fsum(each.duration for each in phases), fsum(each.distance for each in phases)
+        if abs(time - profile.duration) > SLACK * max(1.0, profile.duration):
+            proof.breaks(move.line, f"{where}: the phases take {time:g} s, the move {profile.duration:g} s")
+        if abs(way - profile.distance) > SLACK * size:
+            proof.breaks(move.line, f"{where}: the phases go {way:g} counts, the move {profile.distance:g}")
+    kind = run.order_of(move).kind
+    over = move.start_time + profile.duration <= run.until and a.move is not move and not move.ended
+    if (
+        over
+        and kind in ("move", "step", "rest")
+        and abs(profile.end + move.offset - move.target) > SLACK * size
+    ):
+        proof.breaks(move.line, f"{where}: it ends at {profile.end + move.offset:g}, sent to {move.target:g}")
+    if kind == "path":
+        judge_path_end(proof, run, move, over)
+    if move.overlaid or move.offset or not isfinite(profile.start):
+        return
+    length = min(profile.duration, run.until - move.start_time)
+    zero = _zero(run, a, move.start_time)
+    for share in LOOKS:
+        time = move.start_time + share * length
+        if _zero(run, a, time) != zero:  # another zero, which a later one may take back
+            continue
+        if not a.starts or time < move.start_time:
+            continue
+        told, done = (
+            profile.position(time - move.start_time),
+            run.logged(a, move, time, share == 1.0 and length > 0.0),
+        )
+        speed = abs(profile.velocity(time - move.start_time))
+        if abs(told - done) > SLACK * size + 8e-16 * (1.0 + time) * speed:
+            proof.breaks(
+                move.line, f"{where}: the log has it at {told:g} at {time:.6f} s, the track at {done:g}"
+            )
+            return
+
+
+def _zero(run: Run, a: WholeTrack, time: float) -> float:
+    """The zero of an axis at a time; of a run that was interrupted the last one that was recorded."""
+    data = run.orders.data[a.index]
+    return data[min(a.place(time), len(data) - 1)] if data and a.starts else 0.0

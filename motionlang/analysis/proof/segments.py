@@ -1,0 +1,133 @@
+"""Stretches of a motion as plain formulas, evaluated and bounded exactly: the proof's own arithmetic, no planner's.
+
+A span is c0 + c1 x + c2 x² + c3 x³ + A sin(ωx + φ) over a length of time; its derivatives have their extrema where the
+next ones are zero, and those places are found in closed form.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import acos, asin, ceil, copysign, cos, floor, fsum, isfinite, pi, sin, sqrt
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.planners import Profile
+    from motionlang.planners.ramps import Piece
+
+
+class Span:
+    """One piece of a motion from `begin` on, seconds since its profile began, for `length` seconds."""
+
+    __slots__ = ("begin", "length", "piece")
+
+    def __init__(self, begin: float, length: float, piece: Piece) -> None:
+        self.begin, self.length, self.piece = begin, length, piece
+
+    def at(self, x: float) -> tuple[float, float, float, float]:
+        """Position, velocity, acceleration and jerk `x` seconds after it began."""
+        return derivatives(self.piece, x)
+
+    def part(self, first: float, last: float) -> Span:
+        """The span from `first` to `last` seconds after it began."""
+        return Span(self.begin + first, last - first, _from(self.piece, first))
+
+    def cuts(self) -> list[float]:
+        """Its ends, and the times between at which velocity or acceleration change sign or have an extremum."""
+        _, c1, c2, c3, amplitude, omega, phase = self.piece
+        found: list[float] = []
+        if c3:
+            found.append(-c2 / (3.0 * c3))
+        if amplitude:
+            found += _quarters(omega, phase, self.length)
+            wave = -c1 / (amplitude * omega)
+            if not (c2 or c3) and abs(wave) <= 1.0:
+                found += _angles(acos(wave), omega, phase, self.length)
+        else:
+            found += _roots(3.0 * c3, 2.0 * c2, c1)
+        return [0.0, *sorted(x for x in found if 0.0 < x < self.length), self.length]
+
+    def peak(self, order: int) -> float:
+        """The largest absolute value of a derivative: 1 the velocity, 2 the acceleration, 3 the jerk."""
+        return max(abs(self.at(x)[order]) for x in self.cuts())
+
+    def sides(self) -> Iterator[tuple[float, tuple[float, ...], tuple[float, ...]]]:
+        """The parts in which the motion either speeds up or slows down: the power (its sign) and both end states."""
+        cuts = self.cuts()
+        states = [self.at(x) for x in cuts]
+        for (x, left), (y, right) in pairwise(zip(cuts, states, strict=True)):
+            _, v, a, _ = self.at(0.5 * (x + y))
+            yield v * a, left, right
+
+
+def derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
+    """Position, velocity, acceleration and jerk of a piece."""
+    c0, c1, c2, c3, amplitude, omega, phase = piece
+    p, v = c0 + x * (c1 + x * (c2 + x * c3)), c1 + x * (2.0 * c2 + 3.0 * c3 * x)
+    a, j = 2.0 * c2 + 6.0 * c3 * x, 6.0 * c3
+    if amplitude:
+        wave, slope = amplitude * sin(omega * x + phase), amplitude * omega * cos(omega * x + phase)
+        p, v, a, j = p + wave, v + slope, a - wave * omega * omega, j - slope * omega * omega
+    return p, v, a, j
+
+
+def spans(profile: Profile, begin: float, length: float) -> list[Span]:
+    """The spans of a pieced profile from `begin` on, for `length` seconds."""
+    found = []
+    knots = profile.knots
+    for piece, first, last in zip(profile.pieces, knots, knots[1:], strict=False):
+        start, stop = max(first, begin), min(last, begin + length)
+        if stop > start and isfinite(stop):
+            found.append(Span(start - begin, stop - start, _from(piece, start - first)))
+    return found
+
+
+def combined(parts: Sequence[Span], weights: Sequence[float]) -> Span:
+    """The weighted sum of spans of one time, of which no two wave differently."""
+    sums = [fsum(w * s.piece[k] for w, s in zip(weights, parts, strict=True)) for k in range(5)]
+    waving = next((s for s in parts if s.piece[4]), parts[0])
+    return Span(parts[0].begin, parts[0].length, (*sums, *waving.piece[5:]))  # type: ignore[arg-type]
+
+
+def _from(piece: Piece, x: float) -> Piece:
+    """The same piece with its time counted from `x`."""
+    if not x:
+        return piece
+    c0, c1, c2, c3, amplitude, omega, phase = piece
+    shifted = c0 + x * (c1 + x * (c2 + x * c3)), c1 + x * (2.0 * c2 + 3.0 * c3 * x), c2 + 3.0 * c3 * x
+    return (*shifted, c3, amplitude, omega, phase + omega * x)
+
+
+def _roots(a: float, b: float, c: float) -> list[float]:
+    """Where a x² + b x + c is zero."""
+    if not a:
+        return [-c / b] if b else []
+    under = b * b - 4.0 * a * c
+    if under < 0.0:
+        return []
+    q = -0.5 * (b + copysign(sqrt(under), b))
+    return [q / a, c / q] if q else [0.0]
+
+
+def _quarters(omega: float, phase: float, length: float) -> list[float]:
+    """Where a wave is zero or has a crest."""
+    first, last = ceil(phase / (0.5 * pi)), floor((omega * length + phase) / (0.5 * pi))
+    return [(k * 0.5 * pi - phase) / omega for k in range(first, last + 1)]
+
+
+def _angles(angle: float, omega: float, phase: float, length: float) -> list[float]:
+    """Where the cosine of a wave has the value of that of an angle."""
+    turns = range(floor(phase / (2.0 * pi)) - 1, ceil((omega * length + phase) / (2.0 * pi)) + 2)
+    return [(sign * angle + 2.0 * pi * k - phase) / omega for k in turns for sign in (1.0, -1.0)]
+
+
+def rotation(x: float, y: float, degrees: float) -> tuple[float, float]:
+    """A vector turned by an angle."""
+    angle = degrees * pi / 180.0
+    return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
+
+
+def half_angle(chord: float) -> float:
+    """The angle, degrees, between two unit vectors whose ends lie a chord apart."""
+    return 2.0 * asin(min(1.0, 0.5 * chord)) * 180.0 / pi

@@ -1,0 +1,103 @@
+"""Checks settings that are written in motion: the profile in force is replaced, or keeps them all the same.
+
+A planner that goes on as it had planned is judged by what the setting asks for from that moment on. New rates may come
+too late: a move that could not stop at its end with them goes on as it was.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.proof.checker import SLACK
+from motionlang.analysis.proof.paths import Way, _gentlest, _least, judge_tail, spans_along
+from motionlang.analysis.proof.time_bounds import law, lead
+
+if TYPE_CHECKING:
+    from motionlang.analysis.proof.checker import Proof, Run
+    from motionlang.log.order import Order
+    from motionlang.log.track import WholeTrack
+
+
+def judge_settings(proof: Proof, run: Run) -> None:
+    """Every setting that has not replaced the profile of its axis."""
+    for (number, time), wanted in run.orders.unheeded.items():
+        a = run.axes[number]
+        i = a.place(time)
+        order = run.orders.of[number][i]
+        end = run.span(a, i)[1]
+        if end - time > SLACK * SLACK * (1.0 + time) and order.asks != wanted.asks:
+            _judge_setting(proof, run, a, i, order, wanted, (time, end))
+
+
+def _judge_setting(
+    proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, wanted: Order, span: tuple[float, float]
+) -> None:
+    time, end = span
+    where = f"axis {a.index} at {time:.6f} s"
+    if order.path is not None and wanted.path is not None:
+        if order.path.rests or order.path.entry != wanted.path.entry:
+            return
+        if _law(order) != _law(wanted) and not _stops_within(run, wanted, time):
+            return  # by the settings of now it would stop behind its end, where it comes to rest as planned
+        # Only what is lower: a path may keep its speed where it could not stop at its end otherwise.
+        path = order.path._replace(
+            most=tuple(map(min, order.path.most, wanted.path.most)),
+            most_accel=tuple(map(min, order.path.most_accel, wanted.path.most_accel)),
+            most_decel=tuple(map(min, order.path.most_decel, wanted.path.most_decel)),
+            rests=wanted.path.rests,
+        )
+        rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
+        lower = order._replace(speed=min(order.speed, wanted.speed), rates=rates, path=path)
+        judge_tail(proof, run, lower, time, end - time)
+        return
+    kinds = order.kind, wanted.kind
+    if order.tie is not None and wanted.tie is not None:
+        if order.tie.ratio != wanted.tie.ratio:
+            words = f"it follows at {order.tie.ratio:g}, ordered is {wanted.tie.ratio:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    elif kinds in (("move", "stop"), ("jog", "stop")):
+        proof.breaks(order.line, f"{where}: it goes on, ordered is to come to rest")
+    elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
+        words = f"it goes to {order.goal:g} counts/s, ordered is {wanted.goal:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+    elif kinds == ("move", "move") and order.speed != wanted.speed:
+        words = f"it is planned for {order.speed:g} counts/s, ordered is {wanted.speed:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+    elif kinds == ("move", "move") and order.rates != wanted.rates:
+        profile, state = a.profiles[i], a.profiles[i].at(time - a.starts[i])
+        by, left = law(wanted.shape, wanted.rates, wanted.jerks, wanted.ramp), profile.end - state.position
+        bent = state.acceleration if by.smooth else 0.0
+        shaped = state.acceleration and not by.smooth and order.shape != "trapezoid"
+        if state.velocity * left <= 0.0 or shaped:
+            return
+        if abs(lead(state.velocity, bent, 0.0, by)[1]) < abs(left) * (1.0 - SLACK):
+            words = f"it keeps the rates {order.rates[0]:g} and {order.rates[1]:g}"
+            proof.breaks(
+                order.line, f"{where}: {words}, ordered are {wanted.rates[0]:g} and {wanted.rates[1]:g}"
+            )
+
+
+def _law(order: Order) -> tuple[object, ...]:
+    """What the ramps of a path go by."""
+    assert order.path is not None
+    return order.shape, order.rates, order.jerks, order.path.most_accel, order.path.most_decel
+
+
+def _stops_within(run: Run, wanted: Order, time: float) -> bool:
+    """Whether a path could stop before its end, or the end of those that it goes on into, by an order given then."""
+    path = wanted.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    way, gone = Way(path, [profile.start for profile in profiles]), time - path.begun
+    along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
+    if not along:
+        return True
+    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    left, before = last[0] - first[0], way
+    for each in path.ahead:
+        assert each.path is not None
+        before = Way(each.path, before.ends)
+        left += before.length
+    by = _least(wanted, way)[1]
+    by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))
+    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] < left

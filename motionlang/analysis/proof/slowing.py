@@ -1,0 +1,109 @@
+"""Slowing down: motion that begins above its speed, or above its rates, comes back within them as fast as it may.
+
+A profile may begin above its speed, as that has come down, and with more acceleration than its S-ramp may have. Both
+are accepted only for as long as the ramp from there takes. Until then the speed is at most that of the ramp; from then
+on the bounds hold as for any other motion. The ramp is worked out from what was ordered alone.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import TYPE_CHECKING, NamedTuple
+
+from motionlang.analysis.proof.checker import SLACK
+from motionlang.analysis.proof.time_bounds import lead, ramp
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.analysis.proof.segments import Span
+    from motionlang.analysis.proof.time_bounds import Law
+
+# Seconds by which a span may be late, as its time is rounded.
+LATE = 1e-9
+
+
+class Slowing(NamedTuple):
+    """Entering at velocity v0 >= 0 and acceleration a0 what may have `speed`: `came` is the peak of the entry.
+
+    The speed may be above `speed` until `until`, and the acceleration above its rate until `eased`.
+    """
+
+    v0: float
+    speed: float
+    came: float
+    until: float
+    eased: float
+    stretches: tuple[tuple[float, float, float], ...]
+
+    def bound(self, middle: float) -> float:
+        """The bound on the speed of a stretch of `cut` spans that has a time inside."""
+        return max(self.came, self.speed) if middle < self.until else self.speed
+
+    def cuts(self, spans: Sequence[Span]) -> Iterator[Span]:
+        """The spans, cut where the excuses end."""
+        for span in spans:
+            first = 0.0
+            for end in sorted((self.until, self.eased)):
+                x = end - span.begin
+                if first < x < span.length:
+                    yield span.part(first, x)
+                    first = x
+            yield span.part(first, span.length) if first else span
+
+    def due(self, time: float) -> float:
+        """The speed that is left `time` seconds after the entry, at the most."""
+        if time >= self.until:
+            return self.speed
+        if not self.stretches:
+            return max(self.came, self.speed)
+        v = self.v0
+        for a, change, length in self.stretches:
+            x = min(time, length)
+            v += x * (a + (0.5 * change * x / length if length else 0.0))
+            time -= x
+            if time <= 0.0:
+                break
+        return max(v, self.speed)
+
+
+def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> Slowing:
+    """How motion that begins with a velocity and an acceleration comes to a speed, `extra` seconds not counted."""
+    if v0 < 0.0:
+        v0, a0 = -v0, -a0
+    came, until, eased = v0, 0.0, 0.0
+    if by.smooth and a0:
+        came += 0.5 * a0 * a0 / by.jerks[0] if a0 > 0.0 else 0.0
+        eased = abs(a0) / min(by.jerks) * (1.0 + SLACK) + LATE
+    beyond = 0.5 * a0 * a0 / by.jerks[1] - v0 if by.smooth and a0 < 0.0 else 0.0
+    if beyond > speed:  # it is as fast the other way before its acceleration is taken back
+        until = (abs(a0) / by.jerks[1] + ramp(beyond, speed, by)[0]) * (1.0 + SLACK) + extra + LATE
+        return Slowing(v0, speed, max(came, beyond), until, eased, ())
+    if came > speed:
+        # A ramp with a shape that leads to rest, where the motion turns round, is later at the speed than one to it.
+        to = speed if by.stretch == 1.0 else 0.0
+        until = lead(v0, a0 if by.smooth else 0.0, to, by)[0] * (1.0 + SLACK) + extra + LATE
+    stretches = _stretches(v0, a0, came, speed, by) if until and by.stretch == 1.0 and not extra else ()
+    return Slowing(v0, speed, came, until, eased, stretches)
+
+
+def _stretches(
+    v0: float, a0: float, came: float, speed: float, by: Law
+) -> tuple[tuple[float, float, float], ...]:
+    """The stretches of the ramp to a lower speed: the acceleration at first, its change, and the time."""
+    rate, jerk = by.rates[1], by.jerks[1]
+    if not by.smooth:
+        return ((-rate, 0.0, (v0 - speed) / rate),)
+    if a0 > 0.0:
+        return ((a0, -a0, a0 / by.jerks[0]), *_stretches(came, 0.0, came, speed, by))
+    size, gain = -a0, v0 - speed
+    eased = 0.5 * size * size / jerk
+    if gain < eased:
+        return ((a0, size, size / jerk),)
+    peak = rate if size > rate else min(rate, sqrt(jerk * (gain + eased)))
+    fall = peak / jerk
+    if size > rate:
+        held = (gain - eased) / rate
+    else:
+        held = max(0.0, (gain + eased) / peak - fall) if peak else 0.0
+    return ((a0, size - peak, abs(size - peak) / jerk), (-peak, 0.0, held), (-peak, peak, fall))

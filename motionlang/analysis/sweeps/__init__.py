@@ -1,0 +1,175 @@
+"""Sweeps: one program in many variants, each a whole run, on the processors of this machine or on a cluster."""
+
+from __future__ import annotations
+
+import os
+
+from motionlang.analysis.sweeps.cores import cores
+from motionlang.analysis.sweeps.job import Job
+from motionlang.analysis.sweeps.pool import Hand
+from motionlang.analysis.sweeps.quantities import quantity
+from motionlang.analysis.sweeps.space import Space, space_of
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect_for, settings_beside
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+    from concurrent.futures import Executor
+
+    from motionlang.analysis.sweeps.job import Problem, Result
+    from motionlang.analysis.sweeps.quantities import Kept
+    from motionlang.analysis.sweeps.space import Value
+    from motionlang.lang.dialect import Dialect
+
+KEEP = ("time",)
+
+
+class Row:
+    """One variant: its number, its `values` and what was `kept`, by name; `problem` is its first error, or None.
+
+    `row["time"]` and `row["accel"]` are both: what was kept, and what was varied.
+    """
+
+    __slots__ = ("index", "kept", "problem", "values")
+
+    def __init__(
+        self, index: int, values: dict[str, Value], kept: dict[str, Kept], problem: Problem | None
+    ) -> None:
+        self.index, self.values, self.kept, self.problem = index, values, kept, problem
+
+    def __getitem__(self, name: str) -> object:
+        return self.kept[name] if name in self.kept else self.values[name]
+
+    def __repr__(self) -> str:
+        told = f", problem={self.problem['message']!r}" if self.problem else ""
+        return f"Row({self.index}, {self.values}, {self.kept}{told})"
+
+    @property
+    def ok(self) -> bool:
+        """Whether nothing was wrong with the run."""
+        return self.problem is None
+
+
+class Sweep:
+    """A program and its variants, checked before anything runs; `results` runs them.
+
+    `space` has the variants, `job` what they have in common.
+    """
+
+    __slots__ = ("job", "space")
+
+    def __init__(
+        self,
+        program: str | os.PathLike[str] | Source,
+        grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]],
+        *,
+        keep: Sequence[str] = KEEP,
+        dialect: str | Dialect | None = None,
+        machine: Mapping[str, object] | None = None,
+        overrides: Mapping[str, float | str] | None = None,
+        worlds: Mapping[str, Mapping[str, Mapping[str, object]]] | None = None,
+        until: float | None = None,
+        prove: bool = False,
+        certify: bool = False,
+    ) -> None:
+        """As `sweep` has them.
+
+        ValueError for a name or a key that there is not, OSError where the program cannot be read, ProgramError where
+        it, or the machine file beside it, is wrong.
+        """
+        self.space = space_of(grid)
+        source = program if isinstance(program, Source) else Source.read(program)
+        language = dialect_for(source, dialect)
+        settings = settings_beside(program) if machine is None else dict(machine)
+        for name in keep:
+            quantity(name)
+        self.job = Job(
+            source,
+            language.name,
+            self.space.names,
+            keep,
+            settings,
+            overrides or {},
+            worlds or {},
+            until,
+            prove,
+            certify,
+        )
+        if len(self.space):
+            self._check(source, language)
+
+    def _check(self, source: Source, language: Dialect) -> None:
+        """What is wrong with every variant is told once, before any is run."""
+        from motionlang.lang.machine.file import check_setting
+
+        values = self.space[0]
+        for name, value in zip(self.space.names, values, strict=True):
+            problem = check_setting(name, value) if "." in name else None
+            if problem is not None:
+                raise ValueError("; ".join(problem))
+        settings, overrides = self.job.of(values)
+        language.compile(source, settings)
+        try:
+            language.compile_given(source, settings, overrides)
+        except ProgramError as error:
+            if not any(each.line for each in error.diagnostics):
+                raise ValueError(
+                    "; ".join(f"{each.message}; {each.hint}" for each in error.diagnostics)
+                ) from None
+
+    def __len__(self) -> int:
+        return len(self.space)
+
+    def results(
+        self, executor: Executor | None = None, jobs: int | None = None, done: Collection[int] = ()
+    ) -> Iterator[Result]:
+        """The rows as plain tuples, in the order in which they come; the variants in `done` are left out."""
+        left = len(self.space) - len(done)
+        variants = ((n, self.space[n]) for n in range(len(self.space)) if n not in done)
+        return Hand(self.job, variants, left, executor, jobs or cores()).rows()
+
+    def row(self, result: Result) -> Row:
+        """A row with its names."""
+        index, kept, problem = result
+        values = dict(zip(self.space.names, self.space[index], strict=True))
+        return Row(index, values, dict(zip(self.job.keep, kept, strict=True)), problem)
+
+
+def sweep(
+    program: str | os.PathLike[str] | Source,
+    grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]],
+    *,
+    keep: Sequence[str] = KEEP,
+    executor: Executor | None = None,
+    jobs: int | None = None,
+    dialect: str | Dialect | None = None,
+    machine: Mapping[str, object] | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+    until: float | None = None,
+    prove: bool = False,
+    certify: bool = False,
+) -> Iterator[Row]:
+    """Run a program in many variants and yield a row for each, as they come.
+
+    `grid` has the values by name, of the program's own names and, with a dot, of the keys of the machine file: lists,
+    or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel": 500.0}, …]`, is one
+    variant a point. `keep` names what is kept of a run, see docs/sweep.md. `executor` is any
+    `concurrent.futures.Executor`, such as Dask's; without one, `jobs` processes of this machine. The other arguments
+    are those of `run`; with `certify` a variant that passes a limit of the machine is a bad one. A variant that goes
+    wrong is a row with its `problem`; what is wrong with all of them is raised before the first one runs, as `Sweep`
+    says.
+    """
+    made = Sweep(
+        program,
+        grid,
+        keep=keep,
+        dialect=dialect,
+        machine=machine,
+        overrides=overrides,
+        until=until,
+        prove=prove,
+        certify=certify,
+    )
+    return map(made.row, made.results(executor, jobs))

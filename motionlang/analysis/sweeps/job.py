@@ -1,0 +1,231 @@
+"""One sweep as its workers know it: the program, what is kept, and how a variant becomes a row.
+
+A job travels to other processes and machines; what it takes long to make of it is made once in each.
+"""
+
+from __future__ import annotations
+
+from hashlib import sha256
+
+from motionlang.analysis.sweeps.quantities import quantity
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.execution import accelerators, dialect, run
+from motionlang.extras import missing
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+    from motionlang.analysis.sweeps.quantities import Kept
+    from motionlang.analysis.sweeps.space import Value
+    from motionlang.lang.program import Program
+    from motionlang.result import Run
+
+    # A variant by its number and its values; a row by its number, what is kept, and what is wrong with it.
+    Variant = tuple[int, tuple[Value, ...]]
+    Problem = dict[str, object]
+    Result = tuple[int, tuple[Kept, ...], Problem | None]
+
+# Names of a variant that stand for whole machine files.
+MACHINE, SCENARIO = "machine", "scenario"
+# Programs that a process keeps: their settings decide how they are compiled.
+MOST_PROGRAMS = 32
+
+
+class Job:
+    """Everything that the variants of a sweep have in common; plain data, so that it can be sent.
+
+    `worlds` has the settings of whole machine files by the names of variants: `{"machine": {"old": …}}`.
+    """
+
+    __slots__ = (
+        "_digest",
+        "certify",
+        "dialect",
+        "keep",
+        "name",
+        "names",
+        "overrides",
+        "prove",
+        "settings",
+        "text",
+        "until",
+        "worlds",
+    )
+
+    def __init__(
+        self,
+        source: Source,
+        dialect: str,
+        names: Sequence[str],
+        keep: Sequence[str],
+        settings: Mapping[str, object],
+        overrides: Mapping[str, float | str],
+        worlds: Mapping[str, Mapping[str, Mapping[str, object]]],
+        until: float | None,
+        prove: bool,
+        certify: bool = False,
+    ) -> None:
+        self.name, self.text, self.dialect = source.name, source.text, dialect
+        self.names, self.keep = tuple(names), tuple(keep)
+        self.settings, self.overrides = dict(settings), dict(overrides)
+        self.worlds = {kind: {n: dict(s) for n, s in some.items()} for kind, some in worlds.items()}
+        self.until, self.prove, self.certify = until, prove or certify, certify
+        self._digest = ""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in Job.__slots__}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            setattr(self, name, value)
+
+    @property
+    def digest(self) -> str:
+        """The same for the same sweep, whoever computes it, but for its variants."""
+        if not self._digest:
+            parts = [repr(getattr(self, name)) for name in Job.__slots__ if name != "_digest"]
+            self._digest = sha256("\n".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
+        return self._digest
+
+    def of(self, values: Sequence[Value]) -> tuple[dict[str, object], dict[str, float | str]]:
+        """The settings and the overrides of a variant."""
+        settings, overrides = self.settings, dict(self.overrides)
+        for name, value in zip(self.names, values, strict=True):
+            if name in self.worlds:
+                from motionlang.lang.machine.layers import layered
+
+                world = self.worlds[name][str(value)]
+                settings = dict(world) if name == MACHINE else layered(settings, world)
+        changed = {name: v for name, v in zip(self.names, values, strict=True) if "." in name}
+        settings = {**settings, **changed} if changed else settings
+        for name, value in zip(self.names, values, strict=True):
+            if "." not in name and name not in self.worlds:
+                overrides[name] = value if isinstance(value, str) else float(value)  # type: ignore[arg-type]
+        return settings, overrides
+
+
+class Worker:
+    """A job in one process, with its programs compiled."""
+
+    __slots__ = ("_dialect", "_programs", "_readers", "job", "source")
+
+    def __init__(self, job: Job) -> None:
+        self.job, self.source = job, Source(job.name, job.text)
+        self._dialect = dialect(job.dialect)
+        self._readers = [quantity(name) for name in job.keep]
+        self._programs: dict[str, Program] = {}
+
+    def result(self, variant: Variant) -> Result:
+        """The row of one variant; whatever is wrong with it stands in it."""
+        index, values = variant
+        try:
+            settings, overrides = self.job.of(values)
+            found = self._run(settings, overrides, self._program(settings, overrides))
+            if overrides and found.status == "fault":  # once more, as a run by itself tells what is wrong
+                found = self._run(settings, overrides, None)
+            kept = tuple(self._read(found, *reader) for reader in self._readers)
+            return index, kept, self._problem(found)
+        except ProgramError as error:
+            return index, (None,) * len(self._readers), told(error.diagnostics)
+        except (ValueError, KeyError) as error:
+            return index, (None,) * len(self._readers), told([Diagnostic("machine-file", str(error))])
+
+    def _run(
+        self, settings: dict[str, object], overrides: dict[str, float | str], compiled: Program | None
+    ) -> Run:
+        found = run(
+            self.source,
+            dialect=self._dialect,
+            machine=settings,
+            until=self.job.until,
+            overrides=overrides,
+            cache=False,
+            keep_crash=True,
+            prove=self.job.prove,
+            compiled=compiled,
+        )
+        if found.status == "interrupted":
+            raise KeyboardInterrupt
+        return found
+
+    def _program(self, settings: dict[str, object], overrides: dict[str, float | str]) -> Program:
+        """The program for a machine, compiled once for all that differ in nothing that it depends on."""
+        deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
+        key = repr(sorted(deciding.items())) if deciding else ""
+        found = self._programs.get(key)
+        if found is None:
+            if len(self._programs) >= MOST_PROGRAMS:
+                self._programs.clear()
+            found = self._programs[key] = self._dialect.compile_given(
+                self.source, settings, overrides, accelerators().ranges
+            )
+        return found
+
+    @staticmethod
+    def _read(found: Run, row: Any, number: int) -> Kept:
+        try:
+            kept: Kept = row.read(found, number)
+        except KeyError:  # no such axis
+            return None
+        return kept
+
+    def _problem(self, found: Run) -> Problem | None:
+        """What is wrong with a run: its first error; None for nothing."""
+        diagnostics = [each for each in found.diagnostics if each.severity == "error"]
+        if found.crash is not None:
+            diagnostics.append(_failed(found.crash))
+        elif self.job.prove:
+            diagnostics += found.proof().violations
+        if self.job.certify and found.crash is None:
+            from motionlang.analysis.certificate import certificate, violations
+
+            lines = certificate(found.controller, found.machine.settings, found.time)
+            diagnostics += violations(found.controller, lines, found.time)
+        return told(diagnostics) if diagnostics else None
+
+
+def _failed(error: Exception) -> Diagnostic:
+    """The message for an unexpected error of a run, or for one that came of a missing library."""
+    lacking = missing(error, "this run")
+    if lacking is not None:
+        return Diagnostic("extra", lacking.message, hint=lacking.hint)
+    return Diagnostic("crash", f"motionlang itself failed: {type(error).__name__}: {error}")
+
+
+def told(diagnostics: Sequence[Diagnostic]) -> Problem:
+    """The first of some diagnostics as plain data, with how many `more` there are."""
+    first = diagnostics[0]
+    return {**first.as_dict(), "length": first.length, "more": len(diagnostics) - 1}
+
+
+# The workers of this process, by their jobs; a pool that is used for several sweeps has several.
+_WORKERS: dict[str, Worker] = {}
+MOST_WORKERS = 8
+
+
+def worker_of(job: Job) -> Worker:
+    """The worker of a job in this process."""
+    found = _WORKERS.get(job.digest)
+    if found is None:
+        while len(_WORKERS) >= MOST_WORKERS:
+            _WORKERS.pop(next(iter(_WORKERS)), None)
+        found = _WORKERS.setdefault(job.digest, Worker(job))
+    return found
+
+
+def work(job: Job, variants: Sequence[Variant]) -> tuple[str, float, list[Result]]:
+    """The rows of some variants, by which process they were made, and how long that took, s: what a pool is given."""
+    import os
+    from time import perf_counter
+
+    worker = worker_of(job)
+    began = perf_counter()
+    rows = [worker.result(each) for each in variants]
+    return (
+        f"{os.uname().nodename if hasattr(os, 'uname') else ''}:{os.getpid()}",
+        perf_counter() - began,
+        rows,
+    )

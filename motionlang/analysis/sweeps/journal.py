@@ -1,0 +1,80 @@
+"""The rows of a sweep on disk while it runs, so that one that was cut off can go on: a line a row, as JSON."""
+
+from __future__ import annotations
+
+import json
+import os
+
+from motionlang.files import appending
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.analysis.sweeps.job import Result
+
+SCHEMA = "motionlang.sweep/1"
+
+
+class OtherSweep(Exception):
+    """What the file has are the rows of another sweep."""
+
+
+class Journal:
+    """Rows are in the file as soon as `add` has them; the file goes when all are there, by `remove`."""
+
+    __slots__ = ("_file", "path")
+
+    def __init__(self, path: str, digest: str, *, resume: bool) -> None:
+        """Begin it anew, or with `resume` go on with what `read` has found. OSError where it cannot be written."""
+        self.path = path
+        old = resume and os.path.exists(path)
+        self._file = appending(path, new=not old)
+        if not old:
+            self._write({"schema": SCHEMA, "digest": digest})
+        else:
+            # A line that was cut off ends here, and is none.
+            self._file.write(b"\n")
+
+    def add(self, result: Result) -> None:
+        self._write(result)
+
+    def close(self) -> None:
+        self._file.close()
+
+    def remove(self) -> None:
+        """Close it and take it away."""
+        self.close()
+        os.remove(self.path)
+
+    def _write(self, value: object) -> None:
+        self._file.write(json.dumps(value).encode("ascii") + b"\n")
+
+
+def read(path: str, digest: str) -> Iterator[Result]:
+    """The rows of an earlier sweep; none where there is no such file. OtherSweep where it was another one."""
+    try:
+        file = open(path, "rb")  # noqa: SIM115 - closed below
+    except FileNotFoundError:
+        return
+    with file:
+        head = _line(file.readline())
+        if not isinstance(head, dict) or head.get("schema") != SCHEMA or head.get("digest") != digest:
+            raise OtherSweep(path)
+        for line in file:
+            row = _line(line)
+            if (
+                isinstance(row, list)
+                and len(row) == 3
+                and isinstance(row[0], int)
+                and isinstance(row[1], list)
+            ):
+                yield row[0], tuple(row[1]), row[2]
+
+
+def _line(text: bytes) -> object:
+    try:
+        found: object = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return found

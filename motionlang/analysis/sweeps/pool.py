@@ -1,0 +1,173 @@
+"""The variants of a sweep on an executor: handed out in chunks, asked for again where a worker dies, told as they come.
+
+Nothing here decides where a chunk runs: that is the executor's, a pool of processes on this machine or a cluster's.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from time import perf_counter
+
+from motionlang.analysis.sweeps.job import told, work, worker_of
+from motionlang.errors import Diagnostic
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.analysis.sweeps.job import Job, Result, Variant
+    from motionlang.workers import Workers
+
+# Seconds that a chunk should take; that this process works by itself before it asks for others; that all the rest may
+# take it without.
+CHUNK, ALONE, WORTH = 0.1, 0.05, 0.2
+# Variants in a chunk at most, and before it is known how long one takes.
+MOST_VARIANTS, FIRST_VARIANTS = 500, 4
+# Chunks under way at most: of an executor whose workers nobody has counted, and for each process of a pool of our own.
+MOST_AHEAD, AHEAD = 512, 3
+# Times that a chunk is handed out, the last of them in single variants, before these are told as lost.
+TRIES, WHOLE_TRIES = 5, 2
+
+
+class _Chunk:
+    __slots__ = ("tries", "variants")
+
+    def __init__(self, variants: Sequence[Variant], tries: int = 0) -> None:
+        self.variants, self.tries = variants, tries
+
+
+class Hand:
+    """Hands out the variants of a job and takes the rows; `rows` yields each once, in the order in which they come."""
+
+    def __init__(
+        self, job: Job, variants: Iterator[Variant], count: int, executor: Executor | None, jobs: int
+    ) -> None:
+        self._job, self._variants, self._left = job, variants, count
+        self._given, self._jobs = executor, jobs
+        self._own: Workers | None = None
+        self._again: deque[_Chunk] = deque()
+        self._under_way: dict[Future[tuple[str, float, list[Result]]], _Chunk] = {}
+        self._seen: set[str] = set()
+        # Seconds that a variant took, for the size of chunks.
+        self._cost = 0.0
+        self._worked = False
+
+    def rows(self) -> Iterator[Result]:
+        """Every row once. What an executor raises for its first chunks, each time, is raised here."""
+        if self._given is None:
+            yield from self._alone()
+            if not self._left:
+                return
+            self._start(min(self._jobs, self._left))
+        try:
+            yield from self._from_others()
+        except BaseException:
+            self._stop()
+            raise
+        if self._own is not None:
+            self._own.shutdown()
+
+    def _alone(self) -> Iterator[Result]:
+        """The first rows, by this process: few variants need no other, and a pool that forks inherits the program."""
+        worker, began, done = worker_of(self._job), perf_counter(), 0
+        while self._left and (
+            self._jobs == 1 or perf_counter() - began < ALONE or 0.0 < self._cost * self._left < WORTH
+        ):
+            result = worker.result(next(self._variants))
+            self._left -= 1
+            done += 1
+            # The first has compiled the program, which says nothing of the others.
+            if done == 1:
+                first = perf_counter()
+            else:
+                self._cost = (perf_counter() - first) / (done - 1)
+            yield result
+
+    def _from_others(self) -> Iterator[Result]:
+        while self._fill():
+            done, _ = wait(self._under_way, return_when=FIRST_COMPLETED)
+            for future in done:
+                yield from self._taken(future)
+
+    def _fill(self) -> bool:
+        """Keep enough chunks under way; false where nothing is left to be done."""
+        ahead = MOST_AHEAD if self._given is not None else AHEAD * self._jobs
+        suspects = any(chunk.tries for chunk in self._under_way.values())
+        while len(self._under_way) < ahead and not (suspects and self._given is None):
+            chunk = self._next()
+            if chunk is None:
+                break
+            executor = self._own if self._given is None else self._given
+            assert executor is not None
+            try:
+                future = executor.submit(work, self._job, chunk.variants)
+            except BrokenExecutor:
+                if self._given is not None:
+                    raise
+                self._again.appendleft(chunk)
+                executor.shutdown(wait=False)
+                self._start(self._jobs)
+                continue
+            self._under_way[future] = chunk
+            # What has ended a process of our own pool goes alone, so that it takes nobody with it.
+            suspects = bool(chunk.tries) and self._given is None
+        return bool(self._under_way)
+
+    def _next(self) -> _Chunk | None:
+        if self._again and not (self._given is None and self._again[0].tries and self._under_way):
+            return self._again.popleft()
+        if self._again or not self._left:
+            return None
+        count = self._size()
+        self._left -= count
+        return _Chunk([next(self._variants) for _ in range(count)])
+
+    def _size(self) -> int:
+        """Chunks of a tenth of a second; towards the end smaller ones, so that all workers end together."""
+        size = int(CHUNK / self._cost) if self._cost else FIRST_VARIANTS
+        workers = max(self._jobs if self._given is None else 1, len(self._seen))
+        return max(1, min(size, MOST_VARIANTS, -(-self._left // (2 * workers)), self._left))
+
+    def _taken(self, future: Future[tuple[str, float, list[Result]]]) -> Iterator[Result]:
+        chunk = self._under_way.pop(future)
+        try:
+            who, seconds, rows = future.result()
+        except (KeyboardInterrupt, SystemExit):
+            raise
+        except (Exception, CancelledError) as error:
+            yield from self._failed(chunk, error)
+            return
+        self._worked = True
+        self._seen.add(who)
+        if rows:
+            self._cost = seconds / len(rows)
+        yield from rows
+
+    def _failed(self, chunk: _Chunk, error: BaseException) -> Iterator[Result]:
+        """A chunk whose worker died, or that never got to one: again, at last each of its variants by itself."""
+        tries = chunk.tries + 1
+        if tries >= TRIES:
+            if not self._worked:
+                raise error
+            lost = Diagnostic("crash", f"the worker was lost {tries} times: {type(error).__name__}: {error}")
+            for index, _ in chunk.variants:
+                yield index, (None,) * len(self._job.keep), told([lost])
+        elif len(chunk.variants) > 1 and (self._given is None or tries >= WHOLE_TRIES):
+            self._again.extend(_Chunk([variant], tries) for variant in chunk.variants)
+        else:
+            self._again.append(_Chunk(chunk.variants, tries))
+
+    def _start(self, jobs: int) -> None:
+        """Start a pool of our own."""
+        from motionlang.workers import Workers
+
+        self._own = Workers(jobs)
+
+    def _stop(self) -> None:
+        """End what is under way; an executor that was given lives on."""
+        if self._own is not None:
+            self._own.stop()
+        for future in self._under_way if self._given is not None else ():
+            future.cancel()
+        self._under_way.clear()

@@ -1,0 +1,122 @@
+"""What a sweep keeps of a run, by name: `time`, `peak.0`, `prints`.
+
+A row of the table says what a name is, in which unit, and how it is read off a run; `N` is an axis as the language
+numbers them, `K` a line that the program printed, from 1.
+"""
+
+from __future__ import annotations
+
+import re
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.result import Run
+
+    Kept = float | str | bool | None
+    Reader = Callable[[Run, int], Kept]
+
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+
+
+class Quantity:
+    """One row of the table: `name` is `time`, or `peak.N` with the number that belongs to it."""
+
+    __slots__ = ("help", "name", "read", "unit")
+
+    def __init__(self, name: str, unit: str, help: str, read: Reader) -> None:
+        self.name, self.unit, self.help, self.read = name, unit, help, read
+
+
+def _printed(run: Run, line: int) -> str | None:
+    lines = run.output
+    return lines[line - 1] if 0 < line <= len(lines) else None
+
+
+def _number(run: Run, line: int) -> float | None:
+    found = _NUMBER.search(_printed(run, line) or "")
+    return None if found is None else float(found[0])
+
+
+def _position(run: Run, axis: int) -> float:
+    a = run.controller.axes[axis]
+    counts = a.position(run.time) if a.feedback is None else a.feedback.position
+    return a.scale.position_to_user(counts)
+
+
+def _peak(run: Run, axis: int) -> float:
+    from motionlang.log.extremes import peak_speed
+
+    return peak_speed(run.controller.axes[axis], run.time)
+
+
+def _extreme(which: str) -> Reader:
+    def read(run: Run, axis: int) -> float:
+        from motionlang.log.extremes import extremes
+
+        found: float = getattr(extremes(run.controller.axes[axis], run.time), which).value
+        return found
+
+    return read
+
+
+def _events(run: Run, number: int) -> int:
+    return len(run.machine.log.events)
+
+
+def _margin(run: Run, number: int) -> float | None:
+    from motionlang.analysis.certificate import certificate, least_margin
+
+    return least_margin(certificate(run.controller, run.machine.settings, run.time))
+
+
+def _motor(column: str, rms: bool = False) -> Reader:
+    def read(run: Run, axis: int) -> float | None:
+        from motionlang.log.extremes import motor_peak
+
+        found = motor_peak(run.controller.axes[axis], run.time, column, rms=rms)
+        return None if found is None else found.value
+
+    return read
+
+
+ROWS = (
+    Quantity("time", "s", "how long the run took, machine time", lambda run, n: run.time),
+    Quantity("status", "", "how it ended: ended, until, fault", lambda run, n: run.status),
+    Quantity("moves", "", "how many moves were started", lambda run, n: run.machine.moves_made),
+    Quantity("events", "", "how many events there were: limits, faults, clamps, stops", _events),
+    Quantity("prints", "", "all that was printed, a text", lambda run, n: "\n".join(run.output)),
+    Quantity("prints.K", "", "the printed line K, from 1", _printed),
+    Quantity("number.K", "", "the first number in the printed line K", _number),
+    Quantity("position.N", "uu", "where axis N stands at the end", _position),
+    Quantity("lowest.N", "uu", "the lowest position that axis N was told to go to", _extreme("lowest")),
+    Quantity("highest.N", "uu", "the highest one", _extreme("highest")),
+    Quantity("peak.N", "uu/s", "the highest speed of axis N", _peak),
+    Quantity("accel.N", "uu/s²", "its highest acceleration or deceleration", _extreme("acceleration")),
+    Quantity("jerk.N", "uu/s³", "its highest jerk, inf where an acceleration is there at once", _extreme("jerk")),
+    Quantity("error.N", "uu", "the largest following error of its motor", _motor("error")),
+    Quantity("torque.N", "N m", "the largest torque of its motor", _motor("torque")),
+    Quantity("rms_torque.N", "N m", "the root of the mean square of that torque over the run", _motor("torque", True)),
+    Quantity("output.N", "V", "the largest output to its motor", _motor("output")),
+    Quantity("margin", "", "the least margin of the machine's [axis.N.limits], as a part of the limit", _margin),
+)  # fmt: skip
+_BY_NAME = {row.name.partition(".")[0] + ("." if "." in row.name else ""): row for row in ROWS}
+
+
+def quantity(name: str) -> tuple[Quantity, int]:
+    """The row of a name and the number in it; ValueError with a hint where there is none."""
+    stem, dot, number = name.partition(".")
+    row = _BY_NAME.get(stem + dot)
+    if row is not None and (not dot or (number.isascii() and number.isdigit() and len(number) < 10)):
+        return row, int(number or 0)
+    from motionlang.errors import nearest
+
+    near = nearest(name, [each.name for each in ROWS])
+    hint = f"did you mean {near}?" if near else f"there are {', '.join(each.name for each in ROWS)}"
+    raise ValueError(f"a run has no {name}; {hint}")
+
+
+def unit_of(name: str) -> str:
+    """The unit of what is kept under a name; empty where there is none."""
+    return quantity(name)[0].unit

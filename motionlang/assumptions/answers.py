@@ -1,0 +1,288 @@
+"""The answers to a probe, read out of what a terminal showed, and what they say of each reading."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.assumptions.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
+from motionlang.assumptions.questions import questions
+from motionlang.assumptions.reading import REFUSED
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.switch import switch
+
+if TYPE_CHECKING:
+    from motionlang.assumptions.reading import Probe, Reading
+
+NUMBER = r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
+_ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x09\x0b\x0c\x0e-\x1f\x7f]")
+_STAMP = re.compile(r"^\s*\[?(?:\d{4}-\d\d-\d\d[ T])?\d{1,2}:\d\d:\d\d(?:[.,]\d+)?\]?[ \t]*")
+_MINT = re.compile(r"(?<!\")<([a-z]+(?:\.[a-z0-9-]+)?)\|([^<>\n]*)(>?)")
+_MARK = re.compile(rf"{str(FIRST_MARK)[:3]}\d{{6}}")
+# How far a value may be from the one chosen and still be the same.
+ROUNDING = 1e-9
+# The place of an axis or of a distance in a question, its brackets escaped.
+_FILLED = re.compile(r"\\\{\w+\\\}")
+HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
+
+
+class Verdict:
+    """What an answer says of a reading: it `holds`, an `other` alternative does (`what`, and the `value` that sets
+    it), or it is `unknown`, as the answer fits nothing that is known.
+    """
+
+    __slots__ = ("answer", "reading", "status", "value", "what")
+
+    def __init__(self, reading: Reading, answer: str, status: str, what: str, value: object = None) -> None:
+        self.reading, self.answer, self.status, self.what, self.value = reading, answer, status, what, value
+
+    @property
+    def can_be_set(self) -> bool:
+        """Whether the machine file can make the virtual controller answer alike."""
+        return self.value is not None
+
+
+class Answers:
+    """What was read: `verdicts` in the order of the readings, and `problems` with what was shown."""
+
+    __slots__ = ("language", "problems", "verdicts")
+
+    def __init__(self) -> None:
+        self.language = ""
+        self.verdicts: list[Verdict] = []
+        self.problems: list[Diagnostic] = []
+
+    def complain(self, message: str, hint: str = "", line: int = 0, severity: str = "error") -> None:
+        """Tell of something that is wrong with the answers."""
+        self.problems.append(Diagnostic("answers", message, line, hint=hint, severity=severity))
+
+
+def read(text: str, wanted: str = "") -> Answers:
+    """The answers in a text that a terminal showed; `wanted` is the language that they must be of, "" for any."""
+    found = Answers()
+    lines = [_STAMP.sub("", line) for line in _ESCAPE.sub("", re.sub(r"\r\n?", "\n", text)).split("\n")]
+    told = _told_by_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
+    if told:
+        found.language = "mint"
+    else:
+        told = _told_by_mccl(lines, found)
+        found.language = "mccl" if told else ""
+    if not told:
+        what = (
+            "the questions are here, and no answers"
+            if _is_a_probe(text)
+            else "there is no answer to a probe here"
+        )
+        found.complain(what, "run the probe on the controller, and keep what its terminal shows")
+        return found
+    if wanted and wanted != found.language:
+        hint = f"motionlang probe {found.language} --answers reads them"
+        found.complain(f"these are the answers to a probe of {found.language}, not of {wanted}", hint)
+        return found
+    _judge(found, told)
+    return found
+
+
+def _is_a_probe(text: str) -> bool:
+    return f"<{BEGIN}|" in text or str(mark(BEGIN)) in text
+
+
+# --------------------------------------------------------------------------------------------- where they stand
+
+
+def _told_by_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
+    """The answers by their names, with their lines; the listing of the probe itself has a quote behind the name."""
+    told: dict[str, list[tuple[str, int]]] = {}
+    for number, line in enumerate(lines, 1):
+        for match in _MINT.finditer(line):
+            name, answer, closed = match.groups()
+            if '"' in answer:
+                continue
+            if closed:
+                told.setdefault(name, []).append((_plain(answer), number))
+            elif name in questions():
+                found.complain(f"the answer to {name} is cut off", line=number)
+    return told
+
+
+def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
+    """The answers by their names: what was told behind each mark, without the echo of what was asked."""
+    names = {mark(name): name for name in (*questions(), BEGIN, END, NEXT)}
+    told: dict[str, list[tuple[str, int]]] = {}
+    name, begun = "", 0
+    parts: list[str] = []
+    for number, line in enumerate(lines, 1):
+        said = line.strip()
+        if said.startswith(">"):
+            rest = said.lstrip("> ")
+            said = rest if _MARK.fullmatch(rest) else ""
+        if _MARK.fullmatch(said) and FIRST_MARK <= int(said) < FIRST_MARK + MARKS:
+            if name and name != NEXT:
+                told.setdefault(name, []).append((_plain(" ".join(parts)), begun))
+            name, parts, begun = names.get(int(said), f"question {said}"), [], number
+        elif said and not _is_echo(said, name):
+            parts.append(said)
+    if name == END:
+        told[name] = [("", begun)]
+    elif name in questions():
+        found.complain(f"the answer to {name} is cut off", line=begun)
+    return told
+
+
+def _is_echo(said: str, name: str) -> bool:
+    """Whether a line without a prompt is what was sent, shown once more."""
+    if _MARK.search(said) or said.startswith(";"):
+        return True
+    reading = questions().get(name)
+    return (
+        reading is not None
+        and reading.probe is not None
+        and any(letter.isalpha() for letter in said)
+        and re.fullmatch(_FILLED.sub(r"[-+.\\de]+", re.escape(reading.probe.ask)), said) is not None
+    )
+
+
+def _plain(answer: str) -> str:
+    return " ".join(answer.split())
+
+
+# -------------------------------------------------------------------------------------------- what they say
+
+
+def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
+    begin, end = told.pop(BEGIN, []), told.pop(END, [])
+    known = {
+        name
+        for name, each in questions().items()
+        if each.probe is not None and each.probe.language == found.language
+    }
+    order = {name: place for place, name in enumerate(questions())}
+    for name, answers in told.items():
+        if name not in known:
+            other = "a reading of the other language" if name in questions() else "no reading"
+            found.complain(f"{name} is {other}", "was the probe written by another version?", answers[0][1])
+        elif len({answer for answer, _ in answers}) > 1:
+            says = " and ".join(repr(answer) for answer, _ in answers[:2])
+            found.complain(f"{name} is answered twice, by {says}", "keep one of them", answers[1][1])
+        else:
+            answer, line = answers[0]
+            _take(found, questions()[name], answer, line)
+    found.verdicts.sort(key=lambda each: order[each.reading.name])
+    count = re.search(r"\d+", begin[0][0]) if begin else None
+    got = sum(name in known for name in told)
+    if all(each.answer == REFUSED for each in found.verdicts) and found.verdicts:
+        return
+    if not begin or not end:
+        what = "beginning" if not begin else "end"
+        found.complain(f"the {what} of the answers is missing: {got} were found", "what is here counts")
+    elif count is not None and int(count[0]) > got:
+        missing = int(count[0]) - got
+        found.complain(
+            f"{missing} of {count[0]} questions have no answer", "what is here counts", severity="warning"
+        )
+
+
+def _take(found: Answers, reading: Reading, answer: str, line: int) -> None:
+    try:
+        verdict = judged(reading, answer)
+    except ValueError as problem:
+        found.complain(f"{reading.name}: {problem}", "nothing is set for it", line)
+        return
+    found.verdicts.append(verdict)
+
+
+def judged(reading: Reading, answer: str) -> Verdict:
+    """What an answer says of a reading; ValueError where it is a number that the reading cannot be set to."""
+    probe = reading.probe
+    assert probe is not None
+    settable = switch(reading.name)
+    if probe.form:
+        value, chosen = _number(probe, answer), _number(probe, probe.answers[0])
+        if value is None or chosen is None:
+            return Verdict(reading, answer, UNKNOWN, "")
+        if abs(value - chosen) <= ROUNDING * abs(chosen):
+            return Verdict(reading, answer, HOLDS, reading.chosen)
+        if settable is not None and (wrong := settable.problem(value)):
+            raise ValueError(f"the answer {answer!r} is a value that {wrong}")
+        return Verdict(reading, answer, OTHER, f"{value:.10g}", value if reading.key else None)
+    fits = [n for n, each in enumerate(probe.answers) if is_answer(each, answer)]
+    if fits == [0]:
+        return Verdict(reading, answer, HOLDS, reading.chosen)
+    if len(fits) != 1:
+        return Verdict(reading, answer, UNKNOWN, "")
+    other = reading.alternatives[fits[0] - 1]
+    return Verdict(reading, answer, OTHER, other, settable.choices[fits[0]] if settable is not None else None)
+
+
+def _number(probe: Probe, answer: str) -> float | None:
+    """The value that an answer tells, None where it has not the form; whole ones as such."""
+    match = re.fullmatch(probe.form.replace("{}", NUMBER), answer)
+    if match is None:
+        return None
+    groups = match.groupdict()
+    value = (
+        float(len(groups["decimals"])) if "decimals" in groups else float(groups["number"])
+    ) * probe.scale
+    return int(value) if value == int(value) else float(f"{value:.10g}")
+
+
+def is_answer(expected: str, answer: str) -> bool:
+    """Whether an answer is the one expected: as a pattern, or word by word, numbers by their value."""
+    if expected.startswith("re:"):
+        return re.fullmatch(expected[3:], answer) is not None
+    wanted, given = expected.split(), answer.split()
+    return len(wanted) == len(given) and all(map(_are_alike, wanted, given))
+
+
+def _are_alike(wanted: str, given: str) -> bool:
+    """Numbers are alike when they differ by no more than half a unit of the last place that was shown."""
+    if wanted == given:
+        return True
+    if not (re.fullmatch(NUMBER, wanted) and re.fullmatch(NUMBER, given)):
+        return False
+    places = (
+        min(len(each.lower().partition("e")[0].partition(".")[2]) for each in (wanted, given) if "." in each)
+        if ("." in wanted and "." in given)
+        else 9
+    )
+    return abs(float(wanted) - float(given)) <= 0.5000001 * 10.0**-places + 1e-6 * abs(float(wanted)) * (
+        "e" in given
+    )
+
+
+def machine_text(found: Answers, source: str) -> str:
+    """The `[readings]` of a machine file that make the virtual controller answer alike."""
+    count = {
+        status: sum(each.status == status for each in found.verdicts) for status in (HOLDS, OTHER, UNKNOWN)
+    }
+    hold, do, fit = (count[status] for status in (HOLDS, OTHER, UNKNOWN))
+    lines = [
+        f"# What {source} says of a controller: {counted(hold, 'reading holds', 'readings hold')}, "
+        f"{counted(do, 'does', 'do')} not, {counted(fit, 'answer fits', 'answers fit')} nothing known."
+    ]
+    others = [each for each in found.verdicts if each.status == OTHER]
+    own = [each for each in others if each.can_be_set and each.reading.key.startswith(READINGS)]
+    if own:
+        lines += ["", "[readings]"]
+        lines += [
+            f'"{each.reading.name}" = {_toml_value(each.value)}  # {each.reading.question}' for each in own
+        ]
+    for each in others:
+        if each.can_be_set and each not in own:
+            table, _, key = each.reading.key.rpartition(".")
+            lines += ["", f"[{table}]", f"{key} = {_toml_value(each.value)}  # {each.reading.question}"]
+    fixed = [each for each in others if not each.can_be_set]
+    if fixed:
+        lines += ["", "# These do not hold either, and cannot be set:"]
+        lines += [f"# {each.reading.name}: {each.what} (answered {each.answer})" for each in fixed]
+    return "\n".join(lines) + "\n"
+
+
+def counted(number: int, one: str, many: str) -> str:
+    """A number with what it counts."""
+    return f"{number} {one if number == 1 else many}"
+
+
+def _toml_value(value: object) -> str:
+    return f'"{value}"' if isinstance(value, str) else f"{value!r}"

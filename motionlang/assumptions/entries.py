@@ -1,0 +1,127 @@
+"""The open readings as they stand in the files of evidence: chapters, sections, entries."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from motionlang.assumptions.facts import of_word
+from motionlang.assumptions.reading import Probe, Reading
+from motionlang.assumptions.rules import default_probe, other_defaults
+from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.switch import switch
+from motionlang.mint.keywords.switchable import name_of, with_default
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any
+
+    from motionlang.lang.keyword import Keyword
+
+ROOT = Path(__file__).parent.parent
+# The files of evidence, in the order of the chapters of docs/fidelity.md.
+FILES = (
+    "mint/evidence/language.toml",
+    "mint/evidence/machine.toml",
+    "mint/evidence/motion.toml",
+    "mccl/evidence/board.toml",
+    "assumptions/evidence/controller.toml",
+    "assumptions/evidence/models.toml",
+    "assumptions/evidence/servo.toml",
+    "assumptions/evidence/copley.toml",
+    "assumptions/evidence/serving.toml",
+    "assumptions/evidence/prompt.toml",
+    "assumptions/evidence/report.toml",
+)
+# Behind so many of them stand Mint's settings at power-up.
+AFTER = 3
+PROBE_KEYS = (
+    *("before", "ask", "after", "answers", "form", "scale", "motion"),
+    *("alone", "behind", "error", "needs", "machine"),
+)
+DEFAULTS = """\
+A setting of an axis that no program has written yet. Each can be given another value in the machine file's
+`[readings]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
+
+
+class Section:
+    """Readings about one matter, behind what there is to say of all of them; `title` "" for a chapter's only one."""
+
+    __slots__ = ("readings", "text", "title")
+
+    def __init__(self, title: str, text: str, readings: Sequence[Reading]) -> None:
+        self.title, self.text, self.readings = title, text, readings
+
+
+class Chapter:
+    """One file of evidence."""
+
+    __slots__ = ("sections", "text", "title")
+
+    def __init__(self, title: str, text: str, sections: Sequence[Section]) -> None:
+        self.title, self.text, self.sections = title, text, sections
+
+
+@cache
+def chapters() -> tuple[Chapter, ...]:
+    """Every file of evidence, read; AssertionError where two readings have one name."""
+    of_files = [_chapter(ROOT / file) for file in FILES]
+    found = (*of_files[:AFTER], _defaults(), *of_files[AFTER:])
+    names = [each.name for each in _readings(found)]
+    assert len(names) == len(set(names)), sorted(name for name in names if names.count(name) > 1)
+    return found
+
+
+@cache
+def readings() -> Mapping[str, Reading]:
+    """Every reading by its name, in the order of the chapters."""
+    return {each.name: each for each in _readings(chapters())}
+
+
+def _readings(found: Sequence[Chapter]) -> Iterator[Reading]:
+    for chapter in found:
+        for section in chapter.sections:
+            yield from section.readings
+
+
+def _chapter(path: Path) -> Chapter:
+    tree = tomllib.loads(path.read_text(encoding="utf-8"))
+    sections = [
+        Section(each["title"], each.get("text", ""), [_reading(entry) for entry in each.get("reading", ())])
+        for each in tree["section"]
+    ]
+    return Chapter(tree["title"], tree.get("text", ""), sections)
+
+
+def _reading(entry: dict[str, Any]) -> Reading:
+    """An entry of a file: what is of the probe stands beside the rest."""
+    asked = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
+    language = entry.pop("language", entry["name"].partition(".")[0])
+    if asked:
+        entry["probe"] = Probe(language, **asked)
+    if "key" not in entry and switch(entry["name"]) is not None:
+        entry["key"] = READINGS + entry["name"]
+    return Reading(**entry)
+
+
+def _defaults() -> Chapter:
+    """What Mint's settings are at power-up: as many readings, whose values stand in the rows of the words."""
+    found = [_default(row) for row in with_default()]
+    return Chapter("Mint: settings at power-up", DEFAULTS, [Section("", "", found)])
+
+
+def _default(row: Keyword) -> Reading:
+    evidence = of_word("mint", row)["default"]
+    return Reading(
+        name_of(row),
+        f"What {row.name} is until a program writes it",
+        f"{row.default:.10g}",
+        alternatives=other_defaults(row),
+        why=evidence.source,
+        strength=evidence.strength,
+        words=row.name,
+        probe=default_probe(row),
+        key=READINGS + name_of(row),
+    )

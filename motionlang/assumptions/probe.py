@@ -1,0 +1,257 @@
+"""A probe: a program that asks a controller which readings hold, to be run by the controller's owner.
+
+It moves nothing and writes no setting, unless it is asked for motion. Each question prints one answer, marked with the
+name of its reading, so that the answers can be told from whatever else a terminal shows. What writes settings, or may
+end with an error, has a program of its own.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+import tomllib
+from typing import TYPE_CHECKING
+from zlib import crc32
+
+from motionlang.assumptions.entries import ROOT, readings
+from motionlang.assumptions.reading import REFUSED
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterator, Sequence
+
+    from motionlang.assumptions.reading import Probe, Reading
+
+# What a probe of MCCL tells before an answer: a register with this number, and one of its own for each name.
+FIRST_MARK = 731_000_000
+MARKS = 1_000_000
+BEGIN, END, NEXT = "probe", "end", "next"
+# A longer answer has a line of its own.
+WIDE = 24
+# How a pattern is shown to a person: signs and their stand-ins, one after the other.
+PLAIN = (
+    (r"0\??\\d\+?", "01"),
+    (r"\\\?", "\0"),
+    (r"\(\?!\\1.*?\$\)", "another "),
+    (r"\[01\]", "0 or 1"),
+    (r"\\1", "the same"),
+    (r"\(\?i\)|-\?|\(\?[!:][^()]*(?:\([^()]*\)[^()]*)*\)\??", ""),
+    (r"\((?:[^()|]|\([^()]*\))*\)[?*]", ""),
+    (r"(?<!\\)\.\*|\\S\+", "…"),
+    (r"\[[-0-9.]+\][+*]?|\\d(?:[+*]|\{\d\})?", "n"),
+    (r"\\\.", "."),
+    (r"0[+*]", "0"),
+    (r"\((.*)\|(.*)\)", r"\1 or \2"),
+    (r"[()\\?$^]", ""),
+    ("\0", "?"),
+)
+# What a question with motion does takes no more than so many of its steps of the distance.
+STEPS = 4
+
+
+class Motion:
+    """What the owner allows: `distance` in user units, over which an axis may move to and fro."""
+
+    __slots__ = ("axis", "distance")
+
+    def __init__(self, axis: int, distance: float) -> None:
+        self.axis, self.distance = axis, distance
+
+    @property
+    def step(self) -> float:
+        """The `{d}` of a question; whole if it can be, since a board without a scale counts in whole counts."""
+        return float(self.distance // STEPS) or self.distance / STEPS
+
+
+def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list[Reading]:
+    """The readings of a language that a probe asks about; those that need motion only where it is allowed."""
+    found = [
+        each
+        for each in readings().values()
+        if each.probe is not None
+        and not each.probe.alone
+        and each.probe.language == language
+        and (motion or not each.probe.motion)
+        and each.name not in without
+    ]
+    return sorted(found, key=_moves)
+
+
+def _moves(reading: Reading) -> bool:
+    """What moves, or writes a setting, comes last: settings are asked for as they are at power-up."""
+    return reading.probe is not None and reading.probe.motion
+
+
+def written(language: str, axis: int, motion: Motion | None = None, without: Collection[str] = ()) -> str:
+    """The text of a probe."""
+    found = asked(language, motion=motion is not None, without=without)
+    head, maker, sign = (_mint_head, _mint, "'") if language == "mint" else (_mccl_head, _mccl, ";")
+    lines = [*(f"{sign} {line}" for line in head(found, motion)), *maker(found, axis, motion)]
+    return "\n".join(lines) + "\n"
+
+
+def alone(reading: Reading, axis: int, motion: Motion | None = None) -> str:
+    """The text of a probe that asks one question, and says above it what each answer means."""
+    assert reading.probe is not None
+    maker, sign = (_mint, "'") if reading.probe.language == "mint" else (_mccl, ";")
+    needs = reading.probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
+    first = [f"First: {needs}."] if needs else []
+    if motion is not None and reading.probe.motion:
+        first.append(_reach(reading.probe, motion))
+    above = [f"{reading.name}: {reading.question}", *first, *meanings(reading)]
+    told = ["Then: motionlang probe --answers LOG, where LOG is what the terminal showed."]
+    if REFUSED in reading.probe.answers:
+        told[0] += f" Of a program that is refused, LOG is <{reading.name}|{REFUSED}>."
+    lines = [sign + f" {line}".rstrip() for each in (*above, *told) for line in _wrapped(each)]
+    return "\n".join((*lines, *maker([reading], axis, motion))) + "\n"
+
+
+def _wrapped(line: str) -> list[str]:
+    """A line of a remark, in several where it is long."""
+    return [line] if line.startswith("  ") else textwrap.wrap(line, 110)
+
+
+def meanings(reading: Reading, most: int = 110) -> list[str]:
+    """What a controller may show, and what that says of it, an answer a line."""
+    probe = reading.probe
+    assert probe is not None
+    chosen = f"{reading.chosen} (chosen here)"
+    meant = [(probe.answers[0], chosen), *zip(probe.answers[1:], reading.alternatives, strict=False)]
+    shown = [(as_shown(answer), meaning) for answer, meaning in meant]
+    if probe.form:
+        shown[1:] = [("another number", "that is it")]
+    width = min(WIDE, max(len(answer) for answer, _ in shown))
+    lines = ["What it shows, and what that says of the controller:"]
+    for answer, meaning in shown:
+        begin, indent = f"  {answer:<{width}}  ", " " * (width + 4)
+        if len(answer) > WIDE:
+            lines.append(f"  {answer}")
+            begin = indent
+        lines += textwrap.wrap(meaning, most, initial_indent=begin, subsequent_indent=indent)
+    return lines
+
+
+def as_shown(answer: str) -> str:
+    """An answer as a person reads it: a pattern without its signs, what nothing prints as what happens."""
+    if answer == REFUSED:
+        return "(the compiler refuses it)"
+    if not answer:
+        return "(nothing)"
+    if not answer.startswith("re:"):
+        return answer
+    text = answer[3:]
+    for pattern, instead in PLAIN:
+        text = re.sub(pattern, instead, text)
+    return text
+
+
+def mark(name: str) -> int:
+    """The number that a probe of MCCL tells before the answer to a question."""
+    return FIRST_MARK + crc32(name.encode()) % MARKS
+
+
+def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list[str]]:
+    """What is done before a question, the question, and what is done after it."""
+
+    def filled(text: str) -> str:
+        text = text.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
+        return text.replace("{2d}", f"{2 * step:g}").replace("{d}", f"{step:g}")
+
+    return [filled(each) for each in probe.before], filled(probe.ask), [filled(each) for each in probe.after]
+
+
+def _reach(probe: Probe, motion: Motion) -> str:
+    """How far a question of its own moves which axes; whether they come back is what it says itself."""
+    both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
+    axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
+    where = "they stand" if both else "it stands"
+    within = f"within {motion.distance:g} user units of where {where}"
+    return f"It moves {axes} {within}. Enable what moves; stop it as any motion."
+
+
+def _promise(language: str, motion: Motion | None) -> str:
+    if motion is None:
+        return "It moves nothing and writes no setting. It can be stopped at any time."
+    within = f"It moves axis {motion.axis} within {motion.distance:g} user units of where it stands"
+    if language == "mint":
+        return f"{within}, and puts back what it writes. The axis must be enabled. Stop it as any motion."
+    speed = f"leaves its velocity at {motion.distance / 2:g}"
+    return f"{within}, which is 0 afterwards, switches it on and {speed}. Stop it as any motion."
+
+
+def _mint_head(found: Sequence[Reading], motion: Motion | None) -> Iterator[str]:
+    yield f"{_counted(found)} of motionlang about this controller, one line of answer each."
+    yield _promise("mint", motion)
+    yield "Run it after power-up, with the settings of the factory. A line that does not compile may be deleted."
+    yield "Then: motionlang probe --answers LOG, where LOG is what the terminal showed."
+
+
+def _mccl_head(found: Sequence[Reading], motion: Motion | None) -> Iterator[str]:
+    yield f"{_counted(found)} of motionlang about this controller, one line each."
+    yield _promise("mccl", motion)
+    yield "Send it line by line after power-up, and keep what the terminal shows."
+    yield "Then: motionlang probe --answers LOG"
+
+
+def _counted(found: Sequence[Reading]) -> str:
+    return f"{len(found)} question{'s' if len(found) != 1 else ''}"
+
+
+def _mint(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterator[str]:
+    yield "Dim fa As Float, fb As Float, ia As Integer, ib As Integer"
+    yield f'PRINT "<{BEGIN}|mint {len(found)}>"'
+    slow = False
+    for each in found:
+        assert each.probe is not None
+        if motion is not None and each.probe.motion and not slow:
+            slow = True
+            yield "Dim fs As Float"
+            yield f"fs = SPEED({axis})"
+            yield f"SPEED({axis}) = {motion.distance / 2:g}"
+        before, ask, after = lines_of(each.probe, axis, motion.step if motion is not None else 0.0)
+        yield from before
+        yield f'PRINT "<{each.name}|"; {ask}; ">"'
+        yield from after
+    if slow:
+        yield f"SPEED({axis}) = fs"
+    yield f'PRINT "<{END}|mint {len(found)}>"'
+    yield "End"
+    for each in found:
+        yield from _behind(each, axis)
+
+
+def _behind(reading: Reading, axis: int) -> Iterator[str]:
+    """What stands behind the End of a program: the lines of its probe, and what tells that it ended with an error."""
+    assert reading.probe is not None
+    for line in reading.probe.behind:
+        yield line.replace("{a}", str(axis))
+    if reading.probe.error:
+        said = reading.probe.error.replace("{a}", str(axis))
+        yield "Event ONERROR"
+        yield f'  PRINT "<{reading.name}|"; {said}; ">"'
+        yield f'  PRINT "<{END}|mint 1>"'
+        yield "  End"
+        yield "End Event"
+
+
+def _mccl(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterator[str]:
+    frame = tomllib.loads((ROOT / "mccl" / "evidence" / "probe.toml").read_text(encoding="utf-8"))
+
+    def marked(name: str) -> str:
+        said: str = frame["mark"].format(mark=mark(name))
+        return said
+
+    yield frame["begin"].format(mark=mark(BEGIN), count=len(found))
+    if motion is not None:
+        yield frame["slow"].format(a=axis, speed=f"{motion.distance / 2:g}")
+    for each in found:
+        assert each.probe is not None
+        before, ask, after = lines_of(each.probe, axis, motion.step if motion is not None else 0.0)
+        if before:
+            yield marked(NEXT)
+            yield from before
+        yield marked(each.name)
+        yield ask
+        if after:
+            yield marked(NEXT)
+            yield from after
+    yield marked(END)

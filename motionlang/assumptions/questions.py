@@ -1,0 +1,43 @@
+"""Every question that a controller can be asked: the entries of the files of evidence, and open facts of words."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+from motionlang.assumptions.entries import readings
+from motionlang.assumptions.rules import facts_asked
+from motionlang.lang.dialect import dialect, dialects
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.assumptions.reading import Reading
+    from motionlang.lang.keyword import Keyword
+
+
+@cache
+def questions() -> Mapping[str, Reading]:
+    """Every reading by its name: the entries in the order of docs/fidelity.md, then the facts in that of the tables."""
+    facts = (
+        fact
+        for language in dialects()
+        for row in dialect(language).table()
+        for fact in facts_asked(language, row)
+    )
+    found = dict(readings())
+    for each in facts:
+        found.setdefault(each.name, each)
+    return found
+
+
+def of_word(language: str, row: Keyword) -> list[Reading]:
+    """What is open of a word of a language: the entries that depend on it, then its own facts."""
+    others = tuple(f"{each}." for each in dialects() if each != language)
+    entries = [
+        each
+        for each in readings().values()
+        if each.is_open and row.name in each.words and not each.name.startswith(others)
+    ]
+    known = {each.name for each in entries}
+    return entries + [each for each in facts_asked(language, row) if each.name not in known]

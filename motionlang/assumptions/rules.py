@@ -1,0 +1,278 @@
+"""The open facts of a word as readings: alternatives and a probe that follow from the kind of fact and the word's row.
+
+A default is told by reading the word after power-up, a range by writing what lies beyond it, a type by writing a
+fraction, a scale by reading a value back under another one. What no such form can tell (what a word means, a unit that
+shows only in motion) has none here, and is told by an entry of its own, or not at all.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import TYPE_CHECKING
+
+from motionlang.assumptions.facts import ROOT, of_word
+from motionlang.assumptions.reading import ERROR, REFUSED, SETTLED, Probe, Reading
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.keyword import Keyword
+
+# Units of values that are whole, and of those that have a scale.
+SCALED = ("uu", "uu/s", "uu/s2", "uu/s3")
+# Of a whole setting with no more values than this each other one is named.
+FEW = 4
+# The two scales between which a value is read back, and the value.
+SCALES, VALUE = (10, 20), 5
+# Where a fraction is written, so much above the least value: no rounding makes it another one's.
+FRACTION = 0.75
+# What a handler says, with the value that was an error.
+REFUSES = "refuses"
+# Up to here a Float of 32 bits tells a number from the next one.
+EXACT = 1e7
+AGAIN = "switch the drive off, and start the controller anew afterwards"
+
+
+def other_defaults(row: Keyword) -> list[str]:
+    """What the default of a setting may be instead: each value of a few, else that nobody can list them."""
+    low, high = row.low if row.low is not None else 0, 1 if row.unit == "bool" else row.high
+    if not row.takes_fractions and high is not None and high - low < FEW:
+        few = [f"{value}" for value in range(int(low), int(high) + 1) if value != row.default]
+        if few:
+            return few
+    if isinstance(row.default, str):
+        return ["any other text"]
+    return ["any other number"]
+
+
+def default_probe(row: Keyword) -> Probe:
+    """A setting of an axis, read after power-up."""
+    return Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}")
+
+
+def facts_asked(language: str, row: Keyword) -> list[Reading]:
+    """The open facts of a word whose kind has a form of probe; a default that is an entry is not among them."""
+    if not row.simulated:
+        return []
+    makers = MINT if language == "mint" else MCCL
+    found: list[Reading] = []
+    for fact, evidence in of_word(language, row).items():
+        if evidence.strength in SETTLED or fact not in makers or (row.name, fact) in unasked(language):
+            continue
+        for name, question, chosen, others, probe in makers[fact](row):
+            found.append(
+                Reading(
+                    f"{language}.{row.name.lower().replace('_', '')}-{name}",
+                    question,
+                    chosen,
+                    alternatives=others,
+                    why=evidence.source,
+                    strength=evidence.strength,
+                    words=row.name,
+                    probe=probe,
+                )
+            )
+    return found
+
+
+@cache
+def unasked(language: str) -> frozenset[tuple[str, str]]:
+    """The words and facts that `unasked.txt` of a dialect leaves out."""
+    found: set[tuple[str, str]] = set()
+    facts: list[str] = []
+    for line in (ROOT / language / "evidence" / "unasked.txt").read_text(encoding="utf-8").splitlines():
+        if line.startswith("  "):
+            found.update((word, fact) for word in line.split() for fact in facts)
+        elif line and not line.startswith("#"):
+            facts = line.partition(" · ")[0].split()
+    return frozenset(found)
+
+
+Asked = list[tuple[str, str, str, list[str], Probe]]
+
+
+def _place(row: Keyword) -> str | None:
+    """What stands in the brackets behind a word: the axis, else what its example has there; None for nothing known."""
+    if row.index == "axis":
+        return "({a})"
+    if row.index in ("none", ""):
+        return ""
+    match = re.search(rf"\b{re.escape(row.name)}(\([\d, ]+\))", row.example)
+    return match[1] if match else None
+
+
+def _is_kept(row: Keyword) -> bool:
+    """Whether a word of Mint only keeps what it is given, for an axis: writing it switches and moves nothing."""
+    return (
+        row.kind == "setting"
+        and {"R", "W"} == set(row.access)
+        and row.index == "axis"
+        and not row.effect
+        and row.verb != "enable_output"
+    )
+
+
+# ------------------------------------------------------------------------------------------------------ Mint
+
+
+def _default(row: Keyword) -> Asked:
+    place = _place(row)
+    if place is None or row.kind != "setting" or "R" not in row.access or isinstance(row.default, str):
+        return []
+    probe = Probe("mint", f"{row.name}{place}", answers=(f"{row.default:.10g}",), form="{}", alone=True)
+    question = f"What {row.name}{place.replace('{a}', 'axis')} is at power-up"
+    return [("default", question, f"{row.default:.10g}", other_defaults(row), probe)]
+
+
+def _range(row: Keyword) -> Asked:
+    """The last value and one beyond it; the handler tells which of the two the controller refused."""
+    if not _is_kept(row):
+        return []
+    found: Asked = []
+    for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
+        if bound is None:
+            continue
+        beyond = _beyond(bound, step)
+        probe = Probe(
+            "mint",
+            f"{row.name}({{a}})",
+            before=(
+                f"fa = {bound:.10g}",
+                f"{row.name}({{a}}) = fa",
+                f"fa = {beyond}",
+                f"{row.name}({{a}}) = fa",
+            ),
+            error=f'"{REFUSES} "; fa',
+            answers=(f"{REFUSES} {beyond}", f"{REFUSES} {bound:.10g}", beyond, f"{bound:.10g}"),
+            alone=True,
+            needs=AGAIN,
+        )
+        others = [
+            f"it ends before {bound:.10g}",
+            f"{beyond} is taken, too",
+            f"{beyond} becomes {bound:.10g}, without an error",
+        ]
+        most = "greatest" if step > 0 else "least"
+        found.append((f"range-{end}", f"The {most} value of {row.name}", f"{bound:.10g}", others, probe))
+    return found
+
+
+def _beyond(bound: float, step: int) -> str:
+    """A number that lies clearly beyond an end of a range."""
+    if abs(bound) >= EXACT:
+        return f"{bound * 2:.10g}"
+    return f"{bound + step:.10g}" if bound == int(bound) else f"{0 if bound * step < 0 else 2 * bound:.10g}"
+
+
+def _unit(row: Keyword) -> Asked:
+    if not _is_kept(row):
+        return []
+    if row.unit in SCALED:
+        return _scale(row)
+    if not row.takes_fractions and (row.high is None or row.high > (row.low or 0)):
+        return _type(row)
+    return []
+
+
+def _scale(row: Keyword) -> Asked:
+    """A value that is kept in counts reads otherwise under another scale; any other value does not."""
+    first, second = SCALES
+    kept = VALUE * first / second
+    high, low = row.high if row.high is not None else VALUE, row.low if row.low is not None else 0
+    if not low <= VALUE <= high:
+        return []
+    probe = Probe(
+        "mint",
+        f"{row.name}({{a}})",
+        before=(
+            f"SCALEFACTOR({{a}}) = {first}",
+            f"{row.name}({{a}}) = {VALUE}",
+            f"SCALEFACTOR({{a}}) = {second}",
+        ),
+        answers=(f"{kept:g}", f"{VALUE}"),
+        alone=True,
+        needs=AGAIN,
+    )
+    question = f"Whether {row.name} goes by SCALEFACTOR"
+    return [("scale", question, "yes: user units, kept in counts", ["no, or it is kept as written"], probe)]
+
+
+def _type(row: Keyword) -> Asked:
+    low = int(row.low or 0)
+    probe = Probe(
+        "mint",
+        f"{row.name}({{a}})",
+        before=(f"fa = {low + FRACTION:g}", f"{row.name}({{a}}) = fa"),
+        answers=(f"{low}", f"{low + FRACTION:g}", f"{low + 1}", ERROR),
+        alone=True,
+        needs=AGAIN,
+    )
+    others = [
+        "it keeps a fraction",
+        "a fraction is rounded to the nearest whole number",
+        "a fraction is an error",
+    ]
+    return [("type", f"What {row.name} makes of a fraction", "it is cut off: a whole number", others, probe)]
+
+
+def _short(row: Keyword) -> Asked:
+    """A short form is asked beside the word, where reading it moves nothing."""
+    place = _place(row)
+    if place is None or "R" not in row.access:
+        return []
+    ask = f'{row.short}{place}; " "; {row.name}{place}'
+    probe = Probe("mint", ask, answers=(r"re:(\S+) \1", REFUSED, r"re:(\S+) (?!\1$)\S+"), alone=True)
+    others = ["no such short form is known", f"it is the short form of another word than {row.name}"]
+    return [("short", f"The short form of {row.name}", row.short.upper(), others, probe)]
+
+
+def _number(row: Keyword) -> Asked:
+    """A constant is asked for its number."""
+    if row.kind != "constant" or not re.fullmatch(r"-?\d+", row.verb):
+        return []
+    others = [
+        "another number: then a program that writes the name still fits, and one that writes the number does not"
+    ]
+    probe = Probe("mint", row.name, answers=(row.verb,), form="{}", alone=True)
+    return [("number", f"The number of {row.name}", row.verb, others, probe)]
+
+
+# ------------------------------------------------------------------------------------------------------ MCCL
+
+
+def _code(row: Keyword) -> Asked:
+    """A board answers a parameter that it does not take with a code, and one that it takes with nothing."""
+    if row.kind != "setting" or row.effect:
+        return []
+    found: Asked = []
+    axis = "{a}" if row.index in ("axis", "axes") else ""
+    for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
+        if bound is not None:
+            beyond = _beyond(bound, step)
+            probe = Probe("mccl", f"{axis}{row.name}{beyond}", answers=("?-1", ""), alone=True, needs=AGAIN)
+            most = "greatest" if step > 0 else "least"
+            others = [f"{beyond} is taken, too"]
+            found.append((f"range-{end}", f"The {most} value of {row.name}", f"{bound:.10g}", others, probe))
+    return found
+
+
+def _bare(row: Keyword) -> Asked:
+    """What a command does that names no axis."""
+    if row.kind != "reading" or row.access != "R" or row.index not in ("axis", "axes"):
+        return []
+    lines, code = "it tells of every axis, a line each", "it answers a code: an axis must be named"
+    said = [(lines, r"re:\d.*"), (code, r"re:\?-?\d+")]
+    (chosen, first), (other, second) = said if row.index == "axes" else said[::-1]
+    probe = Probe("mccl", row.name, answers=(first, second), alone=True)
+    return [("axis", f"{row.name} without an axis number", chosen, [other], probe)]
+
+
+MINT: dict[str, Callable[[Keyword], Asked]] = {
+    "meaning": _number,
+    "default": _default,
+    "range": _range,
+    "unit": _unit,
+    "short": _short,
+}
+MCCL: dict[str, Callable[[Keyword], Asked]] = {"range": _code, "index": _bare}

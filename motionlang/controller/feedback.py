@@ -1,0 +1,525 @@
+"""Feedback of a simulated motor: what its encoder says, and when that matters.
+
+Problem. A motor under servo is a sampled system: thousands of samples a second, each computed from the one before. The
+rest of the controller is solved in closed form and jumps from event to event. A program may read the position at any
+moment. A limit, a switch or a wait must act at the sample at which the motor reaches it, even if no program reads it.
+
+Idea. The servo is simulated ahead of the clock, in blocks, as if nothing more were done to the axis. A reading is a
+lookup in the block. Whatever waits for the motor is searched for in the block and becomes an event of the clock, at the
+time of its sample. A new profile or gain makes the rest of the block wrong. Then the simulation is rolled back to the
+present sample and continues from there.
+
+    samples ─────────┬──────────────┬──────────────────┬───────────
+             dropped │ searched     │ to come          │ not computed
+                  scanned          now            end of the block
+
+Data. `_servo` is the simulation. `_sight` has the samples that are still needed: encoder, velocity, following error,
+output and current. Sample k is taken at the time k / servo rate. `changes` lists everything that was done to the loop,
+by time, so that a report or a trace can run the servo again. Three things are searched for:
+- positions that watches wait for, such as switches, latches and limits,
+- a following error beyond its limit or its warning level,
+- windows: the motor has settled within an error, and a speed, for long enough.
+
+The simulation has coordinates of its own. `offset` leads to those of the program, which change when the program gives
+the axis another zero.
+
+Invariants.
+- A sample does not depend on where a block begins or ends, nor on what is read and when.
+- All that was found up to `scanned` has happened. `_due` is the sample at which the search goes on.
+- The present sample and those before it are never rolled back.
+- The rest at the end of a move is what the simulation assumed, so it causes no rollback.
+- A time to come is exact, or, if the block does not show it, the moment at which to ask again.
+
+Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are made up
+for. The first block after a change has `Ahead.short` samples and each further one four times as many, up to `LONG`
+seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback repeats at most the last
+block. A motor that has come to a standstill for good (`Stillness`) costs nothing until something is done to it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
+from motionlang.controller.joined import Followed
+from motionlang.controller.triggers.watch import margin, place
+from motionlang.planners import hold
+from motionlang.servo.ahead import Ahead, seen_of
+from motionlang.servo.axis_loop import axis_loop
+from motionlang.servo.lookahead import (
+    REST_ERROR,
+    REST_TIME,
+    Sight,
+    Window,
+    crossing,
+    next_other_side,
+    next_side,
+    rests_as_seen,
+    seen,
+)
+from motionlang.servo.replay import apply, run_to, sample_at, stands
+from motionlang.servo.settings import make_plant
+from motionlang.servo.standstill import Stillness, extent
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.clock import Clock, Event
+    from motionlang.controller.core import Core
+    from motionlang.controller.triggers.watch import Watch
+    from motionlang.servo.axis_loop import Chosen
+    from motionlang.servo.gains import Gains
+    from motionlang.servo.loop import Loop
+    from motionlang.servo.replay import Change
+
+    Section = Mapping[str, object]
+    Servos = Callable[..., Ahead]
+
+LONG = 0.5
+_NEVER = 1 << 62
+# Counts: an error below this is none.
+_ROUNDING = 1e-9
+
+
+class Feedback:
+    """The motor of one axis. `model` is one of `gains.MODELS` where the program's gains are MCCL's.
+
+    `plant` and `section` are the machine file's `[axis.N.plant]` and `[axis.N.servo]`; ValueError names what is wrong
+    with the first. `tripped` is called when the following error is beyond `error_limit` (counts).
+    """
+
+    __slots__ = (
+        "_axis",
+        "_clock",
+        "_due",
+        "_event",
+        "_gains",
+        "_long",
+        "_made_of",
+        "_servo",
+        "_sight",
+        "_size",
+        "_stillness",
+        "changes",
+        "chosen",
+        "closed",
+        "error_limit",
+        "first_loop",
+        "model",
+        "plant",
+        "scanned",
+        "section",
+        "tripped",
+        "warn_limit",
+        "warned",
+        "warning",
+        "windows",
+    )
+
+    def __init__(
+        self, axis: Axis, clock: Clock, plant: Section, section: Section, servo: Servos | None = None
+    ) -> None:
+        self._axis, self._clock, self._made_of = axis, clock, servo or Ahead
+        self.plant, self.section, self.model = make_plant(plant), dict(section), ""
+        self.error_limit = INFINITY
+        self.tripped: Callable[[], None] = lambda: None
+        self.warn_limit, self.warning = INFINITY, False  # given once, until it is forgotten
+        self.warned: Callable[[], None] = lambda: None
+        self.closed = True
+        # All that was done to the loop, by time: what a replay needs.
+        self.changes: list[Change] = []
+        self.chosen: Chosen | None = None
+        self.first_loop: Loop | None = None
+        self.windows = {
+            "rest": Window(error=REST_ERROR, hold=REST_TIME, announced=False),
+            "program": Window(error=0.5, announced=False),
+        }
+        self._gains: Gains = {}
+        self._servo: Ahead | None = None
+        self._sight: Sight | None = None
+        self._size = self._long = 0
+        # When something is looked at next: the event, and its sample.
+        self._event: Event | None = None
+        self._due = _NEVER
+        self._stillness = Stillness()
+        # The last sample that was searched for events, all of which have happened.
+        self.scanned = 0
+
+    # ----------------------------------------------------------------------------------------------- readings
+
+    @property
+    def position(self) -> float:
+        """Measured position, counts, as the program counts them."""
+        if self._servo is None:
+            return self._axis.position(self._clock.now)
+        k = self._here()
+        assert self._sight is not None
+        return float(self._sight.encoder[k]) - self._servo.offset
+
+    @property
+    def velocity(self) -> float:
+        """Velocity of the motor, counts/s."""
+        return self._read("velocity")
+
+    @property
+    def error(self) -> float:
+        """Following error: demand minus measured position, counts."""
+        error = self._read("error")
+        return error if abs(error) > _ROUNDING else 0.0
+
+    @property
+    def output(self) -> float:
+        """The controller's output, volts."""
+        return self._read("output")
+
+    @property
+    def torque(self) -> float:
+        """Motor torque, N m."""
+        constant: float = getattr(self.plant, "torque_constant", 0.0)
+        return self._read("current") * constant
+
+    @property
+    def current(self) -> float:
+        """Motor current, A."""
+        return self._read("current")
+
+    def _read(self, column: str) -> float:
+        if self._servo is None:
+            return 0.0
+        k = self._here()
+        return float(getattr(self._sight, column)[k])
+
+    # ---------------------------------------------------------------------------------------- the time to come
+
+    def crossing_time(self, position: float) -> float:
+        """When the motor reaches a position, counts, as far as can be seen; else when to look again; inf if never."""
+        if self._servo is None:
+            return INFINITY
+        k, sight = self._ahead()
+        return self._sample_time(sight, k, crossing(sight.encoder[k:], position + self._servo.offset))
+
+    def error_crossing_time(self, error: float) -> float:
+        """The same of a following error, counts, or when it comes too near to it to tell which is more."""
+        if self._servo is None:
+            return INFINITY
+        k, sight = self._ahead()
+        return self._sample_time(sight, k, next_other_side(sight.error[k:], error))
+
+    def _sample_time(self, sight: Sight, k: int, found: int | None) -> float:
+        return self._horizon(sight) if found is None else (sight.first + k + found) / self._rate
+
+    def settled_time(self, name: str = "rest") -> float:
+        """When a window has been kept long enough, now where it has; else when to look again; inf if never."""
+        if self._servo is None:
+            return self._clock.now
+        k, sight = self._ahead()
+        found = self.windows[name].settled(sight, self._target, sight.first + k, self._rate)
+        if found < INFINITY:
+            return max(found / self._rate, self._clock.now) if found > sight.first + k else self._clock.now
+        return self._horizon(sight)
+
+    def settled_since(self, name: str = "program") -> float:
+        """The time from which on a window has been kept to this moment; inf where it is not."""
+        if self._servo is None:
+            return 0.0
+        k, sight = self._ahead()
+        window = self.windows[name]
+        outside = np.flatnonzero(~window.inside(sight, self._target)[: k + 1])
+        if not len(outside):
+            return (window.since if window.since < INFINITY else sight.first) / self._rate
+        return INFINITY if outside[-1] == k else (sight.first + int(outside[-1]) + 1) / self._rate
+
+    def is_settled(self, name: str = "rest") -> bool:
+        """Whether a window has been kept long enough."""
+        return self.settled_time(name) <= self._clock.now
+
+    @property
+    def calm(self) -> bool:
+        """Whether the motor stands for good, as far as nothing is done to it."""
+        return self._stillness.calm
+
+    @property
+    def resting(self) -> bool:
+        """Whether the motor has come to its demand, stands for good somewhere else, or is not under control."""
+        return self._servo is None or not self.closed or self.calm or self.is_settled()
+
+    def _horizon(self, sight: Sight) -> float:
+        return INFINITY if self.calm else max((sight.end - 1) / self._rate, self._clock.now)
+
+    # -------------------------------------------------------------------------------------- what is done to it
+
+    def tune(self, gains: Gains) -> None:
+        """The program's gains are these now; Refusal where they are none."""
+        self._gains = dict(gains)
+        if self._servo is None:
+            return
+        before = self.chosen
+        chosen = self._choose()
+        assert before is not None
+        if chosen.loop == before.loop:
+            return
+        try:
+            self._do(chosen.loop)
+        except ValueError as problem:
+            raise Refusal("range", f"axis {self._axis.index}: {problem}") from None
+        self.chosen = chosen
+
+    def open(self, volts: float) -> None:
+        """Open the loop: the output is so many volts whatever the motor does."""
+        if not self.closed and self.changes and self.changes[-1][1] == volts:
+            return
+        self.closed = False
+        if volts:
+            self._wake()
+        self._do(float(volts))
+
+    def take_over(self, controller: Core) -> None:
+        """Close an open loop: target and demand become the position of the motor."""
+        if self.closed:
+            return
+        axis, here = self._axis, self.position
+        controller.freeze(axis, "cancel")
+        axis.target = here
+        controller.extend_track(axis, hold(here))
+        self.closed = True
+        self._do(len(Followed(axis).starts) - 1)
+
+    def changed(self) -> None:
+        """The axis has a new profile."""
+        if self._servo is None:
+            if self._axis.profiles[-1].shape == "hold":
+                return
+            self._wake()
+        meet = self.look_again if rests_as_seen(self._axis) else self._forget
+        meet()
+        for watch in self._axis.watches:
+            self._take_side(watch)
+
+    def settle_within(self, error: float, speed: float, hold: float, at_target: bool = False) -> None:
+        """Say when the motor counts as settled for the program, from now on."""
+        window = Window(error, speed, hold, at_target)
+        if window.same(self.windows.get("program")):
+            return
+        self.windows["program"] = window
+        if self._servo is not None:
+            assert self._sight is not None
+            self.look_again()
+            self._sight.keep(self.scanned, self._sight.end)
+
+    def set_error_limit(self, limit: float) -> None:
+        """The following error, counts, beyond which the axis trips; inf for none."""
+        self.error_limit = limit
+        self.look_again()
+
+    def set_warn_limit(self, limit: float) -> None:
+        """The following error, counts, beyond which the axis warns, anew from now on; inf for none."""
+        self.warn_limit, self.warning = limit, False
+        self.look_again()
+
+    def look_again(self) -> None:
+        """Something else is looked for from now on: another limit, another watch, a fault that was cleared."""
+        if self._servo is None:
+            return
+        now = self._now
+        due, self._due = self._due, _NEVER
+        if self.scanned < due <= now:  # time went past it in one go
+            self._happen(due)
+        self.scanned = max(self.scanned, now)
+        self._stillness.disturb()
+        self._await(now)
+
+    def arm(self, watch: Watch) -> None:
+        """Begin to watch a position."""
+        self._take_side(watch)
+        self.look_again()
+
+    def _take_side(self, watch: Watch) -> None:
+        off = self.position - place(self._axis, watch)
+        if abs(off) > margin(off):
+            watch.side = 1 if off > 0.0 else -1
+
+    def _do(self, what: Loop | float | int) -> None:
+        if self._servo is not None:
+            self._forget()
+            apply(self._servo, (self._clock.now, what))
+        self.changes.append((self._clock.now, what))
+
+    # ------------------------------------------------------------------------------------------------- inside
+
+    @property
+    def _rate(self) -> float:
+        assert self._servo is not None
+        return self._servo.loop.servo_rate
+
+    @property
+    def _target(self) -> float:
+        assert self._servo is not None
+        return self._axis.target + self._servo.offset
+
+    @property
+    def _now(self) -> int:
+        return sample_at(self._clock.now, self._rate)
+
+    def _choose(self) -> Chosen:
+        try:
+            return axis_loop(self.section, self._gains, self.plant, self.model, self._axis.scale.counts)
+        except ValueError as problem:
+            raise Refusal("range", f"the servo of axis {self._axis.index}: {problem}") from None
+
+    def _wake(self) -> None:
+        """The first command: the servo has been running since power-up, with the gains of this moment."""
+        if self._servo is not None:
+            return
+        self.chosen = self._choose()
+        self.first_loop = self.chosen.loop
+        servo = self._made_of(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
+        self._servo = servo
+        last = None
+        for change in self.changes:
+            last = run_to(servo, sample_at(change[0], self._rate)) or last
+            apply(servo, change)
+        last = run_to(servo, self._now) or last
+        assert last is not None
+        self._size = servo.short
+        self._long = max(round(LONG * self._rate), self._size)
+        self._sight = Sight(servo.sample - len(last), seen_of(last))
+        self._sight.keep(self._now, servo.sample)
+        self.scanned = self._now
+
+    def _here(self) -> int:
+        """The place in the sight of the sample in force now."""
+        assert self._sight is not None
+        sight, now = self._sight, self._now
+        while now >= sight.end:
+            self._extend(now)
+        return max(now - sight.first, 0)
+
+    def _ahead(self) -> tuple[int, Sight]:
+        """The same, with something to see behind it unless the motor stands for good."""
+        assert self._sight is not None
+        k, sight = self._here(), self._sight
+        if k + 1 >= len(sight) and not self.calm:
+            self._extend(sight.first + k)
+            k = self._here()
+        return k, sight
+
+    def _extend(self, now: int) -> None:
+        """See one more block; what has been searched and is past is dropped."""
+        servo, sight = self._servo, self._sight
+        assert servo is not None
+        assert sight is not None
+        if self._due > now:
+            self.scanned = max(self.scanned, min(now, sight.end - 1))
+        first = min(self.scanned, sight.end - 1)
+        for window in self.windows.values():
+            window.pass_by(sight, self._target, first + 1)
+        sight.keep(first, sight.end)
+        sight.extend(servo.look(self._size))
+        if self._size == self._long:
+            self._judge(sight, now)
+        self._size = min(4 * self._size, self._long)
+
+    def _judge(self, sight: Sight, now: int) -> None:
+        """Whether the motor stands for good: its demand rests, and the last block went nowhere new."""
+        servo, was_calm = self._servo, self.calm
+        assert servo is not None
+        new = None
+        if stands(servo, self._long, servo.sample):
+            new = extent(sight.encoder[-self._long :], sight.output[-self._long :])
+        self._stillness.judge(new, LONG)
+        if self.calm and now > servo.sample and servo.state == servo.began:
+            sight.keep(sight.end - 1, sight.end)
+            sight.first = now - 1
+            servo.skip(now - servo.sample)
+        if was_calm and not self.calm:
+            self._await(now)
+
+    def _forget(self) -> None:
+        """What lies behind the present sample will be otherwise."""
+        servo, sight = self._servo, self._sight
+        assert servo is not None
+        assert sight is not None
+        here = self._here()  # which may drop what is past, so that the sight begins later
+        until = sight.first + here + 1
+        if until < sight.end:
+            servo.back(until)
+            sight.keep(sight.first, until)
+        self._size = servo.short
+        self.look_again()
+
+    # ------------------------------------------------------------------------------------------------- events
+
+    def _await(self, sample: int) -> None:
+        """Look again at a sample, or earlier where that is due already."""
+        if self._event is not None:
+            if self._due <= sample:
+                return
+            self._event.cancel()
+        self._due = sample
+        self._event = self._clock.at(max(sample / self._rate, self._clock.now), self._look)
+
+    def _look(self) -> None:
+        """Let happen what is due, and find out when something is next."""
+        self._event, self._due = None, _NEVER
+        while self._event is None:
+            _, sight = self._ahead()
+            sample = self._next(sight)
+            if sample is None and not self.calm:
+                self._await(sight.end - 1)
+            if sample is None:
+                return
+            if sample > self._now:
+                self._await(sample)
+            else:
+                self._happen(sample)
+
+    def _next(self, sight: Sight) -> int | None:
+        """The next sample that brings something; None where none is seen."""
+        assert self._servo is not None
+        found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
+        lo = self.scanned + 1 - sight.first
+        limits = [self.error_limit] * self._is_armed + [self.warn_limit] * (self.closed and not self.warning)
+        if min(limits, default=INFINITY) < INFINITY:
+            beyond = np.flatnonzero(np.abs(sight.error[lo:]) > min(limits))
+            found += [sight.first + lo + int(k) for k in beyond[:1]]
+        for window in self.windows.values():
+            if window.announced:
+                onsets = window.onsets(sight, self._target, self._rate)
+                found += [sample for sample, _ in onsets if self.scanned < sample < sight.end][:1]
+        return min(found, default=None)
+
+    def _passes(self, sight: Sight) -> list[tuple[Watch, int | None, int]]:
+        """When the motor next passes each position that is watched, and which side it is then on."""
+        assert self._servo is not None
+        found = []
+        seen = sight.encoder[self.scanned - sight.first :]
+        for watch in self._axis.watches:
+            k, side = next_side(seen, place(self._axis, watch) + self._servo.offset, watch.side)
+            found.append((watch, None if k is None else self.scanned + k, side))
+        return found
+
+    @property
+    def _is_armed(self) -> bool:
+        return self.closed and self.error_limit < INFINITY and not self._axis.faults & FOLLOWING_ERROR
+
+    def _happen(self, sample: int) -> None:
+        """What a sample brings: positions passed, the following error beyond its limit."""
+        sight = self._sight
+        assert sight is not None
+        passed = [(watch, side) for watch, at, side in self._passes(sight) if at == sample]
+        trips = self._is_armed and abs(sight.error[sample - sight.first]) > self.error_limit
+        warns = self.closed and not self.warning and abs(sight.error[sample - sight.first]) > self.warn_limit
+        self.scanned = sample
+        for watch, side in passed:
+            before, watch.side = watch.side, side
+            if before and watch in self._axis.watches:
+                watch.call(side)
+        if warns:
+            self.warning = True
+            self.warned()
+        if trips and self._is_armed:
+            self.tripped()

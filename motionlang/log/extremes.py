@@ -1,0 +1,219 @@
+"""The furthest that an axis went in a run: position, speed, acceleration and jerk, from the closed form of its motion.
+
+Nothing is sampled: each piece of a profile is a polynomial or a wave, and its extremes are its ends and its turns.
+"""
+
+from __future__ import annotations
+
+from math import ceil, inf, pi
+
+from motionlang.log.track import WholeTrack
+from motionlang.planners.curve import State
+from motionlang.planners.formula import summit
+from motionlang.planners.pieces import (
+    acceleration_in,
+    crest_points,
+    even_points,
+    jerk_in,
+    position_in,
+    still_points,
+    velocity_in,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from motionlang.controller.axis import Axis
+    from motionlang.planners import Profile
+    from motionlang.planners.ramps import Piece
+
+
+class Extreme:
+    """A figure in user units, with the machine time at which it was reached; of a magnitude, the largest."""
+
+    __slots__ = ("time", "value")
+
+    def __init__(self, value: float, time: float) -> None:
+        self.value, self.time = value, time
+
+    def __repr__(self) -> str:
+        return f"Extreme({self.value:g}, {self.time:g})"
+
+
+class Extremes:
+    """Those of one axis: `lowest` and `highest` position, and the magnitudes of the derivatives."""
+
+    __slots__ = ("acceleration", "highest", "jerk", "lowest", "speed")
+
+    def __init__(self, position: float) -> None:
+        self.lowest, self.highest = Extreme(position, 0.0), Extreme(position, 0.0)
+        self.speed, self.acceleration, self.jerk = (Extreme(0.0, 0.0) for _ in range(3))
+
+    def take(self, time: float, state: State) -> None:
+        """Count a state, in user units, at a time."""
+        position = state.position
+        if position < self.lowest.value:
+            self.lowest = Extreme(position, time)
+        if position > self.highest.value:
+            self.highest = Extreme(position, time)
+        if abs(state.velocity) > self.speed.value:
+            self.speed = Extreme(abs(state.velocity), time)
+        if abs(state.acceleration) > self.acceleration.value:
+            self.acceleration = Extreme(abs(state.acceleration), time)
+        if abs(state.jerk) > self.jerk.value:
+            self.jerk = Extreme(abs(state.jerk), time)
+
+
+def extremes(a: Axis, until: float) -> Extremes:
+    """The extremes of what an axis was told to do up to a time, in the user units that it has at the end.
+
+    Where the velocity jumps, the acceleration is infinite, and so is the jerk where the acceleration does.
+    """
+    found: Extremes | None = None
+    before: State | None = None
+    for begin, length, profile in _track(a, until):
+        if found is None:
+            found = Extremes(a.scale.position_to_user(profile.start))
+        for places in _stretches(profile, length):
+            first, last = places[0][1], places[-1][1]
+            if before is not None:
+                _jump(found, begin + places[0][0], before, first)
+            before = last
+            for time, state in places:
+                found.take(begin + time, _in_units(a, state))
+    return found or Extremes(a.scale.position_to_user(a.position(until)))
+
+
+def peak_speed(a: Axis, until: float) -> float:
+    """The highest speed of `extremes` by itself, which costs a tenth: most profiles know theirs."""
+    peak = 0.0
+    for begin, length, profile in _track(a, until):
+        if profile.shape != "hold":
+            whole = profile.duration <= length + 4e-16 * (begin + length)  # but for the rounding of its end
+            peak = max(peak, (profile if whole else profile.cut(length)).peak_speed)
+    return peak / abs(a.scale.counts or 1.0)
+
+
+def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
+    """When each profile of an axis began, for how long it was in force, and itself."""
+    track = WholeTrack(a)
+    starts = iter(track.starts)
+    begin = next(starts)
+    for profile in track.profiles:
+        end = min(next(starts, inf), until)
+        if end > begin:
+            yield begin, end - begin, profile
+        begin = end
+
+
+def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, State]]]:
+    """The smooth stretches of the first `length` seconds: their ends, and the places where something turns between."""
+    within = min(profile.duration, length)
+    knots = profile.knots
+    for k in range(len(knots) - 1):
+        begin, span = knots[k], min(knots[k + 1], within) - knots[k]
+        if span <= 0.0:
+            break
+        if profile.pieced:
+            piece = profile.pieces[k]
+            turns: set[float] = set()
+            for where in (still_points, even_points, crest_points, _flat_points):
+                turns.update(where(piece, span))
+            yield [(begin + x, _state(piece, x)) for x in (0.0, *sorted(turns), span)]
+        else:
+            yield _searched(profile, begin, begin + span)
+    if within < length:
+        yield [(time, profile.at(time)) for time in (within, length)]
+
+
+def _state(piece: Piece, x: float) -> State:
+    return State(position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x))
+
+
+def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:
+    """Where the velocity and the jerk of a wave peak: half a turn apart, where its cosine is 1 or -1."""
+    amplitude, omega, phase = piece[4:]
+    if not amplitude:
+        return ()
+    first = ceil(phase / pi)
+    times = ((first + n) * pi - phase for n in range(3))
+    return tuple(x / omega for x in times if 0.0 < x / omega < span)
+
+
+# Places between two knots of a formula at which it is looked at; the best are improved.
+_LOOKS = 48
+
+
+def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, State]]:
+    """The same of a formula, whose turns are looked for."""
+    end_inside = end - (end - begin) * 1e-12
+    times = [begin + (end_inside - begin) * n / _LOOKS for n in range(_LOOKS + 1)]
+    looks: tuple[Callable[[float], float], ...] = (
+        lambda t: profile.at(t).position,
+        lambda t: -profile.at(t).position,
+        lambda t: abs(profile.at(t).velocity),
+        lambda t: abs(profile.at(t).acceleration),
+        lambda t: abs(profile.at(t).jerk),
+    )
+    for value in looks:
+        best = max(range(_LOOKS + 1), key=lambda n: value(times[n]))
+        times.append(summit(value, times[max(best - 1, 0)], times[min(best + 1, _LOOKS)]))
+    return [(time, profile.at(time)) for time in sorted(times)]
+
+
+# What is rounding and no jump, as a part of what it is beside: a velocity, an acceleration.
+_ROUNDING = 1e-9
+# Seconds before the end of a stretch that may be missing in it.
+_MOMENT = 1e-10
+
+
+def _jump(found: Extremes, now: float, left: State, right: State) -> None:
+    """What is there at once between two states at one time has an infinite derivative."""
+    jumps = _differ(left.velocity, right.velocity, left.acceleration, right.acceleration)
+    if jumps and found.acceleration.value < inf:
+        found.acceleration = Extreme(inf, now)
+    if found.jerk.value < inf and (
+        jumps or _differ(left.acceleration, right.acceleration, left.jerk, right.jerk)
+    ):
+        found.jerk = Extreme(inf, now)
+
+
+def _differ(left: float, right: float, slope: float, slope_after: float) -> bool:
+    """Whether two values are not the same but for rounding, and for the last moment that a formula is not asked for."""
+    rounding = _ROUNDING * max(abs(left), abs(right), 1.0)
+    return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
+
+
+def _in_units(a: Axis, state: State) -> State:
+    size = abs(a.scale.counts or 1.0)
+    return State(
+        a.scale.position_to_user(state.position),
+        state.velocity / size,
+        state.acceleration / size,
+        state.jerk / size,
+    )
+
+
+def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extreme | None:
+    """The largest magnitude of what the motor of an axis did, or its root mean square (at the time `until`).
+
+    `column` is one of a `ServoTrace`: "error" in user units, "torque", "output". None where no motor is simulated.
+    """
+    if a.feedback is None:
+        return None
+    from motionlang.log.history import parts
+
+    largest, when, squares, count = 0.0, 0.0, 0.0, 0
+    for first, part in parts(a, until):
+        values = abs(getattr(part, column))
+        if not len(values):
+            continue
+        place = int(values.argmax())
+        if values[place] > largest:
+            largest, when = float(values[place]), first + place * part.loop.period
+        squares, count = squares + float(values @ values), count + len(values)
+    size = abs(a.scale.counts or 1.0) if column == "error" else 1.0
+    if rms:
+        return Extreme((squares / count) ** 0.5 / size if count else 0.0, until)
+    return Extreme(largest / size, when)

@@ -1,0 +1,316 @@
+"""What simulated motors did in a run, once more: for its report, its trace and its pictures.
+
+A run keeps nothing of its motors but what was done to their loops; from that and the track of the axis everything is
+computed again, block by block, to the same numbers.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections import deque
+from math import inf, isnan, nan
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from motionlang.controller.joined import Followed
+from motionlang.servo.axis_loop import has_gains
+from motionlang.servo.lookahead import REST_ERROR
+from motionlang.servo.replay import replay, whole
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.feedback import Feedback
+    from motionlang.servo.demand import Demanded
+    from motionlang.servo.trace import ServoTrace
+
+    Array = NDArray[np.float64]
+
+# Samples beyond which a motor's history is not held at once: twenty minutes at 4 kHz.
+MOST_SAMPLES = 5_000_000
+# What a trace shows of a motor: the quantity, its column of a `ServoTrace`.
+COLUMNS = {
+    "actual": "measured",
+    "actual velocity": "velocity",
+    "following error": "error",
+    "output": "output",
+    "torque": "torque",
+}
+
+
+class MotorFigures(NamedTuple):
+    """What a motor made of one move: counts, volts, N m, seconds; it did not settle where `settle_time` is None."""
+
+    peak_error: float
+    peak_output: float
+    rms_torque: float
+    settle_time: float | None
+
+
+class MoveFigures:
+    """What the motor made of one move: largest following error (counts) and output (volts), torque, time to settle.
+
+    It settles when its error comes within a window for good, or until the next move begins.
+    """
+
+    __slots__ = (
+        "_count",
+        "_outside",
+        "_period",
+        "_seen",
+        "_squares",
+        "begin",
+        "end",
+        "peak_error",
+        "peak_output",
+        "until",
+    )
+
+    def __init__(self, begin: float, end: float, until: float) -> None:
+        self.begin, self.end, self.until = begin, end, until
+        self.peak_error = self.peak_output = 0.0
+        self._squares, self._count = 0.0, 0
+        self._outside, self._seen, self._period = -inf, -inf, 0.0
+
+    @property
+    def rms_torque(self) -> float:
+        """Root of the mean square of the torque while the move lasted, N m."""
+        return float((self._squares / self._count) ** 0.5) if self._count else 0.0
+
+    @property
+    def settle_time(self) -> float | None:
+        """Seconds from the end of the move; None where it did not settle."""
+        if self._outside == self._seen > -inf:
+            return None
+        return max(self._outside + self._period - self.end, 0.0)
+
+    def take(self, first: float, part: ServoTrace, window: float) -> None:
+        """The samples of a part that are this move's."""
+        rate, self._period = part.loop.servo_rate, part.loop.period
+        error, begin = part.error, self._place(first, self.begin, rate)
+        end, until = self._place(first, self.end, rate) + 1, self._place(first, self.until, rate)
+        moving, resting = slice(max(begin, 0), end), slice(end, max(until, 0))
+        self.peak_error = max(self.peak_error, float(np.abs(error[moving]).max(initial=0.0)))
+        self.peak_output = max(self.peak_output, float(np.abs(part.output[moving]).max(initial=0.0)))
+        torque = part.torque[moving]
+        self._squares, self._count = self._squares + float(torque @ torque), self._count + len(torque)
+        rest = error[resting]
+        if len(rest):
+            outside = np.flatnonzero(np.abs(rest) > window)
+            self._seen = first + (end + len(rest) - 1) / rate
+            if len(outside):
+                self._outside = first + (end + int(outside[-1])) / rate
+
+    @staticmethod
+    def _place(first: float, time: float, rate: float) -> int:
+        """The number in the part of the last sample up to a time; -1 where it is later."""
+        return max(int(np.floor((time - first) * rate + 1e-6)), -1) if time < inf else 1 << 62
+
+
+def motors(controller: Controller) -> dict[int, Feedback]:
+    """The simulated motors of a controller by axis."""
+    return {number: a.feedback for number, a in controller.axes.items() if a.feedback is not None}
+
+
+def parts(a: Axis, until: float) -> Iterator[tuple[float, ServoTrace]]:
+    """What the motor of an axis did to the time `until`, block by block, each with the time of its first sample."""
+    feedback = a.feedback
+    if feedback is None or feedback.first_loop is None:
+        return iter(())
+    return replay(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
+
+
+def _track(a: Axis) -> Demanded:
+    return a if a.older is None else Followed(a)
+
+
+def servo_trace(a: Axis, until: float) -> ServoTrace | None:
+    """The same in one piece; None where the motor never had anything to do, or did it for too long to be held."""
+    feedback = a.feedback
+    if feedback is None or feedback.first_loop is None:
+        return None
+    if until * feedback.first_loop.servo_rate > MOST_SAMPLES:
+        return None
+    return whole(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
+
+
+def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
+    """Those of all axes that have one."""
+    made = {
+        number: servo_trace(controller.axes[number], controller.clock.now) for number in motors(controller)
+    }
+    return {number: trace for number, trace in made.items() if trace is not None}
+
+
+def window_of(feedback: Feedback) -> float:
+    """Within how many counts the motor counts as settled: what the program says, else one count."""
+    error = feedback.windows["program"].error
+    return error if feedback.windows["program"].announced and error < inf else REST_ERROR
+
+
+class Figures:
+    """What motors made of the moves in a log, by their numbers there: four doubles a move."""
+
+    __slots__ = ("_place", "_values")
+
+    def __init__(self, moves: int) -> None:
+        # Which of the figures are a move's, counted from 1, and one after the other what they are.
+        self._place = array("i", bytes(4 * moves))
+        self._values = array("d")
+
+    def __len__(self) -> int:
+        return len(self._values) // 4
+
+    def __contains__(self, number: object) -> bool:
+        return isinstance(number, int) and number < len(self._place) and self._place[number] > 0
+
+    def put(self, number: int, move: MoveFigures) -> None:
+        """Take those of a move."""
+        settle = move.settle_time
+        self._values.extend(
+            (move.peak_error, move.peak_output, move.rms_torque, nan if settle is None else settle)
+        )
+        self._place[number] = len(self)
+
+    def get(self, number: int) -> MotorFigures | None:
+        """Those of a move; None where no motor did it."""
+        if number not in self:
+            return None
+        first = 4 * self._place[number] - 4
+        peak_error, peak_output, rms_torque, settle = self._values[first : first + 4]
+        return MotorFigures(peak_error, peak_output, rms_torque, None if isnan(settle) else settle)
+
+
+def figures(controller: Controller) -> Figures:
+    """What the motors made of the moves in the log."""
+    found = motors(controller)
+    done = {number: _Done() for number in found}
+    for number, move in enumerate(controller.log.moves):
+        if move.axis in done and move.profile is not None and not move.overlaid:
+            done[move.axis].add(number, move.start_time, move.profile.duration)
+    made = Figures(len(controller.log.moves))
+    for axis, feedback in found.items():
+        run = parts(controller.axes[axis], controller.clock.now)
+        done[axis].collect(run, window_of(feedback), controller.clock.now, made)
+    return made
+
+
+class _Done:
+    """The moves of one axis: numbers in the log, when each began, and for how long it was planned."""
+
+    __slots__ = ("_begins", "_durations", "_numbers")
+
+    def __init__(self) -> None:
+        self._numbers, self._begins, self._durations = array("q"), array("d"), array("d")
+
+    def add(self, number: int, begin: float, duration: float) -> None:
+        self._numbers.append(number)
+        self._begins.append(begin)
+        self._durations.append(duration)
+
+    def collect(
+        self, run: Iterator[tuple[float, ServoTrace]], window: float, now: float, made: Figures
+    ) -> None:
+        """Hand every block to the moves that it overlaps; both come in the order of time."""
+        open_ones: deque[tuple[int, MoveFigures]] = deque()
+        following = 0
+        for first, part in run:
+            end = first + len(part) * part.loop.period
+            while following < len(self._begins) and self._begins[following] <= end:
+                open_ones.append((self._numbers[following], self._figures(following, now)))
+                following += 1
+            for _, move in open_ones:
+                move.take(first, part, window)
+            while open_ones and open_ones[0][1].until <= end:
+                made.put(*open_ones.popleft())
+        for number, move in open_ones:
+            made.put(number, move)
+        for k in range(following, len(self._begins)):
+            made.put(self._numbers[k], self._figures(k, now))
+
+    def _figures(self, k: int, now: float) -> MoveFigures:
+        begin, until = self._begins[k], self._begins[k + 1] if k + 1 < len(self._begins) else inf
+        return MoveFigures(begin, min(begin + self._durations[k], until, now), until)
+
+
+class Reader:
+    """Columns of what a motor did, sampled at any times; quick where they rise.
+
+    Between two servo samples a column has the value of the first one.
+    """
+
+    def __init__(self, a: Axis, until: float) -> None:
+        self._axis, self._until = a, until
+        self._restart()
+
+    def _restart(self) -> None:
+        self._parts = parts(self._axis, self._until)
+        self._held: list[tuple[float, ServoTrace]] = []
+        self._dropped = False
+
+    def fill(self, quantity: str, times: Array, out: Array) -> None:
+        """One of `COLUMNS`, in counts, volts or N m, at rising times; 0 where there was nothing yet."""
+        self._hold(float(times[0]), float(times[-1]))
+        if not self._held:
+            out[:] = self._axis.position(self._until) if quantity == "actual" else 0.0
+            return
+        rate = self._held[0][1].loop.servo_rate
+        numbers = np.concatenate([round(first * rate) + np.arange(len(part)) for first, part in self._held])
+        values = np.concatenate([part_column(part, quantity) for _, part in self._held])
+        wanted = np.floor(times * rate + 1e-6)
+        out[:] = values[np.maximum(np.searchsorted(numbers, wanted, "right") - 1, 0)]
+
+    def _hold(self, begin: float, end: float) -> None:
+        """Have the blocks from `begin` to `end` at hand."""
+        if self._dropped and self._held and begin < self._held[0][0]:
+            self._restart()
+        while not self._held or self._end() <= end:
+            following = next(self._parts, None)
+            if following is None:
+                break
+            self._held.append(following)
+        while len(self._held) > 1 and self._held[1][0] <= begin:
+            self._held.pop(0)
+            self._dropped = True
+
+    def _end(self) -> float:
+        first, part = self._held[-1]
+        return first + len(part) * part.loop.period
+
+
+def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list[float]:
+    """A quantity of `COLUMNS` at rising times, none of them later than `until`."""
+    if not times:
+        return []
+    made = np.empty(len(times))
+    Reader(a, until).fill(quantity, np.asarray(times, dtype=np.float64), made)
+    values: list[float] = made.tolist()
+    return values
+
+
+def part_column(part: ServoTrace, quantity: str) -> Array:
+    """The column of a block that shows a quantity."""
+    column: Array = getattr(part, COLUMNS[quantity])
+    return column
+
+
+def notes(controller: Controller) -> list[str]:
+    """What a reader of the report must know of the motors: gains that nobody has set, and gains that do nothing."""
+    found = []
+    for number, feedback in motors(controller).items():
+        chosen = feedback.chosen
+        if chosen is None:
+            continue
+        if chosen.gains == "suggested":
+            found.append(
+                f"axis {number}: neither the program nor the machine file sets gains for its motor; "
+                f"it ran with those suggested for {chosen.bandwidth:g} Hz"
+            )
+        elif not has_gains(chosen.loop):
+            found.append(f"axis {number}: all gains of its motor are 0, so it does not follow its demand")
+    return found

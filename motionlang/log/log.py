@@ -1,0 +1,191 @@
+"""The log of a run: everything that happened, in order, kind by kind; report, trace and proof read nothing else.
+
+It is only ever added to. What is old is packed (`stream.py`), in memory and then in a file without a name, so that a
+run takes no more memory the longer it lasts.
+"""
+
+from __future__ import annotations
+
+from motionlang import log as record
+from motionlang.log.stream import DISK, Store, Stream
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Iterable
+    from typing import Any
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.move import Move
+    from motionlang.log.moves import Moves
+    from motionlang.log.older_profiles import Profiles
+    from motionlang.log.records import Changed, Event, Looped, Printed, Setting, Turns, Waited
+
+# Profiles of all axes together that are not packed, fewer where motors follow some, whose pieces are made; and
+# those of each axis that never are.
+MOST_PROFILES, MOST_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
+# After so many profiles it is looked whether a loop starts motion after motion: more than one in half a millisecond,
+# from no more than a few lines.
+FIRST_LOOK, HURRY, FEW_LINES = 1024, 5e-4, 4
+
+
+def _most(axes: Collection[Axis]) -> int:
+    return MOST_PROFILES if all(a.feedback is None for a in axes) else MOST_FOLLOWED
+
+
+def nowhere() -> int:
+    """The place of what happens without a program."""
+    return -1
+
+
+class Log:
+    """The streams of a run, all of them in one store.
+
+    moves      every `Move` that was started, in the order of its start; amended until it is over
+    dropped    those that were put into a buffer and thrown out of it again: `ended` says by what
+    inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
+    settings   `Setting`, written where the value is another one
+    waits      `Waited`, each when it is over
+    loops      `Looped`, each loop that ran for more than a hundred statements, when it is over
+    turns      `Turns`, where there is more than one task
+    prints     `Printed`, those of the console
+    events     `Event`: limits, faults, clamps, stops and the like
+
+    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`: `WholeTrack` of
+    `track.py` reads them as one.
+    """
+
+    __slots__ = (
+        "_looked",
+        "analogue_inputs",
+        "analogue_outputs",
+        "clamped",
+        "dropped",
+        "events",
+        "hurried",
+        "inputs",
+        "loops",
+        "moves",
+        "older",
+        "others",
+        "outputs",
+        "prints",
+        "room",
+        "settings",
+        "store",
+        "turns",
+        "waits",
+        "where",
+    )
+
+    # `__getattr__` makes these: a program that moves nothing imports none of what they consist of.
+    moves: Moves
+    dropped: Moves
+    # Set at power-up, before there is a profile to pack.
+    older: Callable[[Store], Profiles]
+
+    def __init__(self, disk: int = DISK) -> None:
+        self.store = store = Store(disk=disk)
+        self.inputs: Stream[Changed] = Stream(store, "Changed")
+        self.outputs: Stream[Changed] = Stream(store, "Changed")
+        self.analogue_inputs: Stream[Changed] = Stream(store, "Changed")
+        self.analogue_outputs: Stream[Changed] = Stream(store, "Changed")
+        self.settings: Stream[Setting] = Stream(store, "Setting")
+        self.waits: Stream[Waited] = Stream(store, "Waited")
+        self.loops: Stream[Looped] = Stream(store, "Looped")
+        self.turns: Stream[Turns] = Stream(store, "Turns")
+        self.prints: Stream[Printed] = Stream(store, "Printed")
+        self.events: Stream[Event] = Stream(store, "Event")
+        # The last clamp of each axis and quantity, which is reported once, and where the program stands.
+        self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
+        self.where: Callable[[], int] = nowhere
+        self.others: list[Stream[Any]] = []
+        # How many profiles may be made until some are packed.
+        self.room = FIRST_LOOK
+        self._looked = False
+        # Called with a move, the number of those before it and the time from the first of them to it.
+        self.hurried: Callable[[Move, int, float], object] | None = None
+
+    def __getattr__(self, name: str) -> Moves:
+        """Create a stream of moves when it is first read."""
+        if name not in ("moves", "dropped"):
+            raise AttributeError(f"a log has no {name}")
+        made = record.moves.Moves(self.store)
+        setattr(self, name, made)
+        return made
+
+    def note(
+        self,
+        time: float,
+        kind: str,
+        axis: int | None = None,
+        value: float | None = None,
+        limit: float | None = None,
+        ordered: int = 0,
+        text: str = "",
+    ) -> None:
+        """Write an event, at the place where the program stands."""
+        self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
+
+    def new(self, kind: str) -> Stream[Any]:
+        """A further stream, such as that of another terminal, of records of a kind."""
+        made: Stream[Any] = Stream(self.store, kind)
+        self.others.append(made)
+        return made
+
+    def make_room(self, axes: Collection[Axis]) -> None:
+        """Pack profiles; the first time only look at how they follow each other."""
+        self._look()
+        if not self._looked:
+            self._looked, self.room = True, _most(axes) - FIRST_LOOK
+            return
+        self.pack(axes)
+
+    def pack(self, axes: Collection[Axis]) -> None:
+        """Pack the profiles of axes but the newest ones of each; the moves that they are of are packed first."""
+        self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
+        kept = 0
+        for a in axes:
+            self._pack_profiles(a, len(a.starts) - LEFT_PROFILES)
+            kept += len(a.starts)
+        self.room = max(_most(axes) - kept, LEFT_PROFILES)
+
+    def _pack_profiles(self, a: Axis, count: int) -> None:
+        """Pack so many of the profiles of an axis, the oldest ones."""
+        if count > 0 and a.older is None:
+            a.older = self.older(self.store)
+        while count > 0:
+            assert a.older is not None
+            count -= a.older.take_from(a, count)
+
+    def _look(self) -> None:
+        """Tell of a loop that starts motion after motion, none of which has the time to be one."""
+        last = self.moves[-min(len(self.moves), FIRST_LOOK) :]
+        if len(last) < FIRST_LOOK // 2 or self.hurried is None:
+            return
+        span = last[-1].start_time - last[0].start_time
+        if span < HURRY * len(last) and len({move.line for move in last}) <= FEW_LINES:
+            self.hurried(last[-1], len(last), span)
+
+    def forget(self, kept: int, axes: Iterable[Axis]) -> None:
+        """Forget all but about so many records of each kind, and ten times as many profiles of each axis."""
+        for stream in self._streams():
+            stream.forget(kept)
+        for a in axes:
+            if len(a.starts) > 20 * kept:
+                self._pack_profiles(a, len(a.starts) - 10 * kept)
+            if a.older is not None and self.moves:
+                a.older.forget(self.moves[self.moves.first].start_time)
+
+    def keep_whole(self, axes: Iterable[Axis]) -> None:
+        """Complete what was half packed as somebody ended the run."""
+        for stream in self._streams():
+            stream.keep_whole()
+        for a in axes:
+            if a.older is not None:
+                a.older.keep_whole(a)
+                a.older = a.older if a.older.count else None
+
+    def _streams(self) -> tuple[Stream[Any], ...]:
+        return (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
+                self.analogue_outputs, self.settings, self.waits, self.loops, self.turns, self.prints, self.events,
+                *self.others)  # fmt: skip

@@ -1,0 +1,114 @@
+"""A move as it is packed: a row of numbers and texts, its profile the number of one in the track of its axis."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from motionlang.controller.move import CONTINUED, Action, Move
+from motionlang.planners.packed import packed, unpacked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from motionlang.controller.axis import Axis
+    from motionlang.planners import Profile
+
+# What a move is told by that was a path, a jog or the like: what it was is not kept.
+_OTHER = Action()
+# Velocities at both ends, which are all of a recipe that is none of ramps.
+_ENDS = 2
+
+
+def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
+    """The move that was packed as a row, on one of the axes."""
+    (
+        axis,
+        command,
+        line,
+        target,
+        asked,
+        start_time,
+        scale,
+        zero,
+        ended,
+        offset,
+        other,
+        overlaid,
+        profile,
+    ) = row
+    move = (_Overlaid if overlaid else Move)(axis, command, line, target)
+    move.start_time, move.scale, move.zero = start_time, scale, zero or 0.0
+    move.ended, move.offset = ended, offset or 0.0
+    move.asked = asked
+    if other:
+        move.action = _OTHER
+    if profile is not None:
+        of_track = isinstance(profile, int)
+        move.profile = _profile(axes[axis], profile) if of_track else unpacked(profile)
+    return move
+
+
+def sealed(move: Move, done: Profile) -> Move:
+    """What a move was until now, when it goes on as another entry."""
+    made = (_Overlaid if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
+    made.start_time, made.scale, made.zero, made.offset = move.start_time, move.scale, move.zero, move.offset
+    made.profile, made.ended, made.asked = done, CONTINUED, move.asked
+    made.action = None if move.action is None else _OTHER
+    return made
+
+
+class _Overlaid(Move):
+    __slots__ = ()
+    overlaid = True
+
+
+def row(move: Move, a: Axis | None) -> tuple[object, ...]:
+    """A move as numbers; what is the whole of a profile in the track of `a` is told by that one's."""
+    place = None if a is None else _place(a, move)
+    profile: object = place
+    if place is None and move.profile is not None:
+        profile = packed(move.profile)
+    return (
+        move.axis,
+        move.command,
+        move.line,
+        move.target,
+        move.asked,
+        move.start_time,
+        move.scale,
+        move.zero or None,
+        move.ended,
+        move.offset or None,
+        move.action is not None,
+        move.overlaid,
+        profile,
+    )
+
+
+def _place(a: Axis, move: Move) -> int | None:
+    """The number of the profile in the track of the axis that is all of a move; None where there is none."""
+    k = bisect_right(a.starts, move.start_time) - 1
+    while k >= 0 and a.starts[k] == move.start_time:
+        if _is_of(a.profiles[k], move.profile):
+            return k + (0 if a.older is None else a.older.count)
+        k -= 1
+    return None
+
+
+def _is_of(profile: Profile, other: Profile | None) -> bool:
+    """Whether they are one, or one is what the row of a plain move tells of the other."""
+    return profile is other or (
+        other is not None and len(profile._recipe) > _ENDS and profile._recipe is other._recipe
+    )
+
+
+def _profile(a: Axis, number: int) -> Profile:
+    """A profile of the track of an axis."""
+    older = a.older
+    packed_ones = 0 if older is None else older.count
+    if number >= packed_ones:
+        return a.profiles[number - packed_ones]
+    assert older is not None
+    return older.profile(number)

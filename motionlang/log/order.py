@@ -1,0 +1,117 @@
+"""The order behind a profile: what kind of motion was asked for, and the settings in force. Records only."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.planners import Profile
+
+INFINITY = float("inf")
+ENDLESS = (INFINITY, INFINITY)
+
+
+class PathOrder(NamedTuple):
+    """A path as the program ordered it: its axes, its master first, and where it leads.
+
+    `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its further
+    axes; `plane` are the places of the two that go round. `length` is what it counts as, None for its way in space. Of
+    a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
+    began; `most`, `most_accel` and `most_decel` are the limits of its axes; it may be entered at an angle of up to
+    `angle_into` degrees. Of several paths that begin at one moment, since they are blended into each other, it is the
+    `nth`. `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
+    `blend` is the distance before the end of the path before it at which it is to begin, 0 for at its end.
+    `tails` are those that it is blended with, begun before it.
+    A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
+    """
+
+    members: tuple[int, ...]
+    scales: tuple[float, ...]
+    begun: float
+    nth: int
+    relative: bool
+    line: tuple[float, ...]
+    centre: tuple[float, float]
+    angle: float
+    rest: tuple[float, ...]
+    plane: tuple[int, int]
+    length: float | None
+    most: tuple[float, ...]
+    most_accel: tuple[float, ...]
+    most_decel: tuple[float, ...]
+    angle_into: float
+    blend: float = 0.0
+    rests: bool = False
+    ahead: tuple[Order, ...] = ()
+    entry: int = -1
+    tails: tuple[Order, ...] = ()
+
+
+class Tie(NamedTuple):
+    """What an axis follows: a track, at a `ratio` (once it is `locked`), or on a `curve` from `origin` on.
+
+    It takes a ratio up along a `ramp`, or at once.
+
+    `table` is what the curve was ordered as: places of the master, values there, and how they are joined.
+    """
+
+    master: Axis
+    ratio: float = 0.0
+    locked: float = INFINITY
+    curve: Profile | None = None
+    origin: float = 0.0
+    direction: int = 1
+    table: tuple[tuple[float, ...], tuple[float, ...], str] | None = None
+    ramp: bool = False
+
+    def takes_up(self, earlier: Tie | None) -> bool:
+        """Whether a ratio is taken up that was not followed before."""
+        if self.curve is not None:
+            return False
+        return (
+            earlier is None
+            or earlier.curve is not None
+            or (earlier.master, earlier.ratio) != (self.master, self.ratio)
+        )
+
+
+class Order(NamedTuple):
+    """What holds for one profile: its kind, the line it comes from, and its bounds in counts and seconds.
+
+    `kind` is "rest", "move", "step", "jog", "stop", "path", or the name of the action that makes the profile; of the
+    last the bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite
+    but for S-ramps. `goal` is the velocity that a jog goes to, or the place or velocity of a reference, `ramp` the
+    ratio of a PMC S-curve; `step` is the velocity at which a stepper starts and stops a move of kind "step" at once;
+    `slopes` are those of a speed reference, rate, begin and end of speeding up and of slowing down;
+    `points` are those, with their velocities and the times between them, that a profile is to run through.
+    """
+
+    kind: str
+    line: int
+    speed: float = INFINITY
+    rates: tuple[float, float] = ENDLESS
+    jerks: tuple[float, float] = ENDLESS
+    shape: str = ""
+    goal: float = 0.0
+    ramp: float = 0.0
+    path: PathOrder | None = None
+    tie: Tie | None = None
+    points: tuple[Sequence[float], Sequence[float], Sequence[float]] | None = None
+    slopes: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
+    step: float = 0.0
+
+    @property
+    def bends(self) -> bool:
+        """Whether the acceleration of its shape never jumps."""
+        return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
+
+    @property
+    def asks(self) -> tuple[object, ...]:
+        """What settings ask of a motion that is under way."""
+        if self.path is not None:
+            limits = self.path.most, self.path.most_accel, self.path.most_decel
+            return self.kind, self.path.entry, self.speed, self.rates, limits, self.path.rests
+        return self.kind, self.speed, self.goal, self.rates, None if self.tie is None else self.tie.ratio

@@ -1,0 +1,140 @@
+"""The paths of a run, one after the other: length, speed along the path, and how each goes over into the next.
+
+A path is a move of several axes that begin and end together on one line. What is told of it is measured on the motion
+itself, not taken from its plan: at the beginning, at the end, and at `SAMPLES` points between.
+"""
+
+from __future__ import annotations
+
+from math import acos, degrees
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.log.trace import Trace
+
+    Array = NDArray[np.float64]
+
+SAMPLES = 1001
+# A part of a path's time at its ends in which its direction is taken, and a part of its peak speed that is standstill.
+_ENDS, _STILL = 1e-5, 1e-6
+# Seconds within which the next path follows at once.
+AT_ONCE = 1e-3
+
+
+class PathRow(NamedTuple):
+    """One path: `length` in user units, speeds in uu/s along it, `corner` in degrees to the next one, if one follows.
+
+    `ended` says what cut it short, "" for nothing.
+    """
+
+    line: int
+    command: str
+    axes: tuple[int, ...]
+    start_time: float
+    duration: float
+    length: float
+    entry_speed: float
+    peak_speed: float
+    exit_speed: float
+    corner: float | None
+    ended: str
+
+
+class _Path(NamedTuple):
+    line: int
+    command: str
+    axes: tuple[int, ...]
+    begin: float
+    end: float
+    ended: str
+
+
+def paths(trace: Trace) -> list[PathRow]:
+    """Every path that was begun, in the order of time."""
+    found = _paths(trace)
+    return [_row(trace, path, _following(path, found[k + 1 :])) for k, path in enumerate(found)]
+
+
+def _paths(trace: Trace) -> list[_Path]:
+    groups: dict[tuple[float, float, int, str], list[tuple[int, str]]] = {}
+    for move in trace.controller.log.moves:
+        if move.profile is not None and move.action is not None:
+            begin, end = move.start_time, min(move.start_time + move.profile.duration, trace.end)
+            groups.setdefault((begin, end, move.line, move.command), []).append((move.axis, move.ended))
+    return [
+        _Path(line, command, tuple(axis for axis, _ in moves), begin, end, moves[0][1])
+        for (begin, end, line, command), moves in sorted(groups.items())
+        if len(moves) > 1 and end > begin
+    ]
+
+
+def _following(path: _Path, later: Sequence[_Path]) -> _Path | None:
+    """The path of the same axes that begins when this one ends."""
+    for other in later:
+        if other.begin > path.end + AT_ONCE:
+            return None
+        if set(other.axes) == set(path.axes):
+            return other
+    return None
+
+
+def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
+    times = np.linspace(path.begin, path.end, SAMPLES)
+    places = np.stack([trace.at(axis, "position", times) for axis in path.axes])
+    inside = np.linspace(path.begin, path.end, SAMPLES)
+    inside[0], inside[-1] = np.nextafter(path.begin, path.end), np.nextafter(path.end, path.begin)
+    speeds = np.linalg.norm(np.stack([trace.at(axis, "velocity", inside) for axis in path.axes]), axis=0)
+    peak = float(speeds.max())
+    still = _STILL * peak
+    entry, leaving = (0.0 if speed <= still else float(speed) for speed in (speeds[0], speeds[-1]))
+    corner = None if following is None else _angle(_tangent(trace, path, -1), _tangent(trace, following, 0))
+    return PathRow(
+        path.line,
+        path.command,
+        path.axes,
+        path.begin,
+        path.end - path.begin,
+        _length(places, speeds, path.end - path.begin),
+        entry,
+        peak,
+        leaving,
+        corner,
+        path.ended,
+    )
+
+
+def _length(places: Array, speeds: Array, duration: float) -> float:
+    """The way between the ends where that is straight; else the speed over the time, by Simpson's rule."""
+    way = places[:, -1] - places[:, 0]
+    chord = float(np.linalg.norm(way))
+    steps = float(np.linalg.norm(np.diff(places, axis=1), axis=0).sum())
+    if steps - chord <= 1e-9 * steps:
+        return chord
+    weights = np.ones(len(speeds))
+    weights[1:-1:2], weights[2:-1:2] = 4.0, 2.0
+    return float(weights @ speeds) * duration / (3.0 * (len(speeds) - 1))
+
+
+def _tangent(trace: Trace, path: _Path, side: int) -> Array:
+    """The direction of a path at its beginning (0) or its end (-1)."""
+    near = (path.end - path.begin) * _ENDS
+    times = np.array([path.begin, path.begin + near] if side == 0 else [path.end - near, path.end])
+    for _ in range(20):  # from rest it takes a while until there is a way to be seen
+        way = np.array([np.diff(trace.at(axis, "position", times))[0] for axis in sorted(path.axes)])
+        size = float(np.linalg.norm(way))
+        if size > 1e-7 * max(1.0, float(np.abs(trace.at(path.axes[0], "position", times)).max())):
+            return way / size
+        times[1 + side] = path.begin + 2.0 * (times[1] - path.begin) if side == 0 else times[0]
+        if side == -1:
+            times[0] = path.end - 2.0 * (path.end - times[0])
+    return np.zeros(len(path.axes))
+
+
+def _angle(one: Array, other: Array) -> float:
+    return degrees(acos(max(-1.0, min(1.0, float(one @ other)))))

@@ -1,0 +1,340 @@
+"""Streams of a log: records of one kind in time order, older ones packed.
+
+Problem. A run may take weeks of machine time and write millions of records. They are read like a list, during the run
+and after it, and must not fill the memory. Writing one happens while the program runs and must be cheap.
+
+Idea. The newest records stay in a list, the tail. When the tail is long, its oldest records are packed into chunks. A
+chunk is one `marshal` of plain tuples. The first 16 MB of chunks stay in memory, the others go to a file. Reading a
+packed record brings back its whole chunk.
+
+    record      0          2048       4096               count               len
+                ├─ chunk ──┼─ chunk ──┼─ … ──────────────┼────── tail ───────┤
+                  memory     memory     file               list of up to 24 576
+
+Data. `Store` has the bytes of all streams of a log. `Parts` has the chunks of one stream: the number of the first
+record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written as a plain tuple
+and read as the named tuple of its kind (`records.py`). A subclass whose records are objects, such as moves, says in
+`_rows` and `_records` how they become tuples and objects again.
+
+Invariants.
+- Records are only appended, and packed ones never change. A record keeps its number when it is packed, and when older
+  ones are dropped (`forget`); `first` is then the oldest that is left.
+- Packed records read the same as others, but an object is created again when its chunk is unpacked again.
+- An interrupt at any moment leaves the stream whole. `_total` is set while a chunk replaces records of the tail, and
+  `keep_whole` completes that step or drops the chunk.
+- The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes or cannot
+  be written, the run ends with a diagnostic.
+
+Cost. Writing is one append; every 16 384 records the oldest are packed. Reading from one end to the other unpacks each
+chunk once. A single old record costs a bisection and the unpacking of its chunk; a stream caches its last one. Memory
+is bounded by 16 MB for the log, and one tail and one chunk for each stream.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from itertools import chain
+from marshal import dumps, loads
+
+from motionlang.controller.faults import Refusal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import IO, Any, Generic, TypeVar, overload
+
+    T = TypeVar("T")
+    # Where a packed part is: itself, or from where in the file and how long.
+    Place = bytes | tuple[int, int]
+
+    class _Of(Generic[T]):
+        """What is of a type."""
+else:
+    # To import typing takes longer than a short run.
+    T = Place = None
+
+    class _Of:
+        """What is of a type."""
+
+        __slots__ = ()
+
+        def __class_getitem__(cls, item):
+            return cls
+
+
+# Bytes of packed records that are held in memory; those that come later are on the disk.
+MEMORY = 16_000_000
+# Bytes that a log may have on the disk before the run ends, unless somebody says otherwise.
+DISK = 8_000_000_000
+# Records of a stream that are not packed, before and after some are.
+MOST, LEFT = 24_576, 8_192
+# Records of a packed part.
+PART = 2048
+
+
+class Store:
+    """Packed parts of a log: bytes in memory, up to `memory` of them, then in a file that has no name.
+
+    The file is gone when the process is, however that ends. Refusal beyond `disk` bytes in it, and where it cannot be
+    written.
+    """
+
+    __slots__ = ("_file", "_written", "disk", "held", "memory")
+
+    def __init__(self, memory: int = MEMORY, disk: int = DISK) -> None:
+        self.memory, self.disk = memory, disk
+        self.held = self._written = 0
+        self._file: IO[bytes] | None = None
+
+    def __del__(self) -> None:
+        if self._file is not None:
+            self._file.close()
+
+    @property
+    def size(self) -> int:
+        """Bytes that were packed, in memory and on the disk."""
+        return self.held + self._written
+
+    def put(self, part: bytes) -> Place:
+        """Take a part; what it is asked for by."""
+        size = len(part)
+        if self.held + size <= self.memory:
+            self.held += size
+            return part
+        if self._written + size > self.disk:
+            words = f"the log of the run has come to {self.disk / 1e9:g} GB"
+            raise Refusal("limit", words, "shorten the run with --until")
+        try:
+            self._append(part)
+        except OSError as problem:
+            from motionlang.files import reason
+
+            words = f"the log of the run cannot be written: {reason(problem)}"
+            raise Refusal("limit", words, "shorten the run with --until, or make room on the disk") from None
+        place = self._written, size
+        self._written += size
+        return place
+
+    def _append(self, part: bytes) -> None:
+        if self._file is None:
+            from motionlang.files import scratch
+
+            self._file = scratch()
+        self._file.seek(self._written)
+        self._file.write(part)
+
+    def get(self, place: Place) -> bytes:
+        """A part."""
+        if isinstance(place, bytes):
+            return place
+        assert self._file is not None
+        self._file.seek(place[0])
+        return self._file.read(place[1])
+
+    def drop(self, place: Place) -> None:
+        """Forget a part; its place on the disk stays taken."""
+        if isinstance(place, bytes):
+            self.held -= len(place)
+
+
+class Parts:
+    """Records that are packed, a part of them at a time; `count` is the number of the record behind the last one."""
+
+    __slots__ = ("_cached", "_places", "_read", "_store", "count", "firsts")
+
+    def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
+        """`read(rows, first)` makes records of packed rows, the first of which has that number."""
+        self._store, self._read = store, read
+        self.firsts: list[int] = []
+        self._places: list[Place] = []
+        self.count = 0
+        self._cached: tuple[int, list[Any]] = (-1, [])
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    @property
+    def first(self) -> int:
+        """The number of the oldest record that is kept."""
+        return self.firsts[0] if self.firsts else self.count
+
+    def pack(self, rows: list[Any]) -> Place:
+        """Pack a part, which is not one of these yet; Refusal where there is no room for it."""
+        return self._store.put(dumps(rows))
+
+    def append(self, place: Place, count: int) -> None:
+        """Take a packed part of so many records."""
+        self._places.append(place)
+        self.firsts.append(self.count)
+        self.count += count
+
+    def keep_whole(self) -> None:
+        """Forget a part that is not counted, as somebody ended the run at that moment."""
+        while self.firsts and self.firsts[-1] >= self.count:
+            del self.firsts[-1]
+        del self._places[len(self.firsts) :]
+
+    def part(self, number: int) -> list[Any]:
+        """The records of a part."""
+        first = self.firsts[number]
+        if self._cached[0] != first:
+            self._cached = first, self._read(loads(self._store.get(self._places[number])), first)
+        return self._cached[1]
+
+    def record(self, index: int) -> Any:
+        """A record by its number; IndexError where it is not kept."""
+        number = bisect_right(self.firsts, index) - 1
+        if number < 0:
+            raise IndexError(index)
+        return self.part(number)[index - self.firsts[number]]
+
+    def records(self, first: int, past: int) -> list[Any]:
+        """The records from one number, which is kept, to another one, not included."""
+        found: list[Any] = []
+        number = bisect_right(self.firsts, first) - 1
+        while first < past:
+            begin, part = self.firsts[number], self.part(number)
+            found += part[first - begin : past - begin]
+            first, number = begin + len(part), number + 1
+        return found
+
+    def forget(self) -> int:
+        """Forget the oldest part: how many records it had."""
+        gone = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]
+        self._store.drop(self._places.pop(0))
+        del self.firsts[0]
+        return gone
+
+
+class Stream(_Of[T]):
+    """Records of one kind, read as a sequence; `add` is all that a run does to it.
+
+    A record is written as a plain tuple of numbers, texts and tuples, and read as the type of that name in `records`,
+    where one is given. A subclass that keeps something else says how that is packed.
+    """
+
+    __slots__ = ("_kind", "_parts", "_total", "append", "tail")
+
+    def __init__(self, store: Store, kind: str = "") -> None:
+        self._kind = kind
+        self._total = 0  # how many records there are, while a packed part takes the place of some
+        self._parts = Parts(store, self._records)
+        # The newest, which are not packed.
+        self.tail: list[T] = []
+        # Appends a record without a look whether some are to be packed, for who looks himself.
+        self.append = self.tail.append
+
+    def add(self, record: T | tuple[object, ...]) -> None:
+        """Append a record."""
+        tail = self.tail
+        tail.append(record)  # type: ignore[arg-type]
+        if len(tail) >= MOST:
+            self.pack(MOST - LEFT)
+
+    def trim(self) -> None:
+        """Pack some where there are many, for who appends."""
+        if len(self.tail) >= MOST:
+            self.pack(len(self.tail) - LEFT)
+
+    @property
+    def first(self) -> int:
+        """The number of the oldest record that is kept."""
+        return self._parts.first
+
+    @property
+    def packed(self) -> int:
+        """How many of them are packed, or forgotten."""
+        return self._parts.count
+
+    def __len__(self) -> int:
+        return self._parts.count + len(self.tail)
+
+    def __bool__(self) -> bool:
+        return bool(self.tail) or len(self._parts) > 0
+
+    def __iter__(self) -> Iterator[T]:
+        for number in range(len(self._parts)):
+            yield from self._parts.part(number)
+        yield from self._typed(self.tail)
+
+    def as_kept(self) -> Iterator[Any]:
+        """All of them with nothing made of them: those that are not packed as the plain tuples that were written."""
+        parts = map(self._parts.part, range(len(self._parts)))
+        return chain(chain.from_iterable(parts), self.tail)
+
+    def __reversed__(self) -> Iterator[T]:
+        yield from reversed(self._typed(self.tail))
+        for number in reversed(range(len(self._parts))):
+            yield from reversed(self._parts.part(number))
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, index: int) -> T: ...
+
+        @overload
+        def __getitem__(self, index: slice) -> list[T]: ...
+
+        def __getitem__(self, index: int | slice) -> T | list[T]: ...
+
+    else:
+
+        def __getitem__(self, index):
+            if isinstance(index, slice):
+                begin, end, step = index.indices(len(self))
+                return [self[i] for i in range(max(begin, self._parts.first), end, step)]
+            index += len(self) if index < 0 else 0
+            behind = index - self._parts.count
+            return self._newest(behind) if behind >= 0 else self._parts.record(index)
+
+    def forget(self, kept: int) -> None:
+        """Forget all but the newest records, about `kept` of them; the numbers of the others stay what they are."""
+        while len(self._parts) and len(self) - self._parts.first > 2 * kept:
+            self._parts.forget()
+        if not len(self._parts) and len(self.tail) > 2 * kept:
+            gone = len(self.tail) - kept
+            del self.tail[:gone]
+            self._parts.count += gone
+
+    def pack(self, count: int) -> None:
+        """Pack the oldest records of the tail, so many of them."""
+        while count > 0:
+            part = self.tail[: min(PART, count)]
+            place = self._parts.pack(self._rows(part, self._parts.count))
+            self._total = len(self)
+            self._parts.append(place, len(part))
+            del self.tail[: len(part)]
+            self._total = 0
+            count -= len(part)
+
+    def keep_whole(self) -> None:
+        """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
+        self._parts.keep_whole()
+        if self._total:
+            del self.tail[: len(self) - self._total]
+            self._total = 0
+
+    # ------------------------------------------------------------------------------- what a subclass says
+
+    def _rows(self, records: list[T], first: int) -> list[Any]:
+        """Records, the first one of that number, as they are packed."""
+        return records
+
+    def _records(self, rows: list[Any], first: int) -> list[T]:
+        """The same the other way round."""
+        return self._typed(rows)
+
+    def _newest(self, place: int) -> T:
+        """The record of a place among those that are not packed."""
+        return self._typed([self.tail[place]])[0]
+
+    # -------------------------------------------------------------------------------------------- inside
+
+    def _typed(self, rows: list[Any]) -> list[T]:
+        if not self._kind:
+            return rows
+        if not rows:  # most reports tell of no event, and need not import what one is
+            return []
+        from motionlang.log.records import makers
+
+        return list(map(makers[self._kind], rows))

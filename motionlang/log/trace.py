@@ -1,0 +1,335 @@
+"""The motion of a run as NumPy columns, sampled when asked for, at any rate.
+
+Rows stand at 0, 1/rate, 2/rate …; the last row stands at the very end of the run, also where that lies between
+two steps of the grid. Lengths are user units by the scale that the axis has when it is sampled.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil, isfinite
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.log.history import Reader
+from motionlang.log.track import WholeTrack
+from motionlang.log.trajectory_points import AT_ONCE, Points
+from motionlang.planners.sample import ORDERS, PieceTable, piece_values
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.controller.controller import Controller
+    from motionlang.log.history import Reader
+
+    Array = NDArray[np.float64]
+
+# quantity -> unit, and the unit as a part of a column's name.
+UNITS: dict[str, tuple[str, str]] = {
+    "position": ("uu", "uu"),
+    "velocity": ("uu/s", "uu_per_s"),
+    "acceleration": ("uu/s2", "uu_per_s2"),
+    "jerk": ("uu/s3", "uu_per_s3"),
+}
+USUAL = ("position", "velocity", "acceleration")
+# What a simulated motor made of it; "actual" is the position that its encoder measured.
+MOTOR: dict[str, tuple[str, str]] = {
+    "actual": ("uu", "uu"),
+    "following error": ("uu", "uu"),
+    "output": ("V", "V"),
+    "torque": ("N m", "Nm"),
+}
+# Rows of one chunk: a few hundred kilobytes a column, which stay in the cache while they are written out.
+ROWS = 65_536
+MOST_ROWS = 200_000_000
+# Packed profiles that are unpacked at a time, unless there are more between two rows; and the seconds on each side.
+PROFILES, MARGIN = 4096, 0.001
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """What a column holds: `quantity` ("time", "position" …) in `unit`, of `axis` (None for the time)."""
+
+    name: str
+    quantity: str
+    unit: str
+    axis: int | None
+
+
+_TIME = Column("time_s", "time", "s", None)
+
+
+def _column(axis: int, quantity: str) -> Column:
+    unit, suffix = UNITS[quantity] if quantity in UNITS else MOTOR[quantity]
+    return Column(f"axis{axis}_{quantity.replace(' ', '_')}_{suffix}", quantity, unit, axis)
+
+
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """Columns of equal length; `samples["axis0_position_uu"]` and `samples.get(0, "position")` are one array."""
+
+    columns: tuple[Column, ...]
+    data: tuple[Array, ...]
+
+    def __len__(self) -> int:
+        return len(self.data[0])
+
+    def __getitem__(self, name: str) -> Array:
+        for column, values in zip(self.columns, self.data, strict=True):
+            if column.name == name:
+                return values
+        raise KeyError(name)
+
+    @property
+    def time(self) -> Array:
+        """Seconds since power-up."""
+        return self.data[0]
+
+    def get(self, axis: int, quantity: str) -> Array:
+        """The column of one quantity of one axis; KeyError where it was not sampled."""
+        for column, values in zip(self.columns, self.data, strict=True):
+            if column.axis == axis and column.quantity == quantity:
+                return values
+        raise KeyError((axis, quantity))
+
+
+def quantity_of(column: str) -> tuple[str, str]:
+    """Quantity and axis of a column by its name, such as "velocity.0"; ValueError where there is no such quantity."""
+    text, _, axis = column.partition(".")
+    quantity = text.replace("-", " ")
+    if quantity not in UNITS and quantity not in MOTOR:
+        names = ", ".join(name.replace(" ", "-") for name in (*UNITS, *MOTOR))
+        raise ValueError(f"{text!r} is no quantity of an axis: {names} are")
+    return quantity, axis
+
+
+class Trace:
+    """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
+
+    __slots__ = ("_chosen", "_readers", "_tables", "controller", "end")
+
+    def __init__(self, controller: Controller) -> None:
+        self.controller = controller
+        self._tables: dict[int, PieceTable] = {}
+        self._readers: dict[int, Reader] = {}
+        self._chosen: list[tuple[int, str]] | None = None
+        self.end = controller.clock.now
+
+    @property
+    def axes(self) -> tuple[int, ...]:
+        """The axes that ever moved or were given a position; the first one where none was."""
+        axes = self.controller.axes
+        return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
+
+    def choose(self, wanted: Sequence[str]) -> None:
+        """Have these columns and the time alone: "velocity" of every axis, "velocity.0" of one.
+
+        ValueError, with what there is, for an axis or a quantity that does not exist.
+        """
+        chosen: list[tuple[int, str]] = []
+        for each in wanted:
+            quantity, axis = quantity_of(each)
+            if axis and not (axis.isdecimal() and int(axis) in self.controller.axes):
+                have = ", ".join(map(str, self.controller.axes))
+                raise ValueError(f"{each!r}: there is no axis {axis}; this controller has {have}")
+            chosen += [(number, quantity) for number in ((int(axis),) if axis else self.axes)]
+        self._chosen = chosen
+
+    def columns(
+        self, axes: Sequence[int] | None = None, quantities: Sequence[str] | None = None
+    ) -> tuple[Column, ...]:
+        """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist.
+
+        Without either of them what was chosen; without `quantities` those of `USUAL`, and those of `MOTOR` where an
+        axis has a simulated one.
+        """
+        if axes is None and quantities is None and self._chosen is not None:
+            return (_TIME, *(_column(axis, quantity) for axis, quantity in self._chosen))
+        made = [_TIME]
+        for axis in self.axes if axes is None else axes:
+            usual = USUAL if self.controller.axes[axis].feedback is None else (*USUAL, *MOTOR)
+            made += [_column(axis, quantity) for quantity in (usual if quantities is None else quantities)]
+        return tuple(made)
+
+    def rows(self, rate: float = 1000.0, until: float | None = None) -> int:
+        """How many rows a sampling has."""
+        return _last_step(rate, self.end if until is None else until) + 1
+
+    def sample(
+        self,
+        rate: float = 1000.0,
+        axes: Sequence[int] | None = None,
+        until: float | None = None,
+        quantities: Sequence[str] | None = None,
+    ) -> Samples:
+        """All rows at once, `rate` in samples a second; ValueError above 200 million rows: use `chunks`."""
+        count = self.rows(rate, until)
+        if count > MOST_ROWS:
+            raise ValueError(f"{count} rows are too many to hold at once")
+        columns = self.columns(axes, quantities)
+        data = tuple(np.empty(count) for _ in columns)
+        first = 0
+        for chunk in self.chunks(rate, axes, until, quantities):
+            for whole, part in zip(data, chunk.data, strict=True):
+                whole[first : first + len(part)] = part
+            first += len(chunk)
+        return Samples(columns, data)
+
+    def chunks(
+        self,
+        rate: float = 1000.0,
+        axes: Sequence[int] | None = None,
+        until: float | None = None,
+        quantities: Sequence[str] | None = None,
+    ) -> Iterator[Samples]:
+        """The same rows, `ROWS` at a time; the arrays of a chunk are overwritten by the next."""
+        end = self.end if until is None else until
+        last = _last_step(rate, end)
+        columns = self.columns(axes, quantities)
+        buffers = [np.empty(min(ROWS, last + 1)) for _ in columns]
+        for first in range(0, last + 1, ROWS):
+            count = min(ROWS, last + 1 - first)
+            data = tuple(buffer[:count] for buffer in buffers)
+            np.divide(np.arange(first, first + count), rate, out=data[0])
+            for begin, many in self._stretches(columns, first, count, rate):
+                part = tuple(values[begin - first : begin - first + many] for values in data)
+                self._fill(columns, part, begin / rate, 1.0 / rate, many)
+            if first + count > last:
+                data[0][-1] = end
+                self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)
+            yield Samples(columns, data)
+
+    def _stretches(
+        self, columns: Sequence[Column], first: int, count: int, rate: float
+    ) -> Iterator[tuple[int, int]]:
+        """Rows by their first one and how many, such that each stretch has a part of a packed motion at most."""
+        axes = {column.axis for column in columns if column.axis is not None}
+        tracks = [WholeTrack(self.controller.axes[axis]) for axis in axes]
+        most = max((track.count(first / rate, (first + count) / rate) for track in tracks), default=0)
+        if count == 1 or most <= PROFILES:
+            yield first, count
+            return
+        half = count // 2
+        yield from self._stretches(columns, first, half, rate)
+        yield from self._stretches(columns, first + half, count - half, rate)
+
+    def as_controller(self, trajectory_rate: float = 1000.0) -> Trace:
+        """The same motion as the controller computes it: points, `trajectory_rate` a second, and lines between."""
+        return Commanded(self.controller, trajectory_rate)
+
+    def table(self, axis: int) -> PieceTable:
+        """The pieces of an axis's motion, in counts, made once."""
+        if axis not in self._tables:
+            track = WholeTrack(self.controller.axes[axis])
+            self._tables[axis] = PieceTable(track.starts, track.profiles)
+        return self._tables[axis]
+
+    def _window(self, axis: int, begin: float, end: float) -> PieceTable:
+        """The pieces from one time to another; all of them where the log has packed none."""
+        a = self.controller.axes[axis]
+        return self.table(axis) if a.older is None else PieceTable(*WholeTrack(a).between(begin, end))
+
+    def at(self, axis: int, quantity: str, times: Array) -> Array:
+        """A quantity of an axis in user units at any `times` (s), in any order."""
+        table = self.table(axis)
+        piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
+        values = piece_values(table.columns[:, piece], times - table.origins[piece], ORDERS[quantity])
+        self.to_user(axis, quantity, values)
+        return values
+
+    def resolution(self, axis: int) -> float:
+        """One count of an axis in user units."""
+        return 1.0 / abs(self.controller.axes[axis].scale.counts or 1.0)
+
+    def to_user(self, axis: int, quantity: str, values: Array) -> None:
+        """Turn counts into user units, in place; all times are seconds."""
+        scale = self.controller.axes[axis].scale
+        if quantity == "position" and scale.zero:
+            values -= scale.zero
+        if scale.counts not in (0.0, 1.0):
+            values /= scale.counts
+
+    def _fill(
+        self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
+    ) -> None:
+        tables: dict[int, PieceTable] = {}
+        for column, out in zip(columns, data, strict=True):
+            if column.axis is not None and column.quantity in MOTOR:
+                self._fill_motor(column.axis, column.quantity, start, step, count, out)
+            elif column.axis is not None:
+                table = tables.get(column.axis)
+                if table is None:
+                    end, margin = start + step * count, min(step, MARGIN)
+                    table = tables[column.axis] = self._window(column.axis, start - margin, end + margin)
+                table.sample(start, step, count, ORDERS[column.quantity], out)
+                self.to_user(column.axis, column.quantity, out)
+
+    def _fill_motor(
+        self, axis: int, quantity: str, start: float, step: float, count: int, out: Array
+    ) -> None:
+        """What the motor of an axis did, in user units, volts or N m; 0 for an axis that has none."""
+        if axis not in self._readers:
+            self._readers[axis] = Reader(self.controller.axes[axis], self.end)
+        self._readers[axis].fill(quantity, start + np.arange(count, dtype=np.float64) * step, out)
+        if quantity == "actual":
+            self.to_user(axis, "position", out)
+        elif quantity == "following error":
+            self.to_user(axis, "velocity", out)  # a difference: no zero in it
+
+
+class Commanded(Trace):
+    """A trace of what the loop is told; it ends a cycle after the one in which the run did.
+
+    Velocity, acceleration and jerk are the differences of the points over one, two and three cycles.
+    """
+
+    __slots__ = ("_points", "trajectory_rate")
+
+    def __init__(self, controller: Controller, trajectory_rate: float = 1000.0) -> None:
+        super().__init__(controller)
+        self.trajectory_rate = trajectory_rate
+        self._points: dict[int, Points] = {}
+        self.end = (ceil(self.end * trajectory_rate - AT_ONCE) + 1) / trajectory_rate
+
+    def _fill(
+        self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
+    ) -> None:
+        times = start + np.arange(count, dtype=np.float64) * step
+        cycles = times * self.trajectory_rate
+        whole = np.floor(cycles + AT_ONCE).astype(np.int64)
+        first, last = int(whole[0]) - 2, int(whole[-1]) + 1
+        known: dict[int, Array] = {}
+        for column, out in zip(columns, data, strict=True):
+            if column.axis is None:
+                continue
+            if column.quantity in MOTOR:
+                self._fill_motor(column.axis, column.quantity, start, step, count, out)
+                continue
+            points = self._of(column.axis)
+            if column.axis not in known:
+                known[column.axis] = points.between(first, last)
+            order = ORDERS[column.quantity]
+            if order:
+                differences = np.diff(known[column.axis], order)[3 - order :]
+                np.multiply(differences[whole - whole[0]], self.trajectory_rate**order, out=out)
+            else:
+                out[:] = np.interp(cycles, np.arange(first, last + 1), known[column.axis])
+                out -= points.renamed(times)
+            self.to_user(column.axis, column.quantity, out)
+
+    def _of(self, axis: int) -> Points:
+        if axis not in self._points:
+            self._points[axis] = Points(self.controller.axes[axis], 1.0 / self.trajectory_rate)
+        return self._points[axis]
+
+
+def _last_step(rate: float, end: float) -> int:
+    """The number of the last row: a row within a billionth of a step of the end is the end."""
+    if not (isfinite(rate) and rate > 0.0):
+        raise ValueError(f"the rate must be a number above 0, not {rate!r}")
+    if not (isfinite(end) and end >= 0.0):
+        raise ValueError(f"the end must be a time of 0 or more, not {end!r}")
+    return max(0, ceil(end * rate - 1e-9))

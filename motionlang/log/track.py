@@ -1,0 +1,91 @@
+"""What the proof, the trace and the pictures ask of an axis: its whole motion from power-up on."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from motionlang.controller.joined import Joined
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.feedback import Feedback
+    from motionlang.controller.move import Move
+    from motionlang.controller.scale import Scale
+    from motionlang.planners import Profile, State
+
+
+class WholeTrack:
+    """An axis as the log has it: `starts[i]` is when `profiles[i]` began, from power-up on."""
+
+    __slots__ = ("_a", "index", "profiles", "starts")
+
+    def __init__(self, a: Axis) -> None:
+        self._a, self.index = a, a.index
+        older = a.older
+        self.starts: Sequence[float] = a.starts
+        self.profiles: Sequence[Profile] = a.profiles
+        if older is not None:
+            self.starts = Joined(a, 0)  # type: ignore[assignment]
+            self.profiles = Joined(a, 1)  # type: ignore[assignment]
+
+    @property
+    def scale(self) -> Scale:
+        """The scale of the axis now."""
+        return self._a.scale
+
+    @property
+    def move(self) -> Move | None:
+        """The move in progress."""
+        return self._a.move
+
+    @property
+    def waiting(self) -> list[Move]:
+        """The moves of its buffer, while nothing suspends the axis."""
+        return [] if self._a.suspended else self._a.buffer
+
+    @property
+    def feedback(self) -> Feedback | None:
+        """Its motor, where one is simulated."""
+        return self._a.feedback
+
+    def at(self, time: float) -> State:
+        """Position, velocity, acceleration and jerk at a time, counts and seconds."""
+        return self._a.at(time)
+
+    def position(self, time: float) -> float:
+        """The demanded position at a time, counts."""
+        return self._a.position(time)
+
+    def place(self, time: float) -> int:
+        """The number of the profile in force at a time; -1 before power-up."""
+        older = self._a.older
+        if older is None or time >= self._a.starts[0]:
+            return len(self.starts) - len(self._a.starts) + bisect_right(self._a.starts, time) - 1
+        return older.in_force(time)
+
+    def count(self, begin: float, end: float) -> int:
+        """How many profiles were in force from one time to another, where some are packed; 0 where none are."""
+        return 0 if self._a.older is None else self.place(end) - self.place(begin)
+
+    def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
+        """Starts and profiles of all that was in force from `begin` to `end`, and what was before; all if unpacked."""
+        if self._a.older is None:
+            return self.starts, self.profiles
+        some = slice(max(self.place(begin) - 1, 0), self.place(end) + 1)
+        return self.starts[some], self.profiles[some]
+
+
+class Recorded:
+    """A controller as its log has it: its axes with their whole motion, and the moves."""
+
+    def __init__(self, controller: Controller) -> None:
+        self.moves = controller.log.moves
+        if (
+            self.moves.packed
+        ):  # of a long run all is, so that going through it takes no more memory than a part
+            controller.log.pack((*controller.axes.values(), *controller.encoders.values()))
+        self.axes = {number: WholeTrack(a) for number, a in controller.axes.items()}

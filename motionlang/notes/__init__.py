@@ -1,0 +1,1 @@
+"""The figures that vendors' notes print, a note a file; no run imports this package."""

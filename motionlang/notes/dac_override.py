@@ -1,0 +1,95 @@
+"""Chapter 12's point in a run: the same move through the same gain, with and without a hand on the DAC."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+from typing import TYPE_CHECKING
+
+from motionlang.notes.slip import check_trace
+from motionlang.planners import plan
+from motionlang.planners.curve import hold
+from motionlang.planners.dissect import dac_timing
+from motionlang.servo.demand import Track
+from motionlang.servo.loop import FULL_SCALE, Loop, Override
+from motionlang.servo.plant import Drive
+from motionlang.servo.servo import simulate
+
+if TYPE_CHECKING:
+    from motionlang.servo.trace import ServoTrace
+
+FULL_COUNTS = 100_000.0
+"""Counts a second at full scale: the encoder of the example."""
+UPDATE = 1.0 / 4000.0
+REST = 0.5
+_CRUISE = 0.95
+_SLEW = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class OverrideRun:
+    """One way to run the move. Accelerations in the unit of the limit; `slid` how far the load slid, same length unit.
+
+    `onset` is the largest acceleration just after a DAC change, `mean` that over a whole update; `error` the largest
+    following error.
+    """
+
+    name: str
+    bits: int
+    steps: int
+    hold: int
+    onset: float
+    mean: float
+    limit: float
+    slid: float
+    error: float
+    trace: ServoTrace
+
+
+def demonstrate(
+    speed: float, limit: float, friction: float, gravity: float, share: float, gain: int
+) -> list[OverrideRun]:
+    """A trapezoid at `share` of the `limit` to nearly `speed` (full scale of the DAC), four times.
+
+    12 and 16 bits, each free and with the override: one step of 12 bits held for the five time constants of the
+    chapter; of 16 bits as many steps as the motor's time constant allows, every update. Speed in units a second.
+    """
+    if not share < 1.0:
+        raise ValueError(f"the demanded share of the limit must be below 1, not {share:g}")
+    coarse = dac_timing(speed, limit, 12)
+    fine_steps = max(1, int(coarse.electrical_time_constant / dac_timing(speed, limit, 16).step_time))
+    held = max(1, ceil(coarse.hold_time / UPDATE - 1e-9))
+    scale = FULL_COUNTS / speed
+    ways = (
+        ("12 bits, free", 12, 0, 1),
+        ("12 bits, held", 12, 1, held),
+        ("16 bits, free", 16, 0, 1),
+        ("16 bits, held", 16, fine_steps, 1),
+    )
+    made = []
+    for name, bits, steps, hold_count in ways:
+        override = Override(steps, hold_count, FULL_COUNTS) if steps else None
+        loop = Loop(
+            gain,
+            arithmetic="chapter12",
+            dac_bits=bits,
+            override=override,
+            servo_rate=1.0 / UPDATE,
+            trajectory_rate=1.0 / UPDATE,
+        )
+        drive = Drive(FULL_COUNTS / FULL_SCALE, coarse.electrical_time_constant)
+        trace = _run(loop, drive, _CRUISE * speed * scale, share * limit * scale)
+        found = check_trace(trace, friction, gravity, scale)
+        onset = float(abs(trace.onset).max()) / scale
+        error = trace.peak_error / scale
+        made.append(
+            OverrideRun(name, bits, steps, hold_count, onset, found.peak, limit, found.distance, error, trace)
+        )
+    return made
+
+
+def _run(loop: Loop, drive: Drive, speed: float, accel: float) -> ServoTrace:
+    distance = speed * speed / accel + speed * _SLEW
+    profile = plan("trapezoid", 0.0, distance, speed, accel, accel)
+    end = profile.duration
+    return simulate(Track([0.0, end], [profile, hold(profile.end)]), loop, drive, until=end + REST)

@@ -1,0 +1,185 @@
+"""Would the load slip? A load that only friction holds follows no acceleration beyond mu g (chapter 12).
+
+A profile is checked exactly, piece by piece; a servo trace sample by sample, and there the load is let slip: its
+own velocity follows the motor's no faster than the friction allows.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from math import asin, inf, pi
+from typing import TYPE_CHECKING
+
+from motionlang.planners.dissect import slip_acceleration
+from motionlang.planners.limits import check_positive
+from motionlang.planners.pieces import acceleration_in
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.planners import Profile
+    from motionlang.planners.ramps import Piece
+    from motionlang.servo.demand import Demanded
+    from motionlang.servo.trace import ServoTrace
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """`limit` and `peak` accelerations; `spans` (s) when it slips; `distance` by how far, where it was simulated."""
+
+    limit: float
+    peak: float
+    peak_time: float
+    spans: tuple[tuple[float, float], ...]
+    distance: float = 0.0
+
+    @property
+    def slips(self) -> bool:
+        """Whether the load slips at all."""
+        return bool(self.spans)
+
+    @property
+    def first(self) -> float:
+        """When it first slips, seconds; inf if never."""
+        return self.spans[0][0] if self.spans else inf
+
+    @property
+    def margin(self) -> float:
+        """How much of the limit is left at the peak, as a share of it; negative where it slips."""
+        return 1.0 - self.peak / self.limit
+
+
+_BRACKETS = 64
+_EPSILON = 1e-9
+"""An acceleration planned at exactly the limit is at it, not beyond."""
+
+
+def check_profile(profile: Profile, friction: float, gravity: float, scale: float = 1.0) -> Slip:
+    """Check one profile; `scale` is counts (the profile's length unit) per length unit of `gravity`."""
+    return _merged(slip_acceleration(friction, gravity), scale, [(0.0, profile, inf)])
+
+
+def check_track(track: Demanded, friction: float, gravity: float, scale: float = 1.0) -> Slip:
+    """Check a whole history of motion."""
+    ends = [*track.starts[1:], inf]
+    return _merged(
+        slip_acceleration(friction, gravity), scale, zip(track.starts, track.profiles, ends, strict=True)
+    )
+
+
+def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float = 1.0) -> Slip:
+    """Check what a simulated motor does, and how far the load would slip on it."""
+    limit = slip_acceleration(friction, gravity)
+    check_positive(scale=scale)
+    most, period = limit * scale * (1.0 + _EPSILON), trace.loop.period
+    acceleration = trace.acceleration
+    beyond = abs(acceleration) > most
+    peak = int(abs(acceleration).argmax()) if len(trace) else 0
+    worst = abs(float(acceleration[peak])) / scale if len(trace) else 0.0
+    spans = [(i * period, (i + 1) * period) for i in beyond.nonzero()[0].tolist()]
+    distance = _slid(trace.velocity.tolist(), most * period, period) / scale
+    return Slip(limit, worst, peak * period, tuple(_joined(spans)), distance)
+
+
+def _slid(velocities: list[float], reach: float, period: float) -> float:
+    """Path of the load relative to what carries it; `reach` is how much its velocity can change in a sample."""
+    load, total = velocities[0] if velocities else 0.0, 0.0
+    for carrier in velocities:
+        gap = carrier - load
+        load = carrier if abs(gap) <= reach else load + (reach if gap > 0.0 else -reach)
+        total += abs(carrier - load) * period
+    return total
+
+
+def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, float]]) -> Slip:
+    check_positive(scale=scale)
+    most = limit * scale * (1.0 + _EPSILON)
+    spans: list[tuple[float, float]] = []
+    peak = peak_time = 0.0
+    for start, profile, end in parts:
+        if not profile.pieced:
+            found, worst, when = _sampled(profile, min(profile.duration, end - start), most)
+            spans += [(start + a, start + b) for a, b in found]
+            if worst > peak * (1.0 + 1e-12):
+                peak, peak_time = worst, start + when
+            continue
+        knots = profile.knots
+        for piece, begin, finish in zip(profile.pieces, knots, knots[1:], strict=False):
+            last = min(finish, end - start)
+            if last <= begin:
+                break
+            for x in (0.0, *_turns(piece, last - begin), last - begin):
+                value = abs(acceleration_in(piece, x)) if x < inf else 0.0
+                if value > peak * (1.0 + 1e-12):
+                    peak, peak_time = value, start + begin + x
+            spans += [(start + begin + a, start + begin + b) for a, b in _beyond(piece, last - begin, most)]
+    return Slip(limit, peak / scale, peak_time, tuple(_joined(spans)))
+
+
+def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[float, float]], float, float]:
+    """Spans beyond `most`, the peak and its time, of a profile that has no pieces: in brackets between its knots."""
+    edges = [knot for knot in profile.knots if knot < last] + [last]
+    times = [a + (b - a) * k / _BRACKETS for a, b in pairwise(edges) for k in range(_BRACKETS)] + [last]
+    sizes = [abs(profile.acceleration(time)) for time in times]
+    worst = max(range(len(times)), key=sizes.__getitem__)
+    spans = []
+    for (a, b), (at_a, at_b) in zip(pairwise(times), pairwise(sizes), strict=True):
+        if at_a > most or at_b > most:
+            begin = a if at_a > most else _turn(profile, a, b, most)
+            end = b if at_b > most else _turn(profile, b, a, most)
+            spans.append((begin, end))
+    return spans, sizes[worst], times[worst]
+
+
+def _turn(profile: Profile, inside: float, beyond: float, most: float) -> float:
+    """Where the acceleration passes `most` between a time inside the limit and one beyond it."""
+    for _ in range(50):
+        middle = 0.5 * (inside + beyond)
+        if abs(profile.acceleration(middle)) > most:
+            beyond = middle
+        else:
+            inside = middle
+    return beyond
+
+
+def _turns(piece: Piece, span: float) -> list[float]:
+    """Where the acceleration of a half wave peaks."""
+    amplitude, omega, phase = piece[4:]
+    if not amplitude:
+        return []
+    crests = ((0.5 * pi + k * pi - phase) / omega for k in range(-1, 3))
+    return [x for x in crests if 0.0 < x < span]
+
+
+def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]:
+    """Local times between which the piece's acceleration is beyond `most` in size."""
+    marks = [0.0, *sorted(x for x in _levels(piece, most) if 0.0 < x < span), span]
+    found = []
+    for a, b in pairwise(marks):
+        middle = a + 0.5 * (b - a) if b < inf else a + 1.0
+        if abs(acceleration_in(piece, middle)) > most:
+            found.append((a, b))
+    return found
+
+
+def _levels(piece: Piece, most: float) -> list[float]:
+    """Local times at which the acceleration is `most` or -`most`; a sine piece is within one half wave."""
+    _, _, c2, c3, amplitude, omega, phase = piece
+    if not amplitude:
+        return [(sign * most - 2.0 * c2) / (6.0 * c3) for sign in (1.0, -1.0)] if c3 else []
+    share = most / (abs(amplitude) * omega * omega)
+    if share >= 1.0:
+        return []
+    return [(angle - phase) / omega for angle in (asin(share), pi - asin(share))]
+
+
+def _joined(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Spans that touch, as one."""
+    made: list[tuple[float, float]] = []
+    for begin, end in sorted(spans):
+        if made and begin <= made[-1][1] + 1e-12:
+            made[-1] = (made[-1][0], max(made[-1][1], end))
+        else:
+            made.append((begin, end))
+    return made

@@ -1,0 +1,162 @@
+"""PMC's technical note TN1069: its comparison of four profiles, exact and as printed, and the same of any move.
+
+Where the print and the physics disagree the exact figure is right; `ERRATA` says what went wrong.
+"""
+
+from __future__ import annotations
+
+from math import pi, sin
+
+from motionlang.planners.curve import Profile
+from motionlang.planners.parabolic import plan_parabolic
+from motionlang.planners.scurve import plan_ratio, plan_sinusoidal
+from motionlang.planners.trapezoid import plan_trapezoid
+
+ACCELERATION = 100_000.0
+"""counts/s^2"""
+VELOCITY = 40_000.0
+"""counts/s"""
+DISTANCE = 40_000.0
+"""counts"""
+CYCLES = 1000.0
+"""Trajectory cycles a second: the note gives its times in cycles."""
+
+RAMP = 0.1
+"""T_1 / T_A of the trapezoidal S-curve."""
+LARGEST = 1e100
+"""What a figure of a demand stays below, so that every square of one is a number."""
+
+COLUMNS = ("trapezoidal", "sinusoidal", "trapezoidal 0.1", "parabolic")
+
+PRINTED = {
+    "T_A": (400.0, 628.0, 444.0, 800.0),
+    "S_A": (8000.0, 12560.0, 8880.0, 10667.0),
+    "S_V": (24000.0, 14880.0, 22240.0, 18667.0),
+    "T_V": (600.0, 372.0, 556.0, 467.0),
+}
+"""The table on the note's last page."""
+
+ERRATA = (
+    "The printed T_A of the trapezoidal S-curve, (1/RAMP) VEL/ACC, contradicts the printed 444: "
+    "the right formula is VEL/(ACC (1 - RAMP)).",
+    "The printed sinusoidal and 0.1 columns truncate T_A to whole cycles first (628 -> 12560, 444 -> 8880) "
+    "and go on from there.",
+    "The printed parabolic column uses S_A = 1/3 T_A VEL = 10667 and contradicts the note's own "
+    "S_A = 2/3 T_A VEL = 21333. With the formula 40000 counts are too short for VEL = 40: "
+    "the peak is sqrt(3 ACC S_TOT/8) = 38.72983346, and T_A is 774.5966692 cycles.",
+    'S_V is garbled in both scans ("S_TOT - 2 S_A - S_D"); it is S_TOT - S_A - S_D.',
+    "The printed position of the sinusoidal S-curve adds its sine, VEL T_A/(2 pi) sin(pi t/T_A), to VEL t/2; it is to "
+    "be subtracted: at 0.3 T_A the print gives 7005.98 counts, the move has 533.84.",
+    '"V maximum velocity (counts/sec^2)" is a misprint for counts/s.',
+)
+
+
+class Demand:
+    """One move to compare the profiles by: counts and seconds; `ramp` is n of the trapezoidal S-curve."""
+
+    __slots__ = ("acceleration", "deceleration", "distance", "ramp", "velocity")
+
+    def __init__(
+        self,
+        acceleration: float = ACCELERATION,
+        velocity: float = VELOCITY,
+        distance: float = DISTANCE,
+        deceleration: float | None = None,
+        ramp: float = RAMP,
+    ) -> None:
+        self.acceleration, self.velocity, self.distance, self.ramp = acceleration, velocity, distance, ramp
+        self.deceleration = acceleration if deceleration is None else deceleration
+        for name in ("acceleration", "velocity", "distance", "deceleration"):
+            value = getattr(self, name)
+            if not 0.0 < value < LARGEST:
+                raise ValueError(f"the {name} must be above zero and below {LARGEST:g}, not {value:g}")
+        if not 0.0 < ramp < 0.5:
+            raise ValueError(f"the ramp must be above 0 and below 0.5, not {ramp:g}")
+
+    @property
+    def printed(self) -> bool:
+        """Whether it is the note's own example."""
+        return self.symmetric and (self.acceleration, self.velocity, self.distance, self.ramp) == (
+            ACCELERATION, VELOCITY, DISTANCE, RAMP)  # fmt: skip
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether it slows down as it speeds up."""
+        return self.acceleration == self.deceleration
+
+    @property
+    def columns(self) -> tuple[str, str, str, str]:
+        """The names of the profiles, that of the trapezoidal S-curve with its ramp."""
+        return (*COLUMNS[:2], f"trapezoidal {self.ramp:g}", COLUMNS[3])
+
+
+NOTE = Demand()
+
+
+class Row:
+    """One quantity of the table for the four profiles; None where the move has no such figure."""
+
+    __slots__ = ("exact", "name", "printed", "unit")
+
+    def __init__(
+        self, name: str, unit: str, exact: tuple[float | None, ...], printed: tuple[float, ...] | None
+    ) -> None:
+        self.name = name
+        self.unit = unit
+        self.exact = exact
+        self.printed = printed
+
+
+def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]:
+    """The move planned in each of the four shapes (counts, seconds), in the order of `COLUMNS`."""
+    limits = (demand.velocity, demand.acceleration, demand.deceleration)
+    return (
+        plan_trapezoid(0.0, demand.distance, *limits),
+        plan_sinusoidal(0.0, demand.distance, *limits),
+        plan_ratio(0.0, demand.distance, *limits, demand.ramp),
+        plan_parabolic(0.0, demand.distance, *limits),
+    )
+
+
+def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
+    """T_A (cycles) and S_A (counts) of the ramp to full velocity, whether or not the move has room for it.
+
+    Each is read off a move long enough to reach it. T_D and S_D follow where they are others.
+    """
+    slowest = min(demand.acceleration, demand.deceleration)
+    room = 8.0 * demand.velocity * demand.velocity / slowest
+    long = Demand(demand.acceleration, demand.velocity, room, demand.deceleration, demand.ramp)
+    made = profiles(long)
+    rows = []
+    for letter, place in (("A", 0), ("D", -1)) if not demand.symmetric else (("A", 0),):
+        ramps = [profile.phases[place] for profile in made]
+        rows.append(_row(demand, f"T_{letter}", "cycles", tuple(ramp.duration * CYCLES for ramp in ramps)))
+        rows.append(_row(demand, f"S_{letter}", "counts", tuple(ramp.distance for ramp in ramps)))
+    return tuple(rows)
+
+
+def comparison(demand: Demand = NOTE) -> tuple[Row, ...]:
+    """The note's table, exact beside printed, with two rows of our own: the peak and the whole move."""
+    moves = profiles(demand)
+    slews = [next((phase for phase in made.phases if phase.name == "slew"), None) for made in moves]
+    distances = tuple(slew.distance if slew else None for slew in slews)
+    times = tuple(slew.duration * CYCLES if slew else None for slew in slews)
+    return (
+        *nominal(demand),
+        _row(demand, "S_V", "counts", distances),
+        _row(demand, "T_V", "cycles", times),
+        Row("peak", "counts/cycle", tuple(made.peak_speed / CYCLES for made in moves), None),
+        Row("the whole move", "cycles", tuple(made.duration * CYCLES for made in moves), None),
+    )
+
+
+def _row(demand: Demand, name: str, unit: str, exact: tuple[float | None, ...]) -> Row:
+    return Row(name, unit, exact, PRINTED.get(name) if demand.printed else None)
+
+
+def printed_sinusoidal_position(share: float) -> tuple[float, float]:
+    """The position, counts, at a share of T_A in the sinusoidal S-curve: as the note prints it, and as it is."""
+    move = profiles()[1]
+    ramp = move.phases[0].duration
+    sine = VELOCITY * ramp / (2.0 * pi) * sin(pi * share)
+    return 0.5 * VELOCITY * share * ramp + sine, move.position(share * ramp)

@@ -1,0 +1,59 @@
+"""Curves of one axis over the distance along a path: straight lines and arcs, as profiles over that distance."""
+
+from __future__ import annotations
+
+from math import atan2, cos, floor, pi, radians, sin
+
+from motionlang.planners.curve import Profile, from_curve
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Piece
+
+# The rotations that are exact: degrees to cosine and sine.
+_RIGHT = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0), 180.0: (-1.0, 0.0), 270.0: (0.0, -1.0)}
+
+
+def line_over(length: float, start: float, end: float) -> Profile:
+    """One axis of a straight line (or of a helix's rise): from `start` to `end` over `length`."""
+    slope = (end - start) / length
+    piece = (start, slope, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return from_curve("line", start, end, ((0.0, length), (piece,), (("line", 0),)), slope, slope)
+
+
+def arc_over(
+    length: float, centre: float, radius: float, angle: float, sweep: float, end: float, cosine: bool
+) -> Profile:
+    """One axis of an arc: centre + radius cos(angle + sweep s / length), or the sine; angles in radians.
+
+    Lengths along the path are in one unit, centre, radius and `end` in that of the axis. The pieces are half waves.
+    """
+    phase = angle + (0.5 * pi if cosine else 0.0)
+    if sweep < 0.0:  # sin(x) = sin(pi - x)
+        phase = pi - phase
+    omega = abs(sweep) / length
+    knots = [0.0]
+    pieces: list[Piece] = []
+    turn = floor(phase / pi + 1e-12)
+    while knots[-1] < length:
+        local = phase + omega * knots[-1] - turn * pi
+        sign = -1.0 if turn % 2 else 1.0
+        pieces.append((centre, 0.0, 0.0, 0.0, sign * radius, omega, local))
+        turn += 1
+        finish = (turn * pi - phase) / omega
+        knots.append(finish if finish < length * (1.0 - 1e-12) else length)
+    start = centre + radius * sin(phase)
+    velocities = (radius * omega * cos(phase), radius * omega * cos(phase + omega * length))
+    return from_curve("arc", start, end, (tuple(knots), tuple(pieces), (("arc", 0),)), *velocities)
+
+
+def rotated(x: float, y: float, degrees: float) -> tuple[float, float]:
+    """A vector turned by an angle; quarter turns are exact."""
+    exact = _RIGHT.get(degrees % 360.0)
+    c, s = exact or (cos(radians(degrees)), sin(radians(degrees)))
+    return x * c - y * s, x * s + y * c
+
+
+def direction(x: float, y: float) -> float:
+    """The angle of a vector, radians from -pi to pi."""
+    return atan2(y, x)

@@ -1,0 +1,112 @@
+"""When a profile reaches a position or a velocity: each piece is cut where it turns, then solved."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.planners.pieces import (
+    acceleration_in,
+    even_points,
+    position_in,
+    still_points,
+    velocity_in,
+)
+from motionlang.planners.root import bracketed_root
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.planners.curve import Profile
+    from motionlang.planners.ramps import Piece
+
+    Value = Callable[[Piece, float], float]
+    Turns = Callable[[Piece, float], tuple[float, ...]]
+
+
+def position_crossing(profile: Profile, position: float, after: float) -> float | None:
+    """The first time >= after at `position`; beyond the end the profile rests or runs on."""
+    after = max(after, 0.0)
+    found = _first(profile, position, after, (position_in, velocity_in, still_points), profile.end)
+    if found is not None:
+        return found
+    return _after_the_end(profile, position, after)
+
+
+def velocity_crossing(profile: Profile, velocity: float, after: float) -> float | None:
+    """The first time >= after at `velocity`; a jump of velocity (PVT, linear) crosses nothing."""
+    after = max(after, 0.0)
+    last = profile.end_velocity
+    found = _first(profile, velocity, after, (velocity_in, acceleration_in, even_points), last)
+    if found is None and velocity == last and profile.duration != inf:
+        return max(after, profile.duration)
+    return found
+
+
+def _after_the_end(profile: Profile, position: float, after: float) -> float | None:
+    duration, velocity = profile.duration, profile.end_velocity
+    if duration == inf:
+        return None
+    if position == profile.end and (velocity == 0.0 or after <= duration):
+        return max(after, duration)
+    if velocity == 0.0:
+        return None
+    time = duration + (position - profile.end) / velocity
+    return time if time >= max(after, duration) else None
+
+
+def _first(
+    profile: Profile, wanted: float, after: float, how: tuple[Value, Value, Turns], last: float
+) -> float | None:
+    knots, pieces, _ = profile.curve
+    value = how[0]
+    for i, piece in enumerate(pieces):
+        begin, finish = knots[i], knots[i + 1]
+        if finish < after:
+            continue
+        following = value(pieces[i + 1], 0.0) if i + 1 < len(pieces) else last
+        ending = _joined(value(piece, 0.0), value(piece, finish - begin), following)
+        low = max(after - begin, 0.0)
+        x = _first_in(piece, wanted, (low, finish - begin), how, ending)
+        if x is not None:
+            return min(begin + x, finish)
+    return None
+
+
+def _joined(beginning: float, ending: float, following: float) -> float:
+    """A piece ends at the value the next one begins with, so that no rounding gap hides a crossing.
+
+    A gap too large for rounding is a jump and stays.
+    """
+    gap, size = abs(following - ending), abs(beginning) + abs(ending) + abs(following)
+    return following if gap <= 1e-7 * size else ending
+
+
+def _first_in(
+    piece: Piece, wanted: float, span: tuple[float, float], how: tuple[Value, Value, Turns], ending: float
+) -> float | None:
+    value, slope, turns = how
+    low, finish = span
+    if finish == inf:
+        return _on_a_line(piece, wanted, low, value, slope)
+    # A piece without length still leads from where the one before it ended to where the next begins.
+    a, y_a = low, value(piece, low) if low < finish or not finish else ending
+    for b in (*(x for x in turns(piece, finish) if x > low), finish):
+        y_b = value(piece, b) if b < finish else ending
+        if y_a == wanted:
+            return a
+        if y_b == wanted:
+            return b
+        if (y_a < wanted) is not (y_b < wanted):
+            if a == b:
+                return a
+            return bracketed_root(lambda x: (value(piece, x) - wanted, slope(piece, x)), a, b, y_b > y_a)
+        a, y_a = b, y_b
+    return None
+
+
+def _on_a_line(piece: Piece, wanted: float, low: float, value: Value, slope: Value) -> float | None:
+    gap, speed = wanted - value(piece, low), slope(piece, low)
+    if gap == 0.0:
+        return low
+    return low + gap / speed if gap * speed > 0.0 else None

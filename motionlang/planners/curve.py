@@ -1,0 +1,413 @@
+"""A profile: position as a function of time, known exactly and sampled only on request."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from math import copysign, inf, sin
+
+from motionlang.planners import crossing as _crossing
+from motionlang.planners.pieces import (
+    acceleration_in,
+    crest_points,
+    even_points,
+    jerk_in,
+    position_in,
+    recentred,
+    still_points,
+    transformed,
+    velocity_in,
+)
+from motionlang.planners.ramps import expand, named_ramps
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from motionlang.planners.ramps import Curve, Piece, Recipe
+
+    _Value = Callable[[Piece, float], float]
+    _Turns = Callable[[Piece, float], tuple[float, ...]]
+
+
+# The recipe of standing still: a profile that has it makes its one piece when somebody asks, as those of ramps do.
+_AT_REST = (0.0, 0.0)
+
+
+class State:
+    """Position, velocity, acceleration and jerk at one moment (the profile's length unit, seconds)."""
+
+    __slots__ = ("acceleration", "jerk", "position", "velocity")
+
+    def __init__(self, position: float, velocity: float, acceleration: float, jerk: float) -> None:
+        self.position = position
+        self.velocity = velocity
+        self.acceleration = acceleration
+        self.jerk = jerk
+
+    def __repr__(self) -> str:
+        return f"State({self.position!r}, {self.velocity!r}, {self.acceleration!r}, {self.jerk!r})"
+
+
+class Phase:
+    """A stretch of a profile that an engineer has a word for: accel, slew, decel, stop, hold or segment."""
+
+    __slots__ = ("distance", "duration", "end_velocity", "name", "start_velocity")
+
+    def __init__(
+        self, name: str, duration: float, distance: float, start_velocity: float, end_velocity: float
+    ) -> None:
+        self.name = name
+        self.duration = duration
+        self.distance = distance
+        self.start_velocity = start_velocity
+        self.end_velocity = end_velocity
+
+    def __repr__(self) -> str:
+        return f"Phase({self.name!r}, duration={self.duration!r}, distance={self.distance!r})"
+
+
+class Profile:
+    """Position over time from `start` to `end` in `duration` seconds; the length unit is the caller's.
+
+    `shape` names the planner: trapezoid, sinusoidal, scurve, parabolic, pvt, jog or hold. Planners give a
+    recipe of velocity ramps (see `ramps`); the pieces are made from it when first asked for. `duration` is
+    infinite for a jog or a hold. A profile never changes.
+    """
+
+    __slots__ = ("_curve", "_recipe", "duration", "end", "shape", "start")
+
+    _curve: Curve
+    # False for a `Formula`, whose pieces are only good for drawing.
+    pieced = True
+
+    # Called in the running program for every move: five stores, nothing computed. `_curve` stays unset.
+    def __init__(self, shape: str, start: float, end: float, duration: float, recipe: Recipe) -> None:
+        self.shape = shape
+        self.start = start
+        self.end = end
+        self.duration = duration
+        self._recipe = recipe
+
+    def __repr__(self) -> str:
+        return f"<Profile {self.shape} {self.start:g} -> {self.end:g} in {self.duration:g} s>"
+
+    # -- the figures of the whole move
+
+    @property
+    def start_velocity(self) -> float:
+        """Velocity at time 0."""
+        return self._recipe[0]
+
+    @property
+    def end_velocity(self) -> float:
+        """Velocity at the end; 0 for a move that comes to rest."""
+        return self._recipe[-1]
+
+    @property
+    def distance(self) -> float:
+        """Signed distance from start to end."""
+        return self.end - self.start
+
+    @property
+    def phases(self) -> tuple[Phase, ...]:
+        """The phases that occur, in order."""
+        if len(self._recipe) > 2:
+            return tuple(Phase(*ramp) for ramp in named_ramps(self._recipe))
+        _, pieces, marks = self.curve
+        lasts = [*(first for _, first in marks[1:]), len(pieces)]
+        return tuple(
+            self._phase(name, first, last) for (name, first), last in zip(marks, lasts, strict=False)
+        )
+
+    @property
+    def peak_speed(self) -> float:
+        """The largest absolute velocity."""
+        if len(self._recipe) > 2:  # every ramp is monotone
+            return max(map(abs, self._recipe[::3]))
+        return self._peak(velocity_in, even_points)
+
+    @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed, found without a search."""
+        return self.peak_speed
+
+    @property
+    def peak_acceleration(self) -> float:
+        """The largest absolute acceleration."""
+        return self._peak(acceleration_in, crest_points)
+
+    # -- the curve
+
+    @property
+    def curve(self) -> Curve:
+        """Knots (one more than pieces), pieces, and phase marks, made on first use."""
+        try:
+            return self._curve
+        except AttributeError:
+            if self._recipe is _AT_REST:
+                piece = (self.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+                self._curve = (0.0, self.duration), (piece,), (("hold", 0),)
+            else:
+                self._curve = _ending_at(expand(self.start, self._recipe), self.start, self.duration)
+            return self._curve
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Times at which one piece ends and the next begins, from 0.0 to the duration."""
+        return self.curve[0]
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The pieces between the knots, in the form described in `ramps`."""
+        return self.curve[1]
+
+    # -- at a time
+
+    def at(self, time: float) -> State:
+        """The state at `time`; at rest before 0 and after the end, or running on at the end velocity."""
+        if time >= self.duration:
+            return State(self._beyond(time), self.end_velocity, 0.0, 0.0)
+        if time < 0.0:
+            return State(self.start, self.start_velocity, 0.0, 0.0)
+        piece, x = self._locate(time)
+        return State(
+            position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x)
+        )
+
+    def position(self, time: float) -> float:
+        """Position at `time`."""
+        if time >= self.duration:
+            return self._beyond(time)
+        return position_in(*self._locate(time)) if time > 0.0 else self.start
+
+    def positions(self, times: Iterable[float]) -> list[float]:
+        """What `position` answers at rising times, to the last bit and in a third of the time."""
+        if not self.pieced:
+            return [self.position(time) for time in times]
+        knots, pieces, _ = self.curve
+        last, duration, k = len(pieces) - 1, self.duration, 0
+        found = []
+        for time in times:
+            if time >= duration:
+                found.append(self._beyond(time))
+            elif time > 0.0:
+                while k < last and knots[k + 1] <= time:
+                    k += 1
+                c0, c1, c2, c3, amplitude, omega, phase = pieces[k]
+                x = time - knots[k]
+                p = ((c3 * x + c2) * x + c1) * x + c0 if x != 0.0 else c0
+                found.append(p + amplitude * sin(omega * x + phase) if amplitude else p)
+            else:
+                found.append(self.start)
+        return found
+
+    def velocity(self, time: float) -> float:
+        """Velocity at `time`."""
+        if time >= self.duration:
+            return self.end_velocity
+        return velocity_in(*self._locate(time)) if time > 0.0 else self.start_velocity
+
+    def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
+        """From when to when the cubic holds that the profile is on at `time`, and its coefficients from its begin on.
+
+        None where it is none: outside the profile, in a half wave of a sine, and of a `Formula`.
+        """
+        if not self.pieced or not 0.0 <= time < self.duration:
+            return None
+        knots, pieces, _ = self.curve
+        i = self._index(time)
+        c0, c1, c2, c3, amplitude, _, _ = pieces[i]
+        until = knots[i + 1] if i + 2 < len(knots) else self.duration
+        return None if amplitude else (knots[i], until, (c0, c1, c2, c3))
+
+    def acceleration(self, time: float) -> float:
+        """Acceleration at `time`; at a knot that of the piece that begins there, 0 after the end."""
+        if time >= self.duration or time < 0.0:
+            return 0.0
+        return acceleration_in(*self._locate(time))
+
+    # -- the time of something
+
+    def crossing(self, position: float, after: float = 0.0) -> float | None:
+        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        return _crossing.position_crossing(self, position, after)
+
+    def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
+        """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
+        return _crossing.velocity_crossing(self, velocity, after)
+
+    def extrema(self) -> tuple[float, float]:
+        """The smallest and the largest position of the profile, turning points included."""
+        knots, pieces, _ = self.curve
+        seen = [self.start, self.end]
+        for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
+            seen.append(position_in(piece, 0.0))
+            seen.extend(position_in(piece, x) for x in still_points(piece, finish - begin))
+        return min(seen), max(seen)
+
+    # -- other profiles made from this one
+
+    def cut(self, time: float) -> Profile:
+        """The first `time` seconds, exactly as they were; a phase cut in the middle is shortened."""
+        if time >= self.duration:
+            return self
+        if time <= 0.0:
+            return _standing(self.shape, self.start, self.start_velocity)
+        knots, pieces, marks = self.curve
+        i = self._index(time)
+        count = i + 1 if time > knots[i] else i
+        kept = tuple(mark for mark in marks if mark[1] < count)
+        curve = ((*knots[:count], time), pieces[:count], kept)
+        return from_curve(
+            self.shape, self.start, self.position(time), curve, self.start_velocity, self.velocity(time)
+        )
+
+    def ending_at(self, end: float) -> Profile:
+        """The same motion, the end of which is known exactly."""
+        if end == self.end or not self.pieced:
+            return self
+        return from_curve(self.shape, self.start, end, self.curve, self.start_velocity, self.end_velocity)
+
+    def after(self, time: float) -> Profile:
+        """What remains after `time` seconds, its clock starting at 0."""
+        if time <= 0.0:
+            return self
+        if time >= self.duration:
+            return _standing(self.shape, self.end, self.end_velocity)
+        knots, pieces, marks = self.curve
+        i = self._index(time)
+        rest = (recentred(pieces[i], time - knots[i]), *pieces[i + 1 :])
+        begun = [name for name, first in marks if first <= i][-1]
+        later = tuple((name, first - i) for name, first in marks if first > i)
+        curve = ((0.0, *(knot - time for knot in knots[i + 1 :])), rest, ((begun, 0), *later))
+        return from_curve(
+            self.shape, self.position(time), self.end, curve, self.velocity(time), self.end_velocity
+        )
+
+    def then(self, other: Profile) -> Profile:
+        """This profile followed by `other`, which must begin where this one ends."""
+        if not other.pieced:
+            from motionlang.planners.sequence import chained
+
+            return chained(self, other)
+        gap = abs(other.start - self.end)
+        assert gap <= 1e-9 * max(1.0, abs(self.end), abs(self.distance)), f"a jump of {gap} between profiles"
+        if self.duration == 0.0:
+            return other
+        if other.duration == 0.0:
+            return self
+        knots, pieces, marks = self.curve
+        more_knots, more_pieces, more_marks = other.curve
+        curve = (
+            knots + tuple(self.duration + knot for knot in more_knots[1:]),
+            pieces + more_pieces,
+            _joined_marks(marks, more_marks, len(pieces)),
+        )
+        return from_curve(self.shape, self.start, other.end, curve, self.start_velocity, other.end_velocity)
+
+    def shifted(self, offset: float) -> Profile:
+        """The same motion `offset` further along."""
+        return self.scaled(self.start + offset, 1.0)
+
+    def scaled(self, start: float, factor: float) -> Profile:
+        """The same motion from `start`, every distance times `factor` (negative: the other way)."""
+        end = start + self.distance * factor if self.distance and factor else start
+        recipe = self._recipe
+        if len(recipe) > 2:
+            ramps = tuple(v if i % 3 else v * factor for i, v in enumerate(recipe))
+            made = Profile(self.shape, start, end, self.duration, ramps)
+            if not hasattr(self, "_curve"):
+                return made
+        else:
+            made = Profile(self.shape, start, end, self.duration, (recipe[0] * factor, recipe[-1] * factor))
+        knots, pieces, marks = self.curve
+        moved = tuple(transformed(piece, factor, self.start, start) for piece in pieces)
+        made._curve = (knots, moved, marks)
+        return made
+
+    # -- inside
+
+    def _index(self, time: float) -> int:
+        return min(bisect_right(self.curve[0], time), len(self.curve[1])) - 1
+
+    def _locate(self, time: float) -> tuple[Piece, float]:
+        i = self._index(time)
+        return self.curve[1][i], time - self.curve[0][i]
+
+    def _beyond(self, time: float) -> float:
+        velocity = self.end_velocity
+        return self.end + velocity * (time - self.duration) if velocity and time > self.duration else self.end
+
+    def _phase(self, name: str, first: int, last: int) -> Phase:
+        begin, finish = self.knots[first], self.knots[last]
+        moved = self.position(finish) - self.position(begin)
+        piece = self.pieces[last - 1]
+        velocity = velocity_in(piece, finish - self.knots[last - 1])
+        return Phase(name, finish - begin, moved, velocity_in(self.pieces[first], 0.0), velocity)
+
+    def _peak(self, value: _Value, turns: _Turns) -> float:
+        knots, pieces, _ = self.curve
+        peak = 0.0
+        for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
+            span = finish - begin
+            for x in (0.0, *turns(piece, span), span):
+                peak = max(peak, abs(value(piece, x)))
+        return peak
+
+
+def from_curve(
+    shape: str, start: float, end: float, curve: Curve, start_velocity: float, end_velocity: float
+) -> Profile:
+    """A profile of ready-made pieces; its recipe holds the two end velocities only."""
+    made = Profile(shape, start, end, curve[0][-1], (start_velocity, end_velocity))
+    made._curve = curve
+    return made
+
+
+def hold(position: float, duration: float = inf) -> Profile:
+    """Standing still at `position`."""
+    return Profile("hold", position, position, duration, _AT_REST)
+
+
+def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
+    """The same motion under another shape name, and if `name` is given one phase of that name."""
+    if not profile.pieced:
+        from copy import copy
+
+        twin = copy(profile)  # its pieces are good for drawing only
+        twin.shape = shape
+        return twin
+    recipe = (profile.start_velocity, profile.end_velocity) if name else profile._recipe
+    made = Profile(shape, profile.start, profile.end, profile.duration, recipe)
+    knots, pieces, marks = profile.curve
+    made._curve = (knots, pieces, ((name, 0),) if name and marks else marks)
+    return made
+
+
+def far_end(position: float, velocity: float) -> float:
+    """Where a profile that runs on for ever at `velocity` ends."""
+    return copysign(inf, velocity) if velocity else position
+
+
+def _joined_marks(
+    marks: tuple[tuple[str, int], ...], more: tuple[tuple[str, int], ...], count: int
+) -> tuple[tuple[str, int], ...]:
+    """Phase marks of two profiles in a row; a phase that simply goes on stays one phase."""
+    goes_on = marks[-1][0] == more[0][0] != "segment"
+    return marks + tuple((name, first + count) for name, first in (more[1:] if goes_on else more))
+
+
+def _standing(shape: str, position: float, velocity: float) -> Profile:
+    return from_curve(shape, position, position, ((0.0,), (), ()), velocity, velocity)
+
+
+def _ending_at(curve: Curve, start: float, duration: float) -> Curve:
+    # The planner's total and the sum of the ramps may differ in the last bit; the planner's is the truth.
+    knots, pieces, marks = curve
+    if pieces:
+        last = duration if duration > knots[-2] else knots[-1]
+        return (*knots[:-1], last), pieces, marks
+    if duration == 0.0:
+        return curve
+    # every ramp was too short to count
+    return (0.0, duration), ((start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),), (("slew", 0),)

@@ -1,0 +1,58 @@
+"""Which way a profile goes, and when it turns: the first moment from which on it runs in a direction."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.planners.pieces import position_in, still_points
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.planners.curve import Profile
+
+# What is gone in one direction, in length units, before it counts as going there: rounding goes no further.
+_GONE = 1e-6
+
+
+def sets_off(profile: Profile, sign: int, after: float) -> float | None:
+    """The first time >= `after` from which on the profile runs forward (`sign` +1) or in reverse (-1); None: never.
+
+    To stand is no direction: a profile that rests first sets off when it leaves its place.
+    """
+    after = max(after, 0.0)
+    begun, gone = after, 0.0
+    for begin, way in _stretches(profile, after):
+        if way * sign <= 0.0:
+            gone = 0.0 if way else gone
+            continue
+        begun = begin if not gone else begun
+        gone += abs(way)
+        if gone > _GONE:
+            return begun
+    return None
+
+
+def _stretches(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
+    """When each stretch without a turn begins, from `after` on, and how far it goes; the last may have no end."""
+    yield from _spans(profile, after) if profile.pieced else profile.stretches(after)  # type: ignore[attr-defined]
+    velocity = profile.end_velocity
+    if velocity and profile.duration < inf:
+        yield max(after, profile.duration), velocity * inf
+
+
+def _spans(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
+    knots = profile.knots
+    for piece, begin, finish in zip(profile.pieces, knots, knots[1:], strict=False):
+        if finish <= after:
+            continue
+        low = max(after - begin, 0.0)
+        turns = [x for x in still_points(piece, finish - begin) if x > low]
+        for x in (*turns, finish - begin):
+            if x == inf:
+                velocity = piece[1] + 2.0 * piece[2] * (low + 1.0)
+                yield begin + low, velocity * inf if velocity else 0.0
+            else:
+                yield begin + low, position_in(piece, x) - position_in(piece, low)
+            low = x

@@ -1,0 +1,198 @@
+"""The formulas of "Dissecting a Move Profile" (chapter 12): move times, slip, DAC steps and the time they take.
+
+Any consistent units; the chapter's own figures are in feet, minutes and seconds. Where its scan and the physics
+disagree the physics is here and `ERRATA` says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import exp, inf
+
+from motionlang.planners.limits import check_positive
+
+FRICTION = 0.1
+"""Steel on steel, dry, in the chapter's example."""
+GRAVITY_FT = 32.2
+"""ft/s², as the chapter has it."""
+WEIGHT_LB = 5.0
+SPEED_FT_MIN = 100.0
+BITS = 12
+ELECTRICAL_SHARE = 2.0 / 3.0
+"""The motor's electrical time constant must not be below this share of the time that one DAC step may take."""
+HOLD_TIME_CONSTANTS = 5.0
+"""Electrical time constants for which a DAC step is to be held."""
+
+ERRATA = (
+    "The fractions of the slip example are inverted in the scan: (5)(0.1) = (5/32.2)(A) gives A = 3.22 ft/s², "
+    "(100/60) = 3.22 T gives T = 0.5176 s, and one DAC step is 100/2048 ft/min.",
+    "The print has T_s = D/V - V/A for both profiles; for the S-curve D_a = V²/A, so T_s = D/V - 2 V/A.",
+    "The print's T_move = T_a + T_s + T_o is T_a + T_s + T_d.",
+    "The DAC formula lost its middle terms: it is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16.",
+    "A step change must not occur in LESS than 253 microseconds; the chapter says 'under'.",
+    "A time constant of 2/3 of the update time keeps the mean acceleration of a one-step update at 0.78 of the limit, "
+    "but the onset of the step is still 1.5 times the limit: for the onset too the time constant must be the whole "
+    "253 microseconds.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class MoveTimes:
+    """T_a, D_a, T_s and T_move of a move that reaches its speed."""
+
+    accel_time: float
+    accel_distance: float
+    slew_time: float
+    move_time: float
+
+
+def trapezoid_times(distance: float, speed: float, accel: float) -> MoveTimes:
+    """Trapezoid: T_a = V/A, D_a = V²/(2A), T_s = D/V - V/A, T_move = D/V + V/A (figure 12.9)."""
+    return _times(distance, speed, speed / accel, 0.5 * speed * speed / accel)
+
+
+def s_curve_times(distance: float, speed: float, accel: float) -> MoveTimes:
+    """S-curve of two linear ramps of the acceleration: T_a = 2V/A, D_a = V²/A, T_s = D/V - 2V/A (figure 12.9)."""
+    return _times(distance, speed, 2.0 * speed / accel, speed * speed / accel)
+
+
+def equal_time_accel(accel: float) -> float:
+    """The peak acceleration of the S-curve that is as quick as a trapezoid with `accel`: A_s = 2A."""
+    return 2.0 * accel
+
+
+def _times(distance: float, speed: float, accel_time: float, accel_distance: float) -> MoveTimes:
+    check_positive(distance=distance, speed=speed, accel_time=accel_time)
+    slew = (distance - 2.0 * accel_distance) / speed
+    if slew < 0.0:
+        raise ValueError(f"the move is too short to reach its speed: that takes {2.0 * accel_distance:g}")
+    return MoveTimes(accel_time, accel_distance, slew, 2.0 * accel_time + slew)
+
+
+def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[tuple[int, int]]:
+    """The chapter's progression, every update: velocity += accel; position += velocity (figure 12.7).
+
+    Counts, counts per update, counts per update². Gives (velocity, position) after each update. It decelerates from
+    the update at which the rest would no longer suffice to stop, and takes what is left over at a constant creep.
+    """
+    check_positive(distance=distance, speed=speed, accel=accel)
+    velocity = position = 0
+    made: list[tuple[int, int]] = []
+    while position < distance:
+        faster = min(velocity + accel, speed)
+        if position + faster + _stopping(faster, accel) <= distance:
+            velocity = faster
+        elif position + velocity + _stopping(velocity, accel) > distance or velocity == 0:
+            velocity = max(velocity - accel, 1 if velocity <= accel else 0)
+        velocity = min(velocity, distance - position)
+        position += velocity
+        made.append((velocity, position))
+    return made
+
+
+def _stopping(velocity: int, accel: int) -> int:
+    """Counts covered by velocity - accel, velocity - 2 accel ... above zero."""
+    steps = max(0, -(-velocity // accel) - 1)
+    return steps * velocity - accel * steps * (steps + 1) // 2
+
+
+# ------------------------------------------------------------------------------------------------------- slipping
+
+
+def slip_acceleration(friction: float, gravity: float) -> float:
+    """The acceleration beyond which a load held by friction alone slips: a = mu g, whatever its mass."""
+    check_positive(friction=friction, gravity=gravity)
+    return friction * gravity
+
+
+def friction_force(weight: float, friction: float) -> float:
+    """The force that the friction can pass on to a load of `weight` (figure 12.4)."""
+    check_positive(weight=weight, friction=friction)
+    return weight * friction
+
+
+def fastest_time(speed: float, acceleration: float) -> float:
+    """The shortest time in which `speed` is reached without exceeding `acceleration`."""
+    check_positive(speed=speed, acceleration=acceleration)
+    return speed / acceleration
+
+
+# ----------------------------------------------------------------------------------------------------- DAC steps
+
+
+@dataclass(frozen=True, slots=True)
+class DacTiming:
+    """What one step of a DAC asks of the motor: velocity of a step, and the times that follow from the limit."""
+
+    bits: int
+    steps: int
+    step_speed: float
+    step_time: float
+    electrical_time_constant: float
+    hold_time: float
+
+
+def dac_timing(full_speed: float, acceleration: float, bits: int = BITS) -> DacTiming:
+    """One DAC step at `full_speed` for the whole range, and how fast it may be taken at `acceleration`.
+
+    The electrical time constant is 2/3 of the time of one step, the hold time five of those.
+    """
+    check_positive(full_speed=full_speed, acceleration=acceleration)
+    if not 2 <= bits <= 32:
+        raise ValueError(f"a DAC has 2 to 32 bits, not {bits}")
+    steps = 1 << (bits - 1)
+    step_speed = full_speed / steps
+    step_time = step_speed / acceleration
+    constant = ELECTRICAL_SHARE * step_time
+    return DacTiming(bits, steps, step_speed, step_time, constant, HOLD_TIME_CONSTANTS * constant)
+
+
+@dataclass(frozen=True, slots=True)
+class StepSegment:
+    """One update of figure 12.6: velocities in DAC steps, accelerations as a share of the limit."""
+
+    steps: float
+    time_constant: float
+    from_velocity: float
+    to_velocity: float
+    onset: float
+    mean: float
+
+
+def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSegment]:
+    """The motor's answer to DAC changes one update apart (figures 12.5 and 12.6).
+
+    The update is the time in which one step may be taken; `time_constant` is in updates. The velocity goes to the
+    DAC's as an RL circuit's current does; `onset` is the acceleration just after the change, `mean` that of the update.
+    """
+    check_positive(time_constant=time_constant)
+    made, dac, velocity = [], 0.0, 0.0
+    for change in changes:
+        dac += change
+        gap = dac - velocity
+        after = dac - gap * exp(-1.0 / time_constant)
+        made.append(
+            StepSegment(change, time_constant, velocity, after, gap / time_constant, after - velocity)
+        )
+        velocity = after
+    return made
+
+
+def buildup(time: float, time_constant: float) -> float:
+    """Share of a step that the motor has taken after `time`: 63 % in one time constant."""
+    return 1.0 - exp(-time / time_constant) if time < inf else 1.0
+
+
+def pid_dac(kp: int, ki: int, kd: int, error: int, total: int, last_error: int, bits: int = BITS) -> int:
+    """The chapter's formula: (Kp E + (Ki/256) E_T + Kd (E - E_L))/16, held inside the DAC's range.
+
+    Divisions as C does them, towards zero; 16 bits less the DAC's give the last divisor.
+    """
+    value = _divided(kp * error + _divided(ki * total, 256) + kd * (error - last_error), 1 << (16 - bits))
+    top = 1 << (bits - 1)
+    return max(-top, min(top - 1, value))
+
+
+def _divided(value: int, divisor: int) -> int:
+    whole = abs(value) // divisor
+    return whole if value >= 0 else -whole

@@ -1,0 +1,141 @@
+"""Any profile at many times at once, as NumPy arrays: what `sample` does for pieces, for formulas too."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import sin
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.planners.reparametrised import AT_END, Composed
+from motionlang.planners.sequence import Chain
+from motionlang.planners.superposition import Sum
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.planners.curve import Profile
+
+    Array = NDArray[np.float64]
+
+
+def evaluate(profile: Profile, times: Array, order: int) -> Array:
+    """Derivative `order` (0 the position, up to 3) at `times`, which may lie beyond the end."""
+    inside = (times >= 0.0) & (times < profile.duration)
+    out = _outside(profile, times, order)
+    if inside.any():
+        out[inside] = _inside(profile, times[inside], order)
+    return out
+
+
+def positions(profile: Profile, times: Array) -> Array:
+    """What `Profile.positions` answers at rising times, to the last bit: the same operations in the same order.
+
+    Sines are asked for one by one: those of NumPy depend on the processor.
+    """
+    if not profile.pieced:
+        return np.array(profile.positions(times.tolist()))
+    knots, pieces, _ = profile.curve
+    made = np.empty(len(times))
+    begun, over = int(times.searchsorted(0.0, "right")), int(times.searchsorted(profile.duration))
+    made[:begun] = profile.start
+    made[over:] = profile.end
+    velocity = profile.end_velocity
+    if velocity and over < len(times):
+        made[over:] += velocity * (times[over:] - profile.duration)
+    if begun >= over:
+        return made
+    edges = np.searchsorted(times[begun:over], knots[1 : len(pieces)]).tolist()
+    for k, (first, last) in enumerate(pairwise([begun, *(begun + edge for edge in edges), over])):
+        if first == last:
+            continue
+        c0, c1, c2, c3, amplitude, omega, phase = pieces[k]
+        x = times[first:last] - knots[k]
+        p = made[first:last]
+        np.multiply(x, c3, out=p)
+        p += c2
+        p *= x
+        p += c1
+        p *= x
+        p += c0
+        if x[0] == 0.0:
+            p[0] = c0
+        if amplitude:
+            x *= omega
+            x += phase
+            p += amplitude * np.array([sin(angle) for angle in x.tolist()])
+    return made
+
+
+def _outside(profile: Profile, times: Array, order: int) -> Array:
+    out = np.zeros_like(times)
+    if order == 0:
+        out[:] = profile.start
+        late = times >= profile.duration
+        if late.any():
+            out[late] = profile.end + profile.end_velocity * (times[late] - profile.duration)
+    elif order == 1:
+        out[:] = np.where(times < 0.0, profile.start_velocity, profile.end_velocity)
+    return out
+
+
+def _inside(profile: Profile, times: Array, order: int) -> Array:
+    if isinstance(profile, Composed):
+        return _composed(profile, times, order)
+    if isinstance(profile, Sum):
+        return evaluate(profile.first, times, order) + evaluate(profile.second, times, order)
+    if isinstance(profile, Chain):
+        return _chain(profile, times, order)
+    return _pieces(profile, times, order)
+
+
+def _pieces(profile: Profile, times: Array, order: int) -> Array:
+    knots = np.array(profile.knots)
+    which = np.clip(np.searchsorted(knots, times, "right") - 1, 0, len(profile.pieces) - 1)
+    x = times - knots[which]
+    c0, c1, c2, c3, amplitude, omega, phase = np.array(profile.pieces).T[:, which]
+    wave = amplitude * omega**order * np.sin(omega * x + phase + 0.5 * np.pi * order)
+    if order == 0:
+        return np.asarray(((c3 * x + c2) * x + c1) * x + c0 + wave)
+    if order == 1:
+        return np.asarray((3.0 * c3 * x + 2.0 * c2) * x + c1 + wave)
+    return np.asarray((6.0 * c3 * x + 2.0 * c2 if order == 2 else 6.0 * c3) + wave)
+
+
+def _composed(profile: Composed, times: Array, order: int) -> Array:
+    """The chain rule, up to the third derivative."""
+    s = evaluate(profile.along, times, 0)
+    if order == 0:
+        return _curve(profile.path, s, 0)
+    v = evaluate(profile.along, times, 1)
+    if order == 1:
+        return _curve(profile.path, s, 1) * v
+    a = evaluate(profile.along, times, 2)
+    if order == 2:
+        return _curve(profile.path, s, 2) * v * v + _curve(profile.path, s, 1) * a
+    jerk = evaluate(profile.along, times, 3)
+    bends = _curve(profile.path, s, 3) * v * v + 3.0 * _curve(profile.path, s, 2) * a
+    return bends * v + _curve(profile.path, s, 1) * jerk
+
+
+def _curve(path: Profile, places: Array, order: int) -> Array:
+    """A curve at places, a straight line before its beginning and beyond its end; as bent as before it at an end."""
+    length = path.duration
+    if order == 2 and length < np.inf:
+        near = (places >= -AT_END * length) & (places <= length * (1.0 + AT_END))
+        places = np.where(near, np.clip(places, 0.0, np.nextafter(length, 0.0)), places)
+    out = evaluate(path, places, order)
+    before = places < 0.0
+    if order == 0 and before.any():
+        out[before] = path.start + path.start_velocity * places[before]
+    return out
+
+
+def _chain(profile: Chain, times: Array, order: int) -> Array:
+    out = np.empty_like(times)
+    owner = np.searchsorted(np.array(profile.begins), times, "right") - 1
+    for i in np.unique(owner).tolist():
+        mine = owner == i
+        out[mine] = evaluate(profile.parts[i], times[mine] - profile.begins[i], order)
+    return out

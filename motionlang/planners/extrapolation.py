@@ -1,0 +1,44 @@
+"""Where a profile would be some time later if it kept its velocity: what compensates for a known delay."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.planners.curve import Profile, State
+from motionlang.planners.formula import Formula
+
+
+class Ahead(Formula):
+    """Position plus `lead` seconds of velocity, p(t) + lead v(t): a switch with that delay acts in time by it.
+
+    At constant velocity this is the position `lead` seconds later. A jump of the velocity is a jump here.
+    """
+
+    __slots__ = ("lead", "profile")
+
+    def __init__(self, profile: Profile, lead: float) -> None:
+        self.profile, self.lead = profile, lead
+        last = profile.end_velocity
+        super().__init__(
+            profile.shape,
+            profile.start + lead * profile.start_velocity,
+            profile.end if abs(profile.end) == inf else profile.end + lead * last,
+            profile.duration,
+            profile.start_velocity,
+            last,
+        )
+
+    def state(self, time: float) -> State:
+        """Position, velocity, acceleration and jerk, each with `lead` seconds of its own rate added."""
+        now, lead = self.profile.at(time), self.lead
+        return State(
+            now.position + lead * now.velocity,
+            now.velocity + lead * now.acceleration,
+            now.acceleration + lead * now.jerk,
+            0.0,
+        )
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Those of the profile."""
+        return self.profile.knots

@@ -1,0 +1,196 @@
+"""A move to a target from any velocity, written once for every shape of ramp.
+
+A shape answers three questions about speeds >= 0: how it speeds up, how it slows down (each as duration and
+ramp kind), and the peak speed of a move too short for its slew speed.
+"""
+
+from __future__ import annotations
+
+from math import inf, nextafter, sqrt
+
+from motionlang.planners.curve import Profile
+from motionlang.planners.limits import STILL, check_finite, too_large
+from motionlang.planners.ramps import ramp_distance
+from motionlang.planners.total import total
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.planners.ramps import Recipe
+    from motionlang.planners.transition import Bounds
+
+    Ramp = Callable[[float, float], tuple[float, float]]
+    Peak = Callable[[float, float], float]
+
+
+# A part of a distance that is no rounding of the sums that make it up.
+_COARSE = 1e-11
+
+
+class Ramps:
+    """One shape with its limits: `up` and `down` from speed to speed, `peak` from (speed, distance).
+
+    `squares` belongs to shapes whose ramps cover k/2 times the difference of the squares of both speeds: the k of
+    speeding up and of slowing down. `bounds` belongs to ramps whose acceleration is bounded in its slope as well.
+    """
+
+    __slots__ = ("bounds", "down", "peak", "shape", "squares", "up")
+
+    def __init__(
+        self,
+        shape: str,
+        up: Ramp,
+        down: Ramp,
+        peak: Peak,
+        squares: tuple[float, float] | None = None,
+        bounds: Bounds | None = None,
+    ) -> None:
+        self.shape = shape
+        self.up = up
+        self.down = down
+        self.peak = peak
+        self.squares = squares
+        self.bounds = bounds
+
+
+def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:
+    """Symmetrical ramps that take `stretch` times the trapezoid's: T = stretch |dv|/A, S = T (v1 + v2)/2."""
+    up = stretch / accel
+    down = stretch / decel
+
+    def peak(u: float, size: float) -> float:
+        return sqrt((2.0 * size + u * u * up) / (up + down))
+
+    return Ramps(
+        shape, lambda a, b: ((b - a) * up, kind), lambda a, b: ((a - b) * down, kind), peak, (up, down)
+    )
+
+
+def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float) -> Profile:
+    """The move from `start` at velocity `v0` to rest at `target`.
+
+    Running the wrong way: stop first. Too fast for `speed`: brake to it first. Too fast to stop at the
+    target: stop beyond it and come back.
+    """
+    if -STILL < v0 < STILL:
+        v0 = 0.0
+    distance = target - start
+    sign = 1.0 if distance > 0.0 or (distance == 0.0 and v0 > 0.0) else -1.0
+    size, u = abs(distance), sign * v0
+    if u == 0.0:
+        return finish(ramps.shape, start, target, (0.0, *_travel(ramps, size, speed, 0.0, sign)))
+    time, kind = ramps.down(abs(u), 0.0)
+    stopping = ramp_distance(abs(u), time, kind, 0.0)
+    if u < 0.0:
+        rest = _travel(ramps, size + stopping, speed, 0.0, sign)
+        return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *rest))
+    beyond = stopping - size
+    if is_rounding(beyond, stopping, start, target):
+        return finish(ramps.shape, start, target, (v0, time, kind, 0.0))
+    if beyond > 0.0:
+        back = _travel(ramps, beyond, speed, 0.0, -sign)
+        return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *back))
+    return finish(ramps.shape, start, target, (v0, *_travel(ramps, size, speed, u, sign)))
+
+
+def is_rounding(beyond: float, stopping: float, start: float, target: float) -> bool:
+    """Whether a stop of length `stopping` misses its target by no more than its figures are rounded."""
+    return abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)) < inf
+
+
+def from_rest(
+    shape: str,
+    start: float,
+    target: float,
+    speed: float,
+    up: tuple[float, float],
+    down: tuple[float, float],
+    mean: float,
+) -> Profile:
+    """The move from rest for ramps that take a time proportional to the speed; up and down: (T/V, kind).
+
+    A ramp's distance is `mean` V T. Apart from `approach` because planning from rest runs inside the program,
+    for nearly every move.
+    """
+    distance = target - start
+    size = distance if distance >= 0.0 else -distance
+    rise, kind = up
+    fall, last_kind = down
+    per_square = mean * (rise + fall)
+    ramps = speed * speed * per_square
+    slew = 0.0
+    if size >= ramps:
+        slew = (size - ramps) / speed
+    else:
+        speed = sqrt(size / per_square)
+    rise *= speed
+    fall *= speed
+    duration = rise + slew + fall
+    if not duration < inf:
+        check_finite(position=start, target=target)
+        raise too_large()
+    if distance < 0.0:
+        speed = -speed
+    return Profile(
+        shape, start, target, duration, (0.0, rise, kind, speed, slew, 0.0, speed, fall, last_kind, 0.0)
+    )
+
+
+def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:
+    """The profile of a recipe that ends at rest at `target`; ValueError if its duration is not finite."""
+    duration = total(recipe[1::3])
+    if not duration < inf:
+        check_finite(position=start, target=target, start_velocity=recipe[0])
+        raise too_large()
+    return Profile(shape, start, target, duration, recipe)
+
+
+def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> Recipe:
+    """Ramps that cover `size` from speed u >= 0 in the direction of `sign` and end at rest."""
+    if u > speed:
+        v, slewing = _braked(ramps, size, speed, u)
+        first, kind = ramps.down(u, v)
+    else:
+        v = ramps.peak(u, size)
+        slewing = v >= speed
+        v = max(u, min(v, speed))  # not below u by rounding
+        first, kind = ramps.up(u, v)
+    last, last_kind = ramps.down(v, 0.0)
+    left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
+    if not slewing and abs(left) > _COARSE * size:
+        # Where jerk hardly bends a long ramp, the last bit of the peak is worth a distance: go below it, and slew.
+        while left < 0.0 and v > u:
+            v = nextafter(v, 0.0)
+            first, kind = ramps.up(u, v)
+            last, last_kind = ramps.down(v, 0.0)
+            left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
+        slewing = v > 0.0
+    slew = left / v if slewing and left > 0.0 else 0.0
+    v *= sign
+    return (first, kind, v, slew, 0.0, v, last, last_kind, 0.0)
+
+
+def _braked(ramps: Ramps, size: float, speed: float, u: float) -> tuple[float, bool]:
+    """The speed to brake to, and whether it is held.
+
+    With limited jerk two brakings need more room than one. When that room is not there the slew speed is
+    raised above `speed` until it just is (own arithmetic).
+    """
+    if _braking(ramps, u, speed) <= size:
+        return speed, True
+    low, high = speed, u
+    while True:
+        v = 0.5 * (low + high)
+        if v in (low, high):
+            return high, True
+        if _braking(ramps, u, v) <= size:
+            high = v
+        else:
+            low = v
+
+
+def _braking(ramps: Ramps, u: float, v: float) -> float:
+    first, kind = ramps.down(u, v)
+    last, last_kind = ramps.down(v, 0.0)
+    return ramp_distance(u, first, kind, v) + ramp_distance(v, last, last_kind, 0.0)

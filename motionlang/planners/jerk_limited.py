@@ -1,0 +1,170 @@
+"""A move to a target from any velocity and acceleration, in ramps of bounded jerk."""
+
+from __future__ import annotations
+
+from math import copysign, inf
+
+from motionlang.planners.curve import Profile, relabelled
+from motionlang.planners.feasibility import is_rounding
+from motionlang.planners.limits import too_large
+from motionlang.planners.ramps import ramp_distance
+from motionlang.planners.segment_speed import between
+from motionlang.planners.total import total
+from motionlang.planners.transition import eased_speed, fade, fade_distance, faded
+
+# How far from its target a plan may end, as a part of the way, before its figures count as too far apart.
+_ASTRAY = 1e-9
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.planners.feasibility import Ramps
+    from motionlang.planners.ramps import Curve, Recipe
+    from motionlang.planners.transition import Bounds, Steps
+
+    # Velocity and acceleration in the direction of the motion, the stretches, and that direction.
+    Head = tuple[float, float, Steps, float]
+
+
+class Bent(Profile):
+    """Stretches of constant jerk from velocity v0 and acceleration a0, and then the ramps of a recipe to `end`.
+
+    The pieces are made when they are first asked for, as those of a recipe are: of most plans only the end is asked.
+    `name` is the word for the stretches as one phase, where it is not that of a ramp.
+    """
+
+    __slots__ = ("_head", "_name", "_tail")
+
+    def __init__(
+        self, start: float, end: float, duration: float, head: Head, tail: Recipe, name: str = ""
+    ) -> None:
+        # The stores of `Profile`, written out as planning in motion runs inside the program.
+        self.shape = "scurve"
+        self.start = start
+        self.end = end
+        self.duration = duration
+        self._recipe = (head[0] * head[3], tail[-1])
+        self._head = head
+        self._tail = tail
+        self._name = name
+
+    @property
+    def curve(self) -> Curve:
+        """Knots, pieces and phase marks."""
+        try:
+            return self._curve
+        except AttributeError:
+            v0, a0, steps, sign = self._head
+            head = faded(self.start, v0, a0, steps, sign * self._tail[0], sign)
+            if self._name:
+                head = relabelled(head, "scurve", self._name)
+            time = total(self._tail[1::3])
+            rest = Profile("scurve", head.end, self.end, time, self._tail) if time else None
+            knots, pieces, marks = (head if rest is None else head.then(rest)).curve
+            if len(knots) > 1 and self.duration > knots[-2]:
+                knots = (*knots[:-1], self.duration)
+            self._curve = knots, pieces, marks
+            return self._curve
+
+
+def bent_approach(
+    ramps: Ramps,
+    start: float,
+    target: float,
+    speed: float,
+    v0: float,
+    a0: float,
+    straight: Callable[[float, float], Profile],
+) -> Profile | None:
+    """The move from `start` at velocity v0 and acceleration a0, which is not 0, to rest at `target`.
+
+    `straight` plans from a place and a velocity, without an acceleration, to that target.
+
+    Where it cannot stop at the target, or runs the wrong way, it stops first, and then moves there from rest. None
+    where the figures are so many orders apart that rounding loses the target.
+    """
+    assert ramps.bounds is not None
+    sign = copysign(1.0, v0 or a0)
+    u, b = sign * v0, sign * a0
+    steps, after = fade(ramps.bounds, u, b, 0.0)
+    ahead, way = sign * (target - start), fade_distance(u, b, steps)
+    time, kind = ramps.down(after, 0.0) if after >= 0.0 else (0.0, 0.0)
+    stopping = way + ramp_distance(after, time, kind, 0.0)
+    rounding = is_rounding(stopping - ahead, stopping, start, target)
+    if after >= 0.0 and stopping < ahead and not rounding:
+        return _ahead(ramps, start, target, speed, u, b, sign)
+    end, head = start + sign * way, (u, b, steps, sign)
+    if not abs(end) < inf:
+        raise too_large()
+    if after >= 0.0 and rounding:
+        return _arriving(start, target, head, way, (sign * after, time, kind, 0.0))
+    rest = straight(end, sign * after)
+    duration = _time(steps) + rest.duration
+    if not duration < inf:
+        raise too_large()
+    return Bent(start, target, duration, head, rest._recipe, "" if after else "stop")
+
+
+def _ahead(
+    ramps: Ramps, start: float, target: float, speed: float, u: float, b: float, sign: float
+) -> Profile | None:
+    """The same where the target lies beyond the shortest stop."""
+    assert ramps.bounds is not None
+    size = sign * (target - start)
+    top = _peak(ramps, ramps.bounds, size, u, b)
+    if top is None or speed <= eased_speed(ramps.bounds, u, b):
+        steps, rows = between(ramps, size, speed, u, b, 0.0)
+        recipe = [value if i else value * sign for row in rows for i, value in enumerate(row[:3])]
+        way = fade_distance(u, b, steps)
+        return _arriving(start, target, (u, b, steps, sign), way, (*recipe, 0.0))
+    top = min(top, speed)
+    steps, after = fade(ramps.bounds, u, b, top)
+    first, kind = ramps.up(after, top)
+    last, last_kind = ramps.down(top, 0.0)
+    way = fade_distance(u, b, steps)
+    left = size - way - ramp_distance(after, first, kind, top) - ramp_distance(top, last, last_kind, 0.0)
+    slew = left / top if top == speed and left > 0.0 else 0.0
+    v = sign * top
+    recipe_up = (sign * after, first, kind, v, slew, 0.0, v, last, last_kind, 0.0)
+    return _arriving(start, target, (u, b, steps, sign), way, recipe_up)
+
+
+def _time(steps: Steps) -> float:
+    time = 0.0
+    for _, each in steps:
+        time += each
+    return time
+
+
+def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> float | None:
+    """The speed from which the rest of the way is just enough to stop; None if it is not reached by speeding up.
+
+    A ramp that has begun already is the end of one that began earlier without an acceleration.
+    """
+    jerk = bounds.accel_jerk if b > 0.0 else bounds.decel_jerk
+    time = abs(b) / jerk
+    if b > bounds.accel:
+        return None
+    rest = u - 0.5 * b * time
+    if b < 0.0:
+        rest = u + 0.5 * b * time
+        room = size - (rest + jerk * time * time / 6.0) * time
+        if rest <= 0.0 or room <= 0.5 * rest * ramps.down(rest, 0.0)[0]:
+            return None
+        return ramps.peak(rest, room)
+    eased = u + 0.5 * b * time
+    top = ramps.peak(rest, size + (rest + jerk * time * time / 6.0) * time)
+    return top if top >= eased else None
+
+
+def _arriving(start: float, target: float, head: Head, way: float, recipe: Recipe) -> Profile | None:
+    """Stretches of a length, and then the ramps of a recipe to `target`; None where they end elsewhere."""
+    time = total(recipe[1::3])
+    if not time < inf:
+        raise too_large()
+    far = target - start - head[3] * way
+    ways = [ramp_distance(*recipe[i : i + 4]) for i in range(0, len(recipe) - 1, 3)]
+    if abs(total(ways) - far) > _ASTRAY * max(abs(target), abs(start), abs(far), *map(abs, ways)):
+        return None
+    return Bent(start, target, _time(head[2]) + time, head, recipe)

@@ -1,0 +1,32 @@
+"""Several axes on one path: the path's profile, scaled onto each axis."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from motionlang.planners.curve import Profile
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def scaled(profile: Profile, start: float, factor: float) -> Profile:
+    """The axis profile that starts at `start` and moves `factor` times as far as the path, in its own length unit."""
+    return profile.scaled(start, factor)
+
+
+def path_length(starts: Sequence[float], targets: Sequence[float]) -> float:
+    """Euclidean length of the straight line between two points."""
+    return hypot(*(target - start for start, target in zip(starts, targets, strict=True)))
+
+
+def on_line(path: Profile, starts: Sequence[float], targets: Sequence[float]) -> list[Profile]:
+    """The axis profiles of a straight line, `path` running from 0 to its length; the ends are exact."""
+    length = path.distance
+    made = []
+    for start, target in zip(starts, targets, strict=True):
+        axis = path.scaled(start, (target - start) / length if length else 0.0)
+        axis.end = target
+        made.append(axis)
+    return made

@@ -1,0 +1,205 @@
+"""The speed over a course of stretches with limits of their own, run through to rest at the end of the last one.
+
+Where the distance of a ramp is proportional to the difference of the squares of its speeds (a trapezoid, PMC's two
+S-curves), one pass back and one forth over the squares at the joins find the fastest course there is: each pass takes
+from a join only what no course could have there. The other shapes go by the same two passes over the speeds.
+At a join the acceleration of every shape but the trapezoid is zero.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import inf, sqrt
+
+from motionlang.planners.curve import Profile
+from motionlang.planners.limits import check_finite, check_positive, too_large
+from motionlang.planners.segment_speed import between, entry_speed, exit_speed, reaches
+from motionlang.planners.stop import ramps_of
+from motionlang.planners.total import total
+from motionlang.planners.transition import faded
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.planners.feasibility import Ramps
+    from motionlang.planners.segment_speed import Ramp
+    from motionlang.planners.transition import Steps
+
+# What a course may overshoot its end by, as a part of its length, before it counts as overshooting.
+_SLACK = 1e-9
+
+
+class Pace:
+    """How fast a path may be run: `shape`, speed, rates, and what the S-curves need beside."""
+
+    __slots__ = ("accel", "accel_jerk", "decel", "decel_jerk", "ramp", "shape", "speed")
+
+    def __init__(
+        self,
+        shape: str,
+        speed: float,
+        accel: float,
+        decel: float,
+        ramp: float = 0.1,
+        accel_jerk: float = inf,
+        decel_jerk: float = inf,
+    ) -> None:
+        self.shape, self.speed, self.accel, self.decel = shape, speed, accel, decel
+        self.ramp, self.accel_jerk, self.decel_jerk = ramp, accel_jerk, decel_jerk
+
+    def key(self) -> tuple[object, ...]:
+        """What two stretches must share to be run through as one."""
+        return (
+            self.shape,
+            self.speed,
+            self.accel,
+            self.decel,
+            self.ramp,
+            self.accel_jerk,
+            self.decel_jerk,
+        )
+
+    def ramps(self) -> Ramps:
+        """The ramps of its shape."""
+        return ramps_of(self.shape, self.accel, self.decel, self.ramp, self.accel_jerk, self.decel_jerk)
+
+
+def plan_course(
+    stretches: Sequence[tuple[float, Pace]],
+    start: float,
+    v0: float,
+    a0: float = 0.0,
+    joins: Sequence[float] = (),
+) -> Profile | None:
+    """Plan a run through `stretches` (the length and pace of each) to rest at the end of the last one.
+
+    It begins at the place `start`, counted from the beginning of the first, at speed v0 >= 0 and acceleration a0, which
+    matters to ramps with bounded jerk alone. `joins` are limits on the speed from one stretch to the next, beside those
+    of the stretches. A run that begins too fast brakes as hard as it may; None if it could not stop at its end. Raises
+    ValueError for numbers no machine can follow.
+    """
+    check_finite(position=start, start_velocity=v0, start_acceleration=a0)
+    for _, pace in stretches:
+        check_positive(speed=pace.speed, acceleration=pace.accel, deceleration=pace.decel)
+    lengths = [length for length, _ in stretches]
+    end, passed = total(lengths), start
+    if start > end * (1.0 + _SLACK):
+        return None
+    for i, length in enumerate(lengths):
+        lengths[i] = max(0.0, length - passed)
+        passed = max(0.0, passed - length)
+    paces = [pace for _, pace in stretches]
+    caps = [min(a.speed, b.speed) for a, b in pairwise(paces)]
+    caps = [min(cap, limit) for cap, limit in zip(caps, joins or [inf] * len(caps), strict=True)]
+    found = _ramps_of(lengths, paces, caps, v0, a0)
+    if found is None:
+        return None
+    return _joined(paces[0].shape, start, end, v0, a0, *found)
+
+
+def _ramps_of(
+    lengths: list[float], paces: list[Pace], caps: list[float], v0: float, a0: float
+) -> tuple[Steps, list[Ramp]] | None:
+    ramps = [pace.ramps() for pace in paces]
+    if all(each.squares is not None for each in ramps):
+        speeds = _by_squares(lengths, ramps, caps, v0)
+        return None if speeds is None else _between_all(lengths, paces, ramps, speeds, a0)
+    latest = _back(lengths, paces, ramps, caps)
+    for k in range(1, len(lengths) + 1):
+        # What begins too fast for its first stretch is run at the slowest of as many as it takes.
+        slow = _slowest(paces[:k])
+        way, own, target = total(lengths[:k]), slow.ramps(), min(latest[k], slow.speed)
+        best = exit_speed(own, way, v0, a0, target)
+        leaving = best if best is not None and best < target else target
+        if not reaches(own, way * (1.0 + _SLACK), v0, a0, leaving):
+            continue
+        speeds = [v0, leaving]
+        for i in range(k, len(lengths)):
+            following = exit_speed(ramps[i], lengths[i], speeds[-1], 0.0, latest[i + 1])
+            speeds.append(latest[i + 1] if following is None else following)
+        merged = [way, *lengths[k:]], [slow, *paces[k:]], [own, *ramps[k:]]
+        return _between_all(*merged, speeds, a0)
+    return None
+
+
+def _by_squares(lengths: list[float], ramps: list[Ramps], caps: list[float], v0: float) -> list[float] | None:
+    """The speeds at both ends and at the joins; None where the end cannot be one at rest."""
+    factors = [each.squares for each in ramps]
+    latest = [0.0]
+    for length, factor, cap in reversed(list(zip(lengths[1:], factors[1:], caps, strict=True))):
+        assert factor is not None
+        latest.append(min(cap * cap, latest[-1] + 2.0 * length / factor[1]))
+    squares, last = [v0 * v0], 0.0
+    for length, factor in zip(lengths, factors, strict=True):
+        assert factor is not None
+        before = squares[-1]
+        fastest = min(latest.pop(), before + 2.0 * length / factor[0])
+        squares.append(max(fastest, before - 2.0 * length / factor[1]))
+        last = factor[1]
+    if squares[-1] * 0.5 * last > _SLACK * total(lengths):
+        return None
+    return [v0, *(sqrt(square) for square in squares[1:-1]), 0.0]
+
+
+def _back(lengths: list[float], paces: list[Pace], ramps: list[Ramps], caps: list[float]) -> list[float]:
+    """The highest speed at the beginning of each stretch from which all that follows can be run; 0 at the end."""
+    latest = [0.0]
+    for i in range(len(lengths) - 1, 0, -1):
+        latest.append(entry_speed(ramps[i], lengths[i], latest[-1], caps[i - 1]))
+    latest.append(inf)
+    latest.reverse()
+    return latest
+
+
+def _between_all(
+    lengths: list[float], paces: list[Pace], ramps: list[Ramps], speeds: list[float], a0: float
+) -> tuple[Steps, list[Ramp]]:
+    steps, first = between(ramps[0], lengths[0], paces[0].speed, speeds[0], a0, speeds[1])
+    found = list(first)
+    for i in range(1, len(lengths)):
+        found += between(ramps[i], lengths[i], paces[i].speed, speeds[i], 0.0, speeds[i + 1])[1]
+    return steps, found
+
+
+def _slowest(paces: list[Pace]) -> Pace:
+    """A pace that keeps the limits of all."""
+    if len(paces) == 1:
+        return paces[0]
+    first = paces[0]
+    return Pace(
+        first.shape,
+        min(pace.speed for pace in paces),
+        min(pace.accel for pace in paces),
+        min(pace.decel for pace in paces),
+        first.ramp,
+        min(pace.accel_jerk for pace in paces),
+        min(pace.decel_jerk for pace in paces),
+    )
+
+
+def _joined(
+    shape: str, start: float, end: float, v0: float, a0: float, steps: Steps, ramps: list[Ramp]
+) -> Profile:
+    """The profile of such ramps, those that go on as one being one."""
+    rows: list[Ramp] = []
+    for ramp in ramps:
+        if not ramp[1] > 0.0:
+            continue
+        if rows and _goes_on(rows[-1], ramp):
+            ramp = (rows[-1][0], rows.pop()[1] + ramp[1], 0.0, ramp[3])
+        rows.append(ramp)
+    bent = faded(start, v0, a0, steps, rows[0][0] if rows else 0.0)
+    recipe = (*(value for row in rows for value in row[:3]), rows[-1][3]) if rows else (0.0, 0.0, 0.0, 0.0)
+    duration = total(row[1] for row in rows)
+    if not duration + bent.duration < inf:
+        raise too_large()
+    rest = Profile(shape, bent.end, end, duration, recipe)
+    return bent.then(rest) if steps else rest
+
+
+def _goes_on(before: Ramp, ramp: Ramp) -> bool:
+    if before[2] != 0.0 or ramp[2] != 0.0 or before[3] != ramp[0]:
+        return False
+    rate, following = (before[3] - before[0]) / before[1], (ramp[3] - ramp[0]) / ramp[1]
+    return abs(rate - following) <= 1e-12 * abs(rate)

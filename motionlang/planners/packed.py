@@ -1,0 +1,91 @@
+"""Profiles as plain tuples, as a log keeps them in few bytes, and back to the same motion.
+
+Of ramps the recipe is kept and not the pieces that were made of it: where a profile was scaled with its pieces, the two
+may differ in the last bit.
+"""
+
+from __future__ import annotations
+
+from motionlang.planners.curve import Profile, hold
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Curve
+
+    # (shape, start, end, duration, recipe), with the curve behind it where no recipe gives it; (position,) for rest
+    # without end; of a formula (name, parts, shape, end).
+    Packed = tuple[object, ...]
+
+_HOLD = 1
+RAMPS = 5
+_CURVE = 6
+
+
+def packed(profile: Profile) -> Packed:
+    """A profile as numbers, texts and tuples of them."""
+    recipe = profile._recipe
+    if len(recipe) > 2:
+        return profile.shape, profile.start, profile.end, profile.duration, recipe
+    if profile.pieced:
+        if profile.shape == "hold" and profile.duration == _FOREVER:
+            return (profile.start,)
+        return profile.shape, profile.start, profile.end, profile.duration, recipe, profile.curve
+    name = type(profile).__name__
+    parts = tuple(_packed_part(getattr(profile, each)) for each in _PARTS[name])
+    return name, parts, profile.shape, profile.end
+
+
+def unpacked(row: Packed) -> Profile:
+    """The profile of such a tuple."""
+    if len(row) == _HOLD:
+        return hold(row[0])  # type: ignore[arg-type]
+    if len(row) == RAMPS:
+        return Profile(*row)  # type: ignore[arg-type]
+    if len(row) == _CURVE:
+        made = Profile(*row[:-1])  # type: ignore[arg-type]
+        curve: Curve = row[-1]  # type: ignore[assignment]
+        made._curve = curve
+        return made
+    name, parts, shape, end = row
+    formula = _formula(name, tuple(_unpacked_part(each) for each in parts))  # type: ignore[attr-defined,arg-type]
+    formula.shape, formula.end = shape, end  # type: ignore[assignment]  # a path's end is that of its plan
+    return formula
+
+
+_FOREVER = float("inf")
+# The attributes of each formula, in the order of its arguments.
+_PARTS = {
+    "Ahead": ("profile", "lead"),
+    "Chain": ("shape", "parts", "name"),
+    "Composed": ("along", "path", "shape"),
+    "Rate": ("profile",),
+    "Sum": ("first", "second", "shape"),
+}
+
+
+def _packed_part(part: object) -> object:
+    if isinstance(part, Profile):
+        return ("profile", packed(part))
+    if isinstance(part, tuple):
+        return ("profiles", tuple(packed(each) for each in part))
+    return part
+
+
+def _unpacked_part(part: object) -> object:
+    if not isinstance(part, tuple):
+        return part
+    kind, held = part
+    return unpacked(held) if kind == "profile" else tuple(unpacked(each) for each in held)
+
+
+def _formula(name: str, parts: tuple[object, ...]) -> Profile:
+    from motionlang.planners.extrapolation import Ahead
+    from motionlang.planners.rate import Rate
+    from motionlang.planners.reparametrised import Composed
+    from motionlang.planners.sequence import Chain
+    from motionlang.planners.superposition import Sum
+
+    made: Profile = {"Ahead": Ahead, "Chain": Chain, "Composed": Composed, "Rate": Rate, "Sum": Sum}[name](
+        *parts
+    )
+    return made

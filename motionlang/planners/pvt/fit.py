@@ -1,0 +1,256 @@
+"""Any motion as PVT points a drive can take: as few segments as a tolerance allows.
+
+Knots lie on the motion, at whole milliseconds from its beginning, with position and velocity rounded as the
+drive will get them; a segment may join two knots when the drive's cubic stays within the tolerance of the
+motion everywhere between them. The fewest segments are then a shortest path, found layer by layer: all knots
+that one segment reaches, all that two reach, and so on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.planners.pvt.points import Point, plan_points
+from motionlang.planners.sample import PieceTable
+from motionlang.planners.total import total
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.planners.curve import Profile
+
+    Array = NDArray[np.float64]
+    Indices = NDArray[np.int64]
+
+MILLISECOND = 0.001
+LONGEST = 255
+FINE = 4
+"""Points per millisecond at which a candidate segment is compared with the motion."""
+FINER = 20
+"""Points per millisecond at which the finished fit is measured."""
+MAX_SPAN = 3600.0
+"""Seconds of motion beyond which a fit is refused: its table of candidates would fill the memory."""
+ATTEMPTS = 4
+
+
+class OutOfTolerance(ValueError):
+    """No choice of whole milliseconds keeps the drive within the tolerance; `time` is where it gets stuck."""
+
+    def __init__(self, tolerance: float, time: float) -> None:
+        super().__init__(
+            f"no PVT segments of 1 to {LONGEST} ms follow the motion to {tolerance:g} counts "
+            f"beyond {time:.3f} s"
+        )
+        self.tolerance = tolerance
+        self.time = time
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """Points that follow a motion: `error` is the largest position difference (counts), at `error_time`."""
+
+    points: list[Point]
+    error: float
+    error_time: float
+
+    @property
+    def segments(self) -> int:
+        return len(self.points) - 1
+
+
+@dataclass(frozen=True, slots=True)
+class Rounding:
+    """What the wire can say: positions in whole counts, velocities in tenths of a count per second."""
+
+    position: float = 1.0
+    velocity: float = 0.1
+
+
+WIRE = Rounding()
+
+
+def fit_profile(profile: Profile, tolerance: float, rounding: Rounding = WIRE) -> Fit:
+    """Fit one profile; its duration must be finite."""
+    return fit_track([0.0], [profile], tolerance, 0.0, profile.duration, rounding)
+
+
+def fit_track(
+    starts: Sequence[float],
+    profiles: Sequence[Profile],
+    tolerance: float,
+    begin: float,
+    end: float,
+    rounding: Rounding = WIRE,
+) -> Fit:
+    """Fit a history of moves between two times (seconds) to within `tolerance` counts.
+
+    Raises ValueError for a span or a tolerance that make no sense, `OutOfTolerance` where the rounding or the
+    motion itself (a jump) leaves no way through.
+    """
+    if not 0.0 < end - begin <= MAX_SPAN:
+        raise ValueError(f"a fit needs a motion of more than 0 and at most {MAX_SPAN:g} s")
+    if not 0.0 < tolerance < np.inf:
+        raise ValueError("the tolerance must be greater than zero")
+    motion = _Motion(PieceTable(starts, profiles), begin, end, rounding)
+    aim = tolerance
+    for _ in range(ATTEMPTS):
+        fit = motion.fitted(_shortest_path(motion, aim))
+        if fit.error <= tolerance:
+            return fit
+        # Between the points compared the error was a little larger than at them: ask for that much less.
+        aim *= 0.98 * tolerance / fit.error
+    raise OutOfTolerance(tolerance, fit.error_time)
+
+
+def least_tolerance(
+    starts: Sequence[float], profiles: Sequence[Profile], above: float, begin: float, end: float
+) -> float | None:
+    """A tolerance a little above the smallest one that a fit can meet, for a hint; None where none up to 1000x does."""
+    tolerance = above
+    for _ in range(28):
+        tolerance *= 1.28
+        try:
+            return fit_track(starts, profiles, tolerance, begin, end).error
+        except OutOfTolerance:
+            continue
+    return None
+
+
+class _Motion:
+    """A motion sampled on the grid of candidates, and its rounded states at the knots."""
+
+    def __init__(self, table: PieceTable, begin: float, end: float, rounding: Rounding) -> None:
+        self.table, self.begin = table, begin
+        self.steps = max(1, ceil((end - begin) / MILLISECOND - 1e-6))
+        self.fine = table.sample(begin, MILLISECOND / FINE, self.steps * FINE + 1)
+        self.positions = np.rint(self.fine[::FINE] / rounding.position) * rounding.position
+        velocities = table.sample(begin, MILLISECOND, self.steps + 1, order=1)
+        velocities[-1] = table.sample(end, MILLISECOND, 1, order=1)[0]
+        self.velocities = np.rint(velocities / rounding.velocity) * rounding.velocity
+
+    def errors(self, first: Indices, length: Indices, at: Indices) -> Array:
+        """|cubic - motion| at fine points `at` after knot `first` of a segment of `length` milliseconds."""
+        x = at / (length * FINE)
+        last = first + length
+        rise = self.positions[last] - self.positions[first]
+        span = length * MILLISECOND
+        v0, v1 = self.velocities[first] * span, self.velocities[last] * span
+        cubic = x * (v0 + x * ((3.0 * rise - 2.0 * v0 - v1) + x * (v0 + v1 - 2.0 * rise)))
+        error: Array = np.abs(cubic + self.positions[first] - self.fine[first * FINE + at])
+        return error
+
+    def worst(self, first: Indices, length: Indices) -> Array:
+        """The largest error of each segment at all its fine points."""
+        at = np.arange(0, int(length.max()) * FINE + 1)
+        inside = np.minimum(at[None, :], (length * FINE)[:, None])
+        largest: Array = self.errors(first[:, None], length[:, None], inside).max(axis=1)
+        return largest
+
+    def fitted(self, path: list[int]) -> Fit:
+        """The points of a path of knots, and how far the drive's motion is from the true one."""
+        spans = [b - a for a, b in pairwise(path)]
+        points = [
+            Point(float(self.positions[k]), float(self.velocities[k]), span * MILLISECOND)
+            for k, span in zip(path, [*spans, 0], strict=True)
+        ]
+        made = PieceTable([0.0], [plan_points(points)])
+        return Fit(points, *_largest(self.table, self.begin, made, 0.0, self.steps))
+
+
+def _shortest_path(motion: _Motion, tolerance: float) -> list[int]:
+    """Knots from 0 to the last with the fewest segments between them; `OutOfTolerance` where there is no way."""
+    parents = np.full(motion.steps + 1, -1, dtype=np.int64)
+    parents[0] = 0
+    layer = np.zeros(1, dtype=np.int64)
+    while parents[motion.steps] < 0:
+        found = _next_layer(motion, layer, parents, tolerance)
+        if not len(found):
+            reached = int(np.flatnonzero(parents >= 0)[-1])
+            raise OutOfTolerance(tolerance, motion.begin + reached * MILLISECOND)
+        layer = found
+    path = [motion.steps]
+    while path[-1]:
+        path.append(int(parents[path[-1]]))
+    return path[::-1]
+
+
+def _next_layer(motion: _Motion, layer: Indices, parents: Indices, tolerance: float) -> Indices:
+    """The knots that one more segment reaches; writes their parents."""
+    first, length, score = _promising(motion, layer, parents, tolerance)
+    found: list[Indices] = []
+    while len(first):
+        last = first + length
+        order = np.lexsort((score, last))
+        lead = np.ones(len(order), dtype=bool)
+        lead[1:] = last[order][1:] != last[order][:-1]
+        tried, waiting = order[lead], order[~lead]
+        good = tried[motion.worst(first[tried], length[tried]) <= tolerance]
+        parents[last[good]] = first[good]
+        found.append(last[good])
+        open_ = waiting[parents[last[waiting]] < 0]
+        first, length, score = first[open_], length[open_], score[open_]
+    return np.sort(np.concatenate(found)) if found else np.zeros(0, dtype=np.int64)
+
+
+def _promising(
+    motion: _Motion, layer: Indices, parents: Indices, tolerance: float
+) -> tuple[Indices, Indices, Array]:
+    """Segments from the layer to unreached knots that pass a look at a few of their points, and their error there."""
+    first = np.repeat(layer, LONGEST)
+    length = np.tile(np.arange(1, LONGEST + 1), len(layer))
+    keep = first + length <= motion.steps
+    first, length = first[keep], length[keep]
+    keep = parents[first + length] < 0
+    first, length = first[keep], length[keep]
+    score = np.zeros(len(first))
+    for part in (8, 4, 12, 0, 16, 2, 14, 6, 10):
+        seen = motion.errors(first, length, length * FINE * part // 16)
+        keep = seen <= tolerance
+        first, length, score = first[keep], length[keep], np.maximum(score, seen)[keep]
+    return first, length, score
+
+
+def motion_error(
+    starts: Sequence[float],
+    profiles: Sequence[Profile],
+    points: Sequence[Point],
+    begin: float = 0.0,
+    place: float = 0.0,
+) -> tuple[float, float]:
+    """The largest difference (counts) of the motion of `points` from a history, and when after `begin`.
+
+    `place` is where the motor stands before the points, which counts for relative ones.
+    """
+    made = PieceTable([0.0], [plan_points(points, place)])
+    steps = round(total(point.time for point in points) / MILLISECOND)
+    return _largest(PieceTable(starts, profiles), begin, made, 0.0, steps)
+
+
+def track_error(
+    starts: Sequence[float],
+    profiles: Sequence[Profile],
+    other_starts: Sequence[float],
+    other_profiles: Sequence[Profile],
+    begin: float,
+    end: float,
+) -> float:
+    """The largest difference (counts) between two histories from `begin` to `end`."""
+    steps = max(1, ceil((end - begin) / MILLISECOND))
+    tables = PieceTable(starts, profiles), PieceTable(other_starts, other_profiles)
+    return _largest(tables[0], begin, tables[1], begin, steps)[0]
+
+
+def _largest(
+    table: PieceTable, begin: float, other: PieceTable, other_begin: float, steps: int
+) -> tuple[float, float]:
+    count, step = steps * FINER + 1, MILLISECOND / FINER
+    error = np.abs(table.sample(begin, step, count) - other.sample(other_begin, step, count))
+    where = int(error.argmax())
+    return float(error[where]), where * step

@@ -1,0 +1,163 @@
+"""PVT points as a master thinks of them: from points to the motion, and what each segment and knot does.
+
+Lengths are counts, times seconds. A point says where the motor is, how fast, and how long until the next point.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from motionlang.planners.pieces import acceleration_in, jerk_in, position_in, velocity_in
+from motionlang.planners.pvt.motion import plan_pvt
+from motionlang.planners.total import total
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.planners.curve import Profile
+
+LONGEST = 0.255
+"""The longest segment a Copley drive takes: the time field has eight bits of milliseconds."""
+
+MOST_POINTS = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """Position (counts), velocity (counts/s; None: approached on a line), seconds to the next point (0: the end).
+
+    A `relative` position counts from the point before it; that of the first point from where the motor is.
+    """
+
+    position: float
+    velocity: float | None
+    time: float
+    relative: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """One segment of a motion: constant jerk, acceleration from `acceleration` to `end_acceleration`."""
+
+    start_time: float
+    duration: float
+    jerk: float
+    acceleration: float
+    end_acceleration: float
+
+
+@dataclass(frozen=True, slots=True)
+class Knot:
+    """Where two segments meet: the velocity and the acceleration before and after, 0 outside the move."""
+
+    time: float
+    position: float
+    velocity: float
+    next_velocity: float
+    acceleration: float
+    next_acceleration: float
+
+    @property
+    def jump(self) -> float:
+        """How far the acceleration jumps here."""
+        return self.next_acceleration - self.acceleration
+
+
+def points_from(
+    positions: Sequence[float], velocities: Sequence[float | None], times: float | Sequence[float]
+) -> list[Point]:
+    """Absolute points; `times` is one duration for all or one per segment, and the last point ends the move."""
+    count = len(positions) - 1
+    spans = [float(times)] * count if isinstance(times, (int, float)) else list(times)
+    return [Point(p, v, t) for p, v, t in zip(positions, velocities, [*spans, 0.0], strict=True)]
+
+
+def until_end(points: Sequence[Point]) -> list[Point]:
+    """The points up to the first whose time is zero, which ends the move; all where none is."""
+    for i, point in enumerate(points):
+        if point.time == 0.0:
+            return list(points[: i + 1])
+    return list(points)
+
+
+def absolute(points: Sequence[Point], start: float = 0.0) -> list[Point]:
+    """The same points with every position absolute, the motor standing at `start`."""
+    place, made = start, []
+    for point in points:
+        place = place + point.position if point.relative else point.position
+        made.append(replace(point, position=place, relative=False))
+    return made
+
+
+def relative(points: Sequence[Point], start: float = 0.0) -> list[Point]:
+    """The same points with every position counted from the one before."""
+    place, made = start, []
+    for point in absolute(points, start):
+        made.append(replace(point, position=point.position - place, relative=True))
+        place = point.position
+    return made
+
+
+def plan_points(points: Sequence[Point], start: float = 0.0) -> Profile:
+    """The motion through `points` up to the end of the move; ValueError where a drive could not follow."""
+    moving = absolute(until_end(points), start)
+    if not moving:
+        raise ValueError("a PVT move needs at least one point")
+    return plan_pvt([p.position for p in moving], [p.velocity for p in moving], [p.time for p in moving[:-1]])
+
+
+def segments(profile: Profile) -> list[Segment]:
+    """Duration, jerk and acceleration of each piece of a motion."""
+    table = []
+    for piece, (begin, finish) in zip(profile.pieces, pairwise(profile.knots), strict=True):
+        span = finish - begin
+        table.append(
+            Segment(
+                begin, span, jerk_in(piece, 0.0), acceleration_in(piece, 0.0), acceleration_in(piece, span)
+            )
+        )
+    return table
+
+
+def knots(profile: Profile) -> list[Knot]:
+    """Each knot of a motion with both sides of its velocity and acceleration."""
+    times, pieces = profile.knots, profile.pieces
+    table = []
+    for i, time in enumerate(times):
+        if i:
+            piece, span = pieces[i - 1], time - times[i - 1]
+            place = position_in(piece, span)
+            before = velocity_in(piece, span), acceleration_in(piece, span)
+        else:
+            place, before = profile.start, (profile.start_velocity, 0.0)
+        if i < len(pieces):
+            after = velocity_in(pieces[i], 0.0), acceleration_in(pieces[i], 0.0)
+        else:
+            after = profile.end_velocity, 0.0
+        table.append(Knot(time, place, before[0], after[0], before[1], after[1]))
+    return table
+
+
+def split_long(points: Sequence[Point], longest: float = LONGEST, grid: float = 0.001) -> list[Point]:
+    """Absolute points with no segment over `longest`: long ones are cut on the curve, which stays as it is.
+
+    The cuts lie on whole multiples of `grid` after the point where its length allows, so that a drive can
+    take them.
+    """
+    moving = until_end(absolute(points))
+    duration = total(point.time for point in moving)
+    if not duration <= MOST_POINTS * longest:
+        raise ValueError(f"a move of {duration:.3g} s takes more than {MOST_POINTS} points")
+    profile, made = plan_points(moving), list[Point]()
+    for i, point in enumerate(moving):
+        count = -int(-point.time // longest) if point.time else 1
+        cuts = [round(point.time * n / count / grid) * grid for n in range(1, count)]
+        marks = [0.0, *cuts, point.time]
+        straight = i + 1 < len(moving) and moving[i + 1].velocity is None
+        made.append(replace(point, time=marks[1] if count > 1 else point.time))
+        for mark, following in pairwise(marks[1:]):
+            state = profile.at(profile.knots[i] + mark)
+            made.append(Point(state.position, None if straight else state.velocity, following - mark))
+    return made

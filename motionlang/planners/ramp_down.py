@@ -1,0 +1,131 @@
+"""Leaving a ramp in its middle where no jerk is set: PMC's S-curves, whose acceleration has a shape instead.
+
+The acceleration falls to zero as the ramp itself would have let it fall: along its falling flank, taken up at once.
+"""
+
+from __future__ import annotations
+
+from math import cos, inf, pi
+
+from motionlang.planners.curve import Profile, from_curve, relabelled
+from motionlang.planners.pieces import acceleration_in, position_in, recentred, velocity_in
+from motionlang.planners.stop import plan_stop
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Piece
+
+# The relative rounding of a peak acceleration.
+_SLACK = 1e-9
+
+
+def shaped(shape: str, accel_jerk: float) -> bool:
+    """Whether ramps bend without a jerk being set."""
+    return shape == "sinusoidal" or (shape == "scurve" and accel_jerk == inf)
+
+
+def relief(profile: Profile, time: float) -> Profile | None:
+    """From the state at `time` to no acceleration; None where there is none, or no flank that takes it back."""
+    if not (profile.pieced and 0.0 <= time < profile.duration):
+        return None
+    i = profile._index(time)
+    piece = recentred(profile.pieces[i], time - profile.knots[i])
+    found = _on_wave(piece) if piece[4] else _on_slope(profile, i, piece)
+    if found is None:
+        return None
+    falling, duration = found
+    name = "accel" if acceleration_in(piece, 0.0) * velocity_in(piece, 0.0) >= 0.0 else "decel"
+    velocity = velocity_in(piece, 0.0)
+    curve = ((0.0, duration), (falling,), ((name, 0),))
+    end = position_in(falling, duration)
+    last = velocity_in(falling, duration)
+    return from_curve(profile.shape, position_in(piece, 0.0), end, curve, velocity, last)
+
+
+def onset(
+    profile: Profile, time: float, shape: str, accel_jerk: float
+) -> tuple[Profile | None, float, float, float]:
+    """What a new plan begins with: the part that takes a shaped acceleration back, and the state to plan from."""
+    if shaped(shape, accel_jerk):
+        eased = relief(profile, time)
+        if eased is not None:
+            return eased, eased.end, eased.end_velocity, 0.0
+    state = profile.at(time)
+    return None, state.position, state.velocity, state.acceleration if shape == "scurve" else 0.0
+
+
+def admitted(acceleration: float, velocity: float, accel: float, decel: float) -> float:
+    """The acceleration with which a ramp takes over motion that does not keep its rates: no more than these."""
+    most = accel if acceleration * velocity >= 0.0 else decel
+    return max(-most, min(acceleration, most))
+
+
+def stop_under_way(
+    profile: Profile,
+    time: float,
+    shape: str,
+    decel: float,
+    ramp: float,
+    accel_jerk: float = inf,
+    decel_jerk: float = inf,
+    accel: float | None = None,
+) -> Profile:
+    """Come to rest at `decel` from a motion under way; the acceleration of an S-curve does not jump.
+
+    Motion that does not keep the rates of the axis has its `accel`: it is stopped from an acceleration within both.
+
+    A ramp of PMC's that slows down already goes on to rest as planned, if that is no farther and nowhere harder than
+    `decel`. Raises ValueError as `plan_stop`.
+    """
+    state = profile.at(time)
+    if shape == "trapezoid" or (shape == "scurve" and decel_jerk < inf):
+        bent = state.acceleration if shape == "scurve" else 0.0
+        if accel is not None:
+            bent = admitted(bent, state.velocity, accel, decel)
+        return plan_stop(shape, state.position, state.velocity, decel, ramp, decel_jerk, bent, accel_jerk)
+    eased = relief(profile, time) if shaped(shape, decel_jerk) else None
+    if eased is None:
+        made = plan_stop(shape, state.position, state.velocity, decel, ramp)
+    else:
+        rest = plan_stop(shape, eased.end, eased.end_velocity, decel, ramp)
+        made = relabelled(eased.then(rest), shape, "stop")
+    planned = _rest_ahead(profile, time, decel) if state.acceleration * state.velocity < 0.0 else None
+    if planned is not None and abs(planned.end - state.position) <= abs(made.end - state.position):
+        return relabelled(planned, shape, "stop")
+    return made
+
+
+def _rest_ahead(profile: Profile, time: float, decel: float) -> Profile | None:
+    """The rest of a profile up to standstill; None if it has none, or exceeds `decel` before it."""
+    still = profile.velocity_crossing(0.0, time)
+    if still is None or not still <= profile.duration < inf:
+        return None
+    planned = profile.cut(still).after(time)
+    return planned if planned.peak_acceleration <= decel * (1.0 + _SLACK) else None
+
+
+def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
+    """The same half wave from where it is as high as it is now and falls."""
+    _, _, _, _, amplitude, omega, phase = piece
+    if not 0.0 < phase < pi:
+        return None
+    later = max(phase, pi - phase)
+    velocity = velocity_in(piece, 0.0) - amplitude * omega * cos(later)
+    moved = (0.0, velocity, 0.0, 0.0, amplitude, omega, later)
+    start = position_in(piece, 0.0) - position_in(moved, 0.0)
+    return (start, *moved[1:]), (pi - later) / omega
+
+
+def _on_slope(profile: Profile, index: int, piece: Piece) -> tuple[Piece, float] | None:
+    """The cubic that takes the acceleration back at the slope of this ramp."""
+    position, velocity, half, _, _, _, _ = piece
+    if not half:
+        return None
+    slope = profile.pieces[index][3]
+    if not slope:  # held: the flank follows
+        following = profile.pieces[index + 1 : index + 2]
+        slope = following[0][3] if following and not following[0][4] else 0.0
+        if slope * half >= 0.0:
+            return None
+    slope = -abs(slope) if half > 0.0 else abs(slope)
+    return (position, velocity, half, slope, 0.0, 0.0, 0.0), -half / (3.0 * slope)

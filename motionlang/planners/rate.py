@@ -1,0 +1,28 @@
+"""A velocity as a curve of its own, so that its crossings can be watched as those of a position are."""
+
+from __future__ import annotations
+
+from motionlang.planners.curve import Profile, State
+from motionlang.planners.formula import Formula
+
+
+class Rate(Formula):
+    """The velocity of a profile: its position is that velocity, its velocity the acceleration, and so on."""
+
+    __slots__ = ("profile",)
+
+    def __init__(self, profile: Profile) -> None:
+        self.profile = profile
+        first = profile.at(0.0).acceleration if profile.duration else 0.0
+        super().__init__(
+            profile.shape, profile.start_velocity, profile.end_velocity, profile.duration, first, 0.0
+        )
+
+    def state(self, time: float) -> State:
+        now = self.profile.at(time)
+        return State(now.velocity, now.acceleration, now.jerk, 0.0)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Those of the profile."""
+        return self.profile.knots

@@ -1,0 +1,74 @@
+"""The ramp of a speed reference: from one speed to another at a rate that takes its own times to begin and to end.
+
+Drives state a ramp by the time from rest to their highest speed and, apart from each other, by the times in which the
+acceleration builds up at its begin and fades at its end. Over those times it changes evenly, so that between them lies
+the rate itself: T = dv/A + (T_start + T_end)/2. A change too small for the rate peaks where both slopes meet:
+A' = sqrt(2 dv A / (T_start + T_end)) (own arithmetic).
+"""
+
+from __future__ import annotations
+
+from math import inf, isfinite, sqrt
+
+from motionlang.planners.curve import Profile, far_end, relabelled
+from motionlang.planners.jerk import ease
+from motionlang.planners.limits import STILL, check_finite, check_positive, too_large
+from motionlang.planners.ramps import FALLING, RISING, ramp_distance
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Recipe
+
+
+class Slope:
+    """A rate, and the seconds in which it builds up and fades."""
+
+    __slots__ = ("begin", "end", "rate")
+
+    def __init__(self, rate: float, begin: float = 0.0, end: float = 0.0) -> None:
+        self.rate, self.begin, self.end = rate, begin, end
+
+    def key(self) -> tuple[float, float, float]:
+        """What two slopes share that are the same."""
+        return self.rate, self.begin, self.end
+
+    def ramp(self, v0: float, v1: float) -> Recipe:
+        """From one velocity to another: durations, kinds and the velocities between them."""
+        change = v1 - v0
+        size, edges = abs(change), self.begin + self.end
+        share = min(1.0, sqrt(2.0 * size / (self.rate * edges))) if edges else 1.0
+        begin, end = share * self.begin, share * self.end
+        held = max(size / self.rate - 0.5 * edges, 0.0) if share == 1.0 else 0.0
+        bend = 0.5 * share * self.rate
+        sign = 1.0 if change > 0.0 else -1.0
+        return (begin, RISING, v0 + sign * bend * begin, held, 0.0, v1 - sign * bend * end, end, FALLING)
+
+
+def plan_reference(start: float, v0: float, v1: float, up: Slope, down: Slope, a0: float = 0.0) -> Profile:
+    """Go from velocity `v0` to `v1` and run on for ever; `up` away from rest, `down` towards it, and through it.
+
+    An acceleration `a0` fades first, where the slope that it belongs to fades. Shape and end are those of a jog.
+    Raises ValueError for numbers no machine can follow.
+    """
+    check_positive(acceleration=up.rate, deceleration=down.rate)
+    check_finite(position=start, start_velocity=v0, velocity=v1, start_acceleration=a0)
+    own = up if a0 * v0 >= 0.0 else down
+    if a0 and own.end:
+        eased = ease(start, v0, a0, own.rate / own.end)
+        return relabelled(eased.then(_run(eased.end, eased.end_velocity, v1, up, down)), "jog")
+    return _run(start, v0, v1, up, down)
+
+
+def _run(start: float, v0: float, v1: float, up: Slope, down: Slope) -> Profile:
+    v0, v1 = (0.0 if -STILL < v < STILL else v for v in (v0, v1))
+    if v0 * v1 < 0.0:
+        change = (*down.ramp(v0, 0.0), 0.0, *up.ramp(0.0, v1))
+    else:
+        change = (down if abs(v1) < abs(v0) else up).ramp(v0, v1)
+    recipe = (v0, *change, v1, inf, 0.0, v1)
+    position = start
+    for i in range(0, len(recipe) - 4, 3):
+        position += ramp_distance(*recipe[i : i + 4])
+    if not isfinite(position):
+        raise too_large()
+    return Profile("jog", start, far_end(position, v1), inf, recipe)

@@ -1,0 +1,238 @@
+"""A curve travelled over time: position = curve(distance(time)).
+
+The curve is itself a `Profile` whose "time" is the distance along a path, or the position of a master: a line, an arc
+(one sine), a cam table (cubics). So all that is known of profiles in closed form is known of curves.
+"""
+
+from __future__ import annotations
+
+from math import inf, nextafter
+
+from motionlang.planners.curve import Phase, Profile, State
+from motionlang.planners.formula import Formula
+from motionlang.planners.pieces import still_points
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Piece
+
+_MOST_CROSSINGS = 10_000
+
+AT_END = 1e-9
+"""The part of a curve by which rounding may put a place beyond its end: the bend of the curve counts that far."""
+
+
+class Composed(Formula):
+    """`curve` travelled as `along` says; before and beyond its ends the curve goes on as a straight line.
+
+    At an end itself, where rounding decides on which side of it a place is, the curve is still as bent as before it.
+    """
+
+    __slots__ = ("along", "path")
+
+    def __init__(self, along: Profile, path: Profile, shape: str = "") -> None:
+        self.along, self.path = along, path
+        start, rising = _on(path, along.start)
+        end, falling = _on(path, along.end)
+        super().__init__(
+            shape or along.shape,
+            start,
+            end,
+            along.duration,
+            rising * along.start_velocity,
+            falling * along.end_velocity,
+        )
+
+    def state(self, time: float) -> State:
+        """The motion by the chain rule: v = f' s', a = f'' s'^2 + f' s'', and so on to the jerk."""
+        s = self.along.at(time)
+        if 0.0 <= s.position < self.path.duration:
+            f = self.path.at(s.position)
+            v, a = s.velocity, s.acceleration
+            return State(
+                f.position,
+                f.velocity * v,
+                f.acceleration * v * v + f.velocity * a,
+                (f.jerk * v * v + 3.0 * f.acceleration * a) * v + f.velocity * s.jerk,
+            )
+        position, slope = _on(self.path, s.position)
+        bend = _bend_at_end(self.path, s.position)
+        v, a = s.velocity, s.acceleration
+        return State(position, slope * v, bend * v * v + slope * a, 3.0 * bend * v * a + slope * s.jerk)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """The knots of the motion along the curve, and when it passes knots and turning points of the curve."""
+        found = set(self.along.knots)
+        low, high = self.along.extrema()
+        for place in places(self.path):
+            if low <= place <= high:
+                found.update(crossings(self.along, place))
+        return tuple(sorted(found))
+
+    @property
+    def phases(self) -> tuple[Phase, ...]:
+        """The phases of the motion along the curve, each with the distance and velocities of this profile."""
+        made, begin = [], 0.0
+        for phase in self.along.phases:
+            finish = begin + phase.duration
+            here, there = self.at(begin), self.at(finish) if finish < inf else None
+            distance = self.end - here.position if there is None else there.position - here.position
+            v1 = self.end_velocity if there is None else there.velocity
+            made.append(Phase(phase.name, phase.duration, distance, here.velocity, v1))
+            begin = finish
+        return tuple(made)
+
+    @property
+    def peak_speed(self) -> float:
+        """The largest absolute velocity; in closed form while the motion along the curve is uniform."""
+        speed = _uniform_speed(self.along)
+        if speed is None:
+            return super().peak_speed
+        low, high = self.along.extrema()
+        path, slopes = self._travelled_part(low, high), [0.0]
+        if path is not None:
+            slopes.append(path.peak_speed)
+        if low < 0.0:
+            slopes.append(abs(self.path.start_velocity))
+        if high > self.path.duration:
+            slopes.append(abs(self.path.end_velocity))
+        return speed * max(slopes)
+
+    @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed: the highest speed along it at its highest slope."""
+        path = self.path
+        return self.along.speed_bound * max(path.peak_speed, abs(path.start_velocity), abs(path.end_velocity))
+
+    @property
+    def peak_acceleration(self) -> float:
+        """The largest absolute acceleration; in closed form while the motion along the curve is uniform."""
+        speed = _uniform_speed(self.along)
+        if speed is None:
+            return super().peak_acceleration
+        path = self._travelled_part(*self.along.extrema())
+        return 0.0 if path is None else speed * speed * path.peak_acceleration
+
+    def crossing(self, position: float, after: float = 0.0) -> float | None:
+        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        times = [self.along.crossing(place, after) for place in self._places_of(position)]
+        return min((time for time in times if time is not None), default=None)
+
+    def extrema(self) -> tuple[float, float]:
+        """The smallest and the largest position of the profile, turning points included."""
+        low, high = self.along.extrema()
+        inside = (place for place in places(self.path) if low <= place <= high)
+        seen = [_on(self.path, place)[0] for place in (low, high, *inside)]
+        return min(seen), max(seen)
+
+    def cut(self, time: float) -> Profile:
+        """The first `time` seconds, exactly as they were."""
+        return Composed(self.along.cut(time), self.path, self.shape) if time < self.duration else self
+
+    def after(self, time: float) -> Profile:
+        """What remains after `time` seconds, its clock starting at 0."""
+        return Composed(self.along.after(time), self.path, self.shape) if time > 0.0 else self
+
+    def scaled(self, start: float, factor: float) -> Profile:
+        """The same motion from `start`, every distance times `factor`."""
+        begin = start + (self.path.start - self.start) * factor
+        return Composed(self.along, self.path.scaled(begin, factor), self.shape)
+
+    def _travelled_part(self, low: float, high: float) -> Profile | None:
+        """The curve between two places of it; None where it has nothing between them."""
+        length = self.path.duration
+        if low >= length or high <= 0.0:
+            return None
+        path = self.path.cut(high) if high < length else self.path
+        return path.after(low) if low > 0.0 else path
+
+    def _places_of(self, position: float) -> list[float]:
+        """Everywhere on the curve that is at `position`, also on its straight continuations."""
+        path = self.path
+        found = crossings(path, position)
+        for end, slope, edge in (
+            (path.start, path.start_velocity, 0.0),
+            (path.end, path.end_velocity, path.duration),
+        ):
+            place = edge + (position - end) / slope if slope else edge
+            if slope and (place < edge if edge == 0.0 else place > edge):
+                found.append(place)
+        return found
+
+
+def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
+    """`curve` travelled as `along` says, as plain pieces where the part in question is straight."""
+    if len(path.pieces) == 1 and not any(path.pieces[0][2:5]):
+        return _straight(along, path.pieces[0], 0.0, shape)
+    low, high = along.extrema()
+    knots = path.knots
+    for piece, begin, finish in zip(path.pieces, knots, knots[1:], strict=False):
+        first, last = begin == 0.0, finish == path.duration
+        if (first or begin <= low) and (last or high <= finish):
+            if any(piece[2:5]):
+                break
+            return _straight(along, piece, begin, shape)
+    return Composed(along, path, shape)
+
+
+def _uniform_speed(along: Profile) -> float | None:
+    """The speed of a motion that has the same one all the time; None for another motion."""
+    if not along.pieced or len(along.pieces) != 1 or any(along.pieces[0][2:5]):
+        return None
+    return abs(along.pieces[0][1])
+
+
+def _straight(along: Profile, piece: Piece, begin: float, shape: str) -> Profile:
+    made = along.scaled(piece[0] + piece[1] * (along.start - begin), piece[1])
+    made.shape = shape or along.shape
+    return made
+
+
+def places(path: Profile) -> list[float]:
+    """Knots and turning points of a curve."""
+    found = list(path.knots)
+    for piece, begin, finish in zip(path.pieces, path.knots, path.knots[1:], strict=False):
+        found += [begin + x for x in still_points(piece, finish - begin)]
+    return sorted(found)
+
+
+def crossings(profile: Profile, position: float) -> list[float]:
+    """Every time at which a profile comes to `position`; of a rest there, the beginning.
+
+    Two crossings nearer than a ten-millionth of the whole, as at a turning point, count as one.
+    """
+    found: list[float] = []
+    after = 0.0
+    nearness = 1e-7 * (1.0 + min(profile.duration, 1e6))
+    while len(found) < _MOST_CROSSINGS:
+        time = profile.crossing(position, after)
+        if time is None or time > profile.duration or time == inf:
+            break
+        if time > after or not found:
+            found.append(time)
+            after = time + nearness
+            continue
+        after = next((knot for knot in profile.knots if knot > after), inf)  # it rests there
+        if after == inf:
+            break
+    return found
+
+
+def _bend_at_end(path: Profile, place: float) -> float:
+    """The second derivative of the curve at a place that is one of its ends but for rounding; 0.0 farther out."""
+    length = path.duration
+    if not -AT_END * length <= place <= length * (1.0 + AT_END) < inf:
+        return 0.0
+    return path.acceleration(0.0 if place < 0.0 else nextafter(length, 0.0))
+
+
+def _on(path: Profile, place: float) -> tuple[float, float]:
+    """Position and slope of the curve at `place`, with its straight continuations."""
+    if place < 0.0:
+        slope = path.start_velocity
+        return path.start + slope * place if slope else path.start, slope
+    if place > path.duration:
+        slope = path.end_velocity
+        return path.end + slope * (place - path.duration) if slope else path.end, slope
+    return path.position(place), path.velocity(place)

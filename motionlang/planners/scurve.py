@@ -1,0 +1,52 @@
+"""PMC's two S-curves: the sinusoidal one (aPS) and the one with a trapezoidal acceleration (aPSn)."""
+
+from __future__ import annotations
+
+from math import pi
+
+from motionlang.planners.curve import Profile
+from motionlang.planners.feasibility import approach, from_rest, stretched
+from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_positive, check_ramp, too_large
+from motionlang.planners.ramps import SINE
+
+
+def plan_sinusoidal(
+    start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0
+) -> Profile:
+    """Plan a move whose acceleration is half a sine wave of peak `accel`: T_A = (pi/2) V/A (TN1069).
+
+    A short move peaks below `speed`; A and D keep. Raises ValueError as `plan_trapezoid`.
+    """
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
+        check_positive(speed=speed, acceleration=accel, deceleration=decel)
+        raise too_large()
+    if v0 == 0.0:
+        up, down = (0.5 * pi / accel, SINE), (0.5 * pi / decel, SINE)
+        return from_rest("sinusoidal", start, target, speed, up, down, 0.5)
+    check_finite(position=start, target=target, start_velocity=v0)
+    return approach(stretched("sinusoidal", accel, decel, SINE, 0.5 * pi), start, target, speed, v0)
+
+
+def plan_ratio(
+    start: float, target: float, speed: float, accel: float, decel: float, ramp: float, v0: float = 0.0
+) -> Profile:
+    """Plan a move whose acceleration rises over `ramp` T_A, holds, and falls: T_A = V/(A (1 - ramp)).
+
+    TN1069's trapezoidal S-curve, 0 < ramp <= 0.5; at 0.5 it is chapter 12's S-curve of two ramps, T_A = 2V/A.
+    (The note prints (1/RAMP) VEL/ACC, which contradicts its own table.)
+    """
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
+        check_positive(speed=speed, acceleration=accel, deceleration=decel)
+        raise too_large()
+    check_ramp(ramp)
+    if v0 == 0.0:
+        stretch = 1.0 / (1.0 - ramp)
+        return from_rest(
+            "scurve", start, target, speed, (stretch / accel, ramp), (stretch / decel, ramp), 0.5
+        )
+    check_finite(position=start, target=target, start_velocity=v0)
+    return approach(stretched("scurve", accel, decel, ramp, 1.0 / (1.0 - ramp)), start, target, speed, v0)

@@ -1,0 +1,151 @@
+"""A stretch of given length from one speed to another, as fast as its ramps and its highest speed allow."""
+
+from __future__ import annotations
+
+from math import copysign, sqrt
+
+from motionlang.planners.ramps import ramp_distance
+from motionlang.planners.transition import eased_speed, fade, fade_distance
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.planners.feasibility import Ramps
+    from motionlang.planners.transition import Steps
+
+    # The speed it begins with, its time, its kind, the speed it ends with.
+    Ramp = tuple[float, float, float, float]
+
+
+# What a ramp may be longer than the way it has, as a part of it, and still be said to fit: rounding.
+_SLACK = 1e-12
+# Secants that are tried before halves, and how near to each other, as a part of themselves, they bring two numbers.
+_SECANTS = 30
+_NEAR = 1e-14
+
+
+def entry_speed(ramps: Ramps, length: float, v1: float, most: float) -> float:
+    """The highest speed, up to `most`, from which speed v1 can be reached within `length`."""
+    if ramps.squares is not None:
+        return min(most, sqrt(v1 * v1 + 2.0 * length / ramps.squares[1]))
+    return _farthest(v1, most, lambda u: _ramp_length(ramps, u, v1) - length) if v1 < most else most
+
+
+def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -> float | None:
+    """The highest speed, up to `most`, that can be reached within `length`; None if even the acceleration stays."""
+    if ramps.squares is not None:
+        return min(most, sqrt(v0 * v0 + 2.0 * length / ramps.squares[0]))
+    low = _eased(ramps, v0, a0)
+    if low < 0.0 or _lead_length(ramps, v0, a0, low) > length * (1.0 + _SLACK):
+        return None
+    return _farthest(low, most, lambda v: _lead_length(ramps, v0, a0, v) - length) if low < most else most
+
+
+def reaches(ramps: Ramps, length: float, v0: float, a0: float, v1: float) -> bool:
+    """Whether speed v1 can be reached within `length` by one ramp."""
+    return _eased(ramps, v0, a0) >= min(0.0, v1) and (
+        _lead_length(ramps, v0, a0, v1) <= length * (1.0 + _SLACK)
+    )
+
+
+def between(
+    ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float
+) -> tuple[Steps, list[Ramp]]:
+    """From speed v0 and acceleration a0 to v1 <= `speed` in exactly `length`, as fast as `speed` allows in between.
+
+    One ramp must lead from one to the other within `length`: see `reaches`; what it lacks by rounding is made to fit.
+    """
+    top = _top(ramps, length, speed, v0, a0, v1)
+    steps, v, used = _lead(ramps, v0, a0, top)
+    first = _ramp(ramps, v, top)
+    last = _ramp(ramps, top, v1)
+    left = length - used - ramp_distance(*last)
+    if left < 0.0 and not steps and top in (v, v1):
+        return (), [_fitting(last if top == v else first, length)]
+    slew = left / top if left > _SLACK * length and top else 0.0
+    return steps, [first, (top, slew, 0.0, top), last]
+
+
+def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float) -> float:
+    """The speed between the two ramps: `speed` where there is room for it."""
+    if ramps.squares is not None:
+        up, down = ramps.squares
+        if v0 > speed:
+            return max(speed, v1) if 0.5 * down * (v0 * v0 - v1 * v1) <= length else v1
+        best = sqrt((2.0 * length + up * v0 * v0 + down * v1 * v1) / (up + down))
+        return max(min(best, speed), v1)
+
+    def beyond(v: float) -> float:
+        return _lead_length(ramps, v0, a0, v) + _ramp_length(ramps, v, v1) - length
+
+    if beyond(speed) <= 0.0:
+        return speed
+    eased = _eased(ramps, v0, a0)
+    crest = max(eased, v1)
+    if beyond(crest) <= 0.0:
+        return _farthest(crest, speed, beyond)
+    # Braking goes on into the last ramp: a speed that is held for a moment on the way down takes the room up.
+    return _farthest(v1, min(eased, speed), beyond) if beyond(v1) <= 0.0 else v1
+
+
+def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, float]:
+    """The way from v0 and a0 to speed v: the part with a bent beginning, the speed after it, and the whole distance."""
+    if not a0 or ramps.bounds is None:
+        return (), v0, _ramp_length(ramps, v0, v)
+    steps, after = fade(ramps.bounds, v0, a0, v)
+    rest = _ramp_length(ramps, after, v) if after != v else 0.0
+    return steps, after, fade_distance(v0, a0, steps) + rest
+
+
+def _lead_length(ramps: Ramps, v0: float, a0: float, v: float) -> float:
+    return _lead(ramps, v0, a0, v)[2]
+
+
+def _eased(ramps: Ramps, v0: float, a0: float) -> float:
+    return eased_speed(ramps.bounds, v0, a0) if a0 and ramps.bounds is not None else v0
+
+
+def _ramp(ramps: Ramps, u: float, v: float) -> Ramp:
+    return (u, *(ramps.up if v >= u else ramps.down)(u, v), v)
+
+
+def _ramp_length(ramps: Ramps, u: float, v: float) -> float:
+    return ramp_distance(*_ramp(ramps, u, v))
+
+
+def _fitting(ramp: Ramp, length: float) -> Ramp:
+    """The same ramp, as fast as makes it exactly `length` long."""
+    long = ramp_distance(*ramp)
+    return (ramp[0], ramp[1] * (length / long), *ramp[2:]) if long else ramp
+
+
+def _farthest(low: float, high: float, beyond: Callable[[float], float]) -> float:
+    """The number farthest from `low`, which fits, on the way to `high`, that fits: whose `beyond` is 0 at most.
+
+    Secants between one that fits and one that does not, of which the end that stays twice counts half (Illinois), until
+    both are a few bits apart; then halves to the last one.
+    """
+    over = beyond(high)
+    if over <= 0.0:
+        return high
+    under, stays = beyond(low), 0.0
+    for _ in range(_SECANTS):
+        width = high - low
+        if abs(width) <= _NEAR * abs(low):
+            break
+        x = low - under * (width / (over - under))
+        # A little towards the end that is farther away, so that it follows where the other one has come.
+        x += copysign(0.25 * _NEAR * x, width if -under < over else -width)
+        if not min(low, high) < x < max(low, high):
+            x = 0.5 * (low + high)
+        found = beyond(x)
+        if found <= 0.0:
+            low, under, over, stays = x, found, over * (0.5 if stays > 0.0 else 1.0), 1.0
+        else:
+            high, over, under, stays = x, found, under * (0.5 if stays < 0.0 else 1.0), -1.0
+    while True:
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            return low
+        low, high = (middle, high) if beyond(middle) <= 0.0 else (low, middle)

@@ -1,0 +1,147 @@
+"""Profiles one after another, where at least one of them is a formula."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from operator import itemgetter
+
+from motionlang.planners.curve import Phase, Profile
+from motionlang.planners.formula import Formula
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.planners.curve import State
+
+# The first of a pair.
+_BOUND = itemgetter(0)
+
+
+class Chain(Formula):
+    """`parts` in a row, each beginning where the one before it ends; `name` makes one phase of the whole."""
+
+    __slots__ = ("begins", "name", "parts")
+
+    def __init__(self, shape: str, parts: Sequence[Profile], name: str = "") -> None:
+        self.parts = tuple(parts)
+        self.name = name
+        begins, time = [], 0.0
+        for part in parts:
+            begins.append(time)
+            time += part.duration
+        self.begins = tuple(begins)
+        first, last = parts[0], parts[-1]
+        super().__init__(shape, first.start, last.end, time, first.start_velocity, last.end_velocity)
+
+    def state(self, time: float) -> State:
+        i = self._part(time)
+        return self.parts[i].at(time - self.begins[i])
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """The knots of all parts."""
+        found = [0.0]
+        for begin, part in zip(self.begins, self.parts, strict=True):
+            found += [begin + knot for knot in part.knots[1:]]
+        return (*found[:-1], self.duration)
+
+    @property
+    def phases(self) -> tuple[Phase, ...]:
+        """The phases of all parts, or one."""
+        if self.name:
+            return (Phase(self.name, self.duration, self.distance, self.start_velocity, self.end_velocity),)
+        return tuple(phase for part in self.parts for phase in part.phases)
+
+    @property
+    def peak_speed(self) -> float:
+        """The largest absolute velocity: that of the parts whose bound promises more than has been found."""
+        peak = 0.0
+        for bound, part in sorted(
+            ((part.speed_bound, part) for part in self.parts), key=_BOUND, reverse=True
+        ):
+            if bound <= peak:
+                break
+            peak = max(peak, part.peak_speed)
+        return peak
+
+    @property
+    def speed_bound(self) -> float:
+        """What its largest absolute velocity does not exceed, found without a search."""
+        return max(part.speed_bound for part in self.parts)
+
+    @property
+    def peak_acceleration(self) -> float:
+        """The largest absolute acceleration."""
+        return max(part.peak_acceleration for part in self.parts)
+
+    def crossing(self, position: float, after: float = 0.0) -> float | None:
+        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        after = max(after, 0.0)
+        last = len(self.parts) - 1
+        for i in range(self._part(after), last + 1):
+            part, begin = self.parts[i], self.begins[i]
+            found = part.crossing(position, max(after - begin, 0.0))
+            if found is not None and (i == last or found <= part.duration):
+                return begin + found
+        return None
+
+    def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
+        """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
+        after = max(after, 0.0)
+        last = len(self.parts) - 1
+        for i in range(self._part(after), last + 1):
+            part, begin = self.parts[i], self.begins[i]
+            found = part.velocity_crossing(velocity, max(after - begin, 0.0))
+            if found is not None and (i == last or found <= part.duration):
+                return begin + found
+        return None
+
+    def extrema(self) -> tuple[float, float]:
+        """The smallest and the largest position of the profile, turning points included."""
+        ends = [part.extrema() for part in self.parts]
+        return min(low for low, _ in ends), max(high for _, high in ends)
+
+    def cut(self, time: float) -> Profile:
+        """The first `time` seconds, exactly as they were."""
+        if time >= self.duration:
+            return self
+        i = self._part(max(time, 0.0))
+        last = self.parts[i].cut(time - self.begins[i])
+        kept = self.parts[:i] if last.duration == 0.0 and i else (*self.parts[:i], last)
+        return kept[0] if len(kept) == 1 and not self.name else Chain(self.shape, kept, self.name)
+
+    def after(self, time: float) -> Profile:
+        """What remains after `time` seconds, its clock starting at 0."""
+        if time <= 0.0:
+            return self
+        if time >= self.duration:
+            return self.parts[-1].after(time - self.begins[-1])
+        i = self._part(time)
+        rest = (self.parts[i].after(time - self.begins[i]), *self.parts[i + 1 :])
+        return rest[0] if len(rest) == 1 and not self.name else Chain(self.shape, rest, self.name)
+
+    def scaled(self, start: float, factor: float) -> Profile:
+        """The same motion from `start`, every distance times `factor`."""
+        made = []
+        for part in self.parts:
+            made.append(part.scaled(start, factor))
+            start = made[-1].end
+        return Chain(self.shape, made, self.name)
+
+    def _part(self, time: float) -> int:
+        return max(0, bisect_right(self.begins, time) - 1)
+
+
+def chained(first: Profile, second: Profile) -> Profile:
+    """`first` followed by `second`, which must begin where it ends."""
+    gap = abs(second.start - first.end)
+    assert gap <= 1e-9 * max(1.0, abs(first.end), abs(first.distance)), f"a jump of {gap} between profiles"
+    if first.duration == 0.0:
+        return second
+    if second.duration == 0.0:
+        return first
+    name = first.name if isinstance(first, Chain) else ""
+    parts = [*(first.parts if isinstance(first, Chain) else (first,))]
+    parts += second.parts if isinstance(second, Chain) and not second.name else (second,)
+    return Chain(first.shape, parts, name)

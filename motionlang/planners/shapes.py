@@ -1,0 +1,50 @@
+"""Any position move by the name of its shape."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.planners.curve import Profile
+from motionlang.planners.trapezoid import plan_trapezoid
+
+
+def plan(
+    shape: str,
+    start: float,
+    target: float,
+    speed: float,
+    accel: float,
+    decel: float,
+    v0: float = 0.0,
+    ramp: float = 0.0,
+    accel_jerk: float = inf,
+    decel_jerk: float = inf,
+    a0: float = 0.0,
+) -> Profile:
+    """Plan a move in "trapezoid", "sinusoidal", "scurve" or "parabolic" shape; ValueError for another name.
+
+    For "scurve" a finite `accel_jerk` means Mint's S-ramp (`decel_jerk` defaults to it), otherwise `ramp` is
+    PMC's ramp ratio. Only the S-ramp has a use for `a0`; elsewhere the acceleration may jump. Units and further
+    ValueErrors as of `plan_trapezoid`.
+    """
+    if shape == "trapezoid":
+        return plan_trapezoid(start, target, speed, accel, decel, v0)
+    # The other shapes are seldom asked for: a program without them starts without them.
+    if shape == "sinusoidal":
+        from motionlang.planners.scurve import plan_sinusoidal
+
+        return plan_sinusoidal(start, target, speed, accel, decel, v0)
+    if shape == "parabolic":
+        from motionlang.planners.parabolic import plan_parabolic
+
+        return plan_parabolic(start, target, speed, accel, decel, v0)
+    if shape != "scurve":
+        raise ValueError(f"there is no profile shape {shape!r}")
+    if accel_jerk == inf:
+        from motionlang.planners.scurve import plan_ratio
+
+        return plan_ratio(start, target, speed, accel, decel, ramp, v0)
+    from motionlang.planners.jerk import plan_jerk
+
+    braking = accel_jerk if decel_jerk == inf else decel_jerk
+    return plan_jerk(start, target, speed, accel, decel, accel_jerk, braking, v0, a0)

@@ -1,0 +1,136 @@
+"""Two motions of one axis at once: an offset on top of gearing, the end of a move and the beginning of the next."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.planners.curve import Profile, State, from_curve
+from motionlang.planners.formula import Formula
+from motionlang.planners.pieces import recentred
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Piece
+
+
+class Sum(Formula):
+    """Position, velocity and acceleration of two profiles added; the shorter one goes on as it ended."""
+
+    __slots__ = ("first", "second")
+
+    def __init__(self, first: Profile, second: Profile, shape: str) -> None:
+        self.first, self.second = first, second
+        duration = max(first.duration, second.duration)
+        super().__init__(
+            shape,
+            first.start + second.start,
+            _end(first, duration) + _end(second, duration),
+            duration,
+            first.start_velocity + second.start_velocity,
+            first.end_velocity + second.end_velocity,
+        )
+
+    def state(self, time: float) -> State:
+        """The sums of both."""
+        a, b = self.first.at(time), self.second.at(time)
+        return State(
+            a.position + b.position,
+            a.velocity + b.velocity,
+            a.acceleration + b.acceleration,
+            a.jerk + b.jerk,
+        )
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """The knots of both."""
+        return tuple(sorted({*self.first.knots, *self.second.knots, self.duration}))
+
+    def cut(self, time: float) -> Profile:
+        """The first `time` seconds, exactly as they were."""
+        if time >= self.duration:
+            return self
+        return Sum(_until(self.first, time), _until(self.second, time), self.shape)
+
+    def after(self, time: float) -> Profile:
+        """What remains after `time` seconds, its clock starting at 0."""
+        if time <= 0.0:
+            return self
+        return added(_from(self.first, time), _from(self.second, time), self.shape)
+
+    def scaled(self, start: float, factor: float) -> Profile:
+        """The same motion from `start`, every distance times `factor`."""
+        first = self.first.scaled(start - self.second.start * factor, factor)
+        return Sum(first, self.second.scaled(self.second.start * factor, factor), self.shape)
+
+
+def added(first: Profile, second: Profile, shape: str) -> Profile:
+    """The sum of two profiles: in pieces where both are pieces and no two waves meet, else a `Sum`."""
+    if first.pieced and second.pieced:
+        made = _in_pieces(first, second, shape)
+        if made is not None:
+            return made
+    return Sum(first, second, shape)
+
+
+def _in_pieces(first: Profile, second: Profile, shape: str) -> Profile | None:
+    duration = max(first.duration, second.duration)
+    knots = sorted({*first.knots, *second.knots, duration})
+    pieces: list[Piece] = []
+    if duration == 0.0:
+        return None
+    for begin in knots[:-1]:
+        piece = _both(_piece(first, begin), _piece(second, begin))
+        if piece is None:
+            return None
+        pieces.append(piece)
+    end = _end(first, duration) + _end(second, duration)
+    return from_curve(
+        shape,
+        first.start + second.start,
+        end,
+        (tuple(knots), tuple(pieces), ((shape, 0),)),
+        first.start_velocity + second.start_velocity,
+        first.end_velocity + second.end_velocity,
+    )
+
+
+def _piece(profile: Profile, begin: float) -> Piece:
+    """The piece in force from `begin` on, its local time counted from there."""
+    if begin >= profile.duration:
+        return (profile.position(begin), profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0)
+    piece, x = profile._locate(begin)
+    return recentred(piece, x)
+
+
+def _both(a: Piece, b: Piece) -> Piece | None:
+    if a[4] and b[4]:
+        return None
+    wave = a if a[4] else b
+    c0, c1, c2, c3 = (a[i] + b[i] for i in range(4))
+    if wave[4] and (c2 or c3):
+        return None
+    return (c0, c1, c2, c3, *wave[4:])
+
+
+def _end(profile: Profile, time: float) -> float:
+    """Where a profile is at the end of the longer one."""
+    return profile.end if time == inf and profile.duration == inf else _later(profile, time)
+
+
+def _later(profile: Profile, time: float) -> float:
+    if time == inf:
+        velocity = profile.end_velocity
+        return velocity * inf if velocity else profile.end
+    return profile.position(time)
+
+
+def _until(profile: Profile, time: float) -> Profile:
+    """The first `time` seconds also of a profile that is over before."""
+    return profile.cut(time)
+
+
+def _from(profile: Profile, time: float) -> Profile:
+    """What remains, also of a profile that is over and has left the axis at rest or running on."""
+    if time <= profile.duration or not profile.end_velocity:
+        return profile.after(time)
+    return profile.after(time).shifted(profile.end_velocity * (time - profile.duration))

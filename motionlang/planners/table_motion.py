@@ -1,0 +1,94 @@
+"""Curves through tables: a slave's positions over its master's, with straight lines or cubics between the points."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from motionlang.planners.curve import Profile, from_curve
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+KINDS = ("linear", "cubic")
+
+
+def table_curve(
+    places: Sequence[float], values: Sequence[float], kind: str = "linear", cyclic: bool = False
+) -> Profile:
+    """The curve that has `values` at `places`, rising from 0; ValueError for a table that is none.
+
+    "cubic" is the spline with continuous slope and curvature; at its ends it is level, or where it is `cyclic` goes
+    over into itself.
+    """
+    if len(places) != len(values) or len(places) < 2:
+        raise ValueError("a table needs two points or more, and a value for each")
+    if places[0] != 0.0 or not all(a < b for a, b in pairwise(places)):
+        raise ValueError("the places of a table must rise from 0")
+    if not all(abs(x) < 1e300 for x in (*places, *values)):
+        raise ValueError("the numbers of a table must be finite")
+    if kind not in KINDS:
+        raise ValueError(f"there is no table of kind {kind!r}")
+    rises = [(d - c) / (b - a) for (a, b), (c, d) in zip(pairwise(places), pairwise(values), strict=True)]
+    widths = [b - a for a, b in pairwise(places)]
+    if kind == "linear":
+        pieces = [(value, rise, 0.0, 0.0, 0.0, 0.0, 0.0) for value, rise in zip(values, rises, strict=False)]
+        ends = rises[0], rises[-1]
+    else:
+        slopes = spline_slopes(widths, rises, cyclic)
+        pieces = [
+            (value, m, (3.0 * rise - 2.0 * m - n) / h, (m + n - 2.0 * rise) / (h * h), 0.0, 0.0, 0.0)
+            for value, rise, h, (m, n) in zip(values, rises, widths, pairwise(slopes), strict=False)
+        ]
+        ends = slopes[0], slopes[-1]
+    curve = (tuple(places), tuple(pieces), tuple(("segment", i) for i in range(len(pieces))))
+    return from_curve("table", values[0], values[-1], curve, *ends)
+
+
+def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool) -> list[float]:
+    """The slopes at the points of a cubic spline with continuous curvature, level at its ends or cyclic.
+
+    m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (r[i-1]/h[i-1] + r[i]/h[i]).
+    """
+    n = len(widths)
+    if not cyclic:
+        return [0.0, *_inner(widths, rises, 0.0, 0.0, homogeneous=False), 0.0]
+    # The slope at the seam is free: the curvature there is linear in it, so two solutions give the third.
+    still = [0.0, *_inner(widths, rises, 0.0, 0.0, homogeneous=False), 0.0]
+    unit = [1.0, *_inner(widths, rises, 1.0, 1.0, homogeneous=True), 1.0]
+    jump = _seam(widths, rises, still)
+    change = _seam(widths, [0.0] * n, unit)
+    seam = -jump / change
+    return [a + seam * b for a, b in zip(still, unit, strict=True)]
+
+
+def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[float]) -> float:
+    """How much the curvature (halved) jumps where the end meets the beginning."""
+    after = (3.0 * rises[0] - 2.0 * slopes[0] - slopes[1]) / widths[0]
+    before = (slopes[-2] + 2.0 * slopes[-1] - 3.0 * rises[-1]) / widths[-1]
+    return after - before
+
+
+def _inner(
+    widths: Sequence[float], rises: Sequence[float], first: float, last: float, homogeneous: bool
+) -> list[float]:
+    """The slopes between two given ones: a tridiagonal system, eliminated downwards and solved upwards."""
+    diagonal: list[float] = []
+    right: list[float] = []
+    for i, (h, k) in enumerate(pairwise(widths)):
+        d = 2.0 * (1.0 / h + 1.0 / k)
+        r = 0.0 if homogeneous else 3.0 * (rises[i] / h + rises[i + 1] / k)
+        if i == 0:
+            r -= first / h
+        else:
+            factor = 1.0 / h / diagonal[-1]
+            d -= factor / h
+            r -= factor * right[-1]
+        diagonal.append(d)
+        right.append(r)
+    found: list[float] = []
+    following = last
+    for i in range(len(diagonal) - 1, -1, -1):
+        following = (right[i] - following / widths[i + 1]) / diagonal[i]
+        found.append(following)
+    return found[::-1]

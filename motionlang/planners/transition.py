@@ -1,0 +1,96 @@
+"""From any velocity *and acceleration* to another velocity, within limits on acceleration and jerk.
+
+An acceleration that serves the new velocity goes on, as part of the ramp that leads there. One that does not is taken
+back first, at the jerk of its own side (speeding up or slowing down), and a ramp from rest of the acceleration follows.
+Own arithmetic. Velocities are counted in the direction of the motion.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from motionlang.planners.curve import Profile, from_curve
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.planners.ramps import Piece
+
+    # Stretches of constant jerk in a row: the jerk and the time of each.
+    Steps = tuple[tuple[float, float], ...]
+
+# A velocity counts as zero that is smaller than this part of the one that a whole ramp passes in easing out, unless
+# it is more than this share of what is to be taken back: a ramp that has hardly begun is no rounding.
+NOTHING, HARDLY = 1e-12, 0.5
+
+
+class Bounds:
+    """Limits of a jerk-limited ramp, of speeding up and of slowing down."""
+
+    __slots__ = ("accel", "accel_jerk", "decel", "decel_jerk")
+
+    def __init__(self, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> None:
+        self.accel, self.decel, self.accel_jerk, self.decel_jerk = accel, decel, accel_jerk, decel_jerk
+
+
+def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
+    """The first part of the way from velocity v0 >= 0 and acceleration a0 to v1 >= 0, and the velocity it leads to.
+
+    Where that is not v1, an ordinary ramp has to follow; it is below zero where the acceleration cannot be taken back
+    before the motion has turned round.
+    """
+    if a0 > 0.0:
+        eased = v0 + 0.5 * a0 * a0 / bounds.accel_jerk
+        if v1 > eased:
+            return _ramp(v1 - v0, a0, bounds.accel, bounds.accel_jerk), v1
+        return ((-bounds.accel_jerk, a0 / bounds.accel_jerk),), eased
+    jerk = bounds.decel_jerk
+    eased = v0 - 0.5 * a0 * a0 / jerk
+    left = eased - v1
+    if abs(left) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0) and left <= HARDLY * abs(v0 - v1):
+        return ((jerk, -a0 / jerk),), v1
+    if v1 < eased:
+        return tuple((-j, t) for j, t in _ramp(v0 - v1, -a0, bounds.decel, jerk)), v1
+    return ((jerk, -a0 / jerk),), eased
+
+
+def eased_speed(bounds: Bounds, v0: float, a0: float) -> float:
+    """The velocity at which an acceleration has been taken back."""
+    return v0 + 0.5 * a0 * abs(a0) / (bounds.accel_jerk if a0 > 0.0 else bounds.decel_jerk)
+
+
+def fade_distance(v0: float, a0: float, steps: Steps) -> float:
+    """How far such steps lead."""
+    distance, v, a = 0.0, v0, a0
+    for jerk, time in steps:
+        distance += ((jerk * time / 6.0 + 0.5 * a) * time + v) * time
+        v += (0.5 * jerk * time + a) * time
+        a += jerk * time
+    return distance
+
+
+def faded(start: float, v0: float, a0: float, steps: Steps, v1: float, sign: float = 1.0) -> Profile:
+    """The profile of such steps, which end at velocity v1; `sign` -1 runs them the other way."""
+    knots, p, v, a = [0.0], start, v0 * sign, a0 * sign
+    pieces: list[Piece] = []
+    for jerk, time in steps:
+        if knots[-1] + time <= knots[-1]:  # rounding may leave less than nothing of a stretch
+            continue
+        jerk *= sign
+        pieces.append((p, v, 0.5 * a, jerk / 6.0, 0.0, 0.0, 0.0))
+        knots.append(knots[-1] + time)
+        p += ((jerk * time / 6.0 + 0.5 * a) * time + v) * time
+        v += (0.5 * jerk * time + a) * time
+        a += jerk * time
+    marks = (("accel" if abs(v1) > abs(v0) else "decel", 0),) if pieces else ()
+    return from_curve("scurve", start, p, (tuple(knots), tuple(pieces), marks), v0 * sign, v1 * sign)
+
+
+def _ramp(change: float, a0: float, most: float, jerk: float) -> Steps:
+    """A growing of the velocity by `change` that begins with an acceleration a0 >= 0 and ends without one."""
+    if a0 > most:
+        held = max(0.0, (change - 0.5 * (a0 * a0 / jerk)) / most)
+        return ((-jerk, (a0 - most) / jerk), (0.0, held), (-jerk, most / jerk))
+    whole = change + 0.5 * a0 * a0 / jerk  # of the same ramp, begun without an acceleration
+    peak = max(a0, min(most, sqrt(jerk * whole)))
+    held = max(0.0, (whole - peak * peak / jerk) / peak) if peak else 0.0
+    return ((jerk, (peak - a0) / jerk), (0.0, held), (-jerk, peak / jerk))

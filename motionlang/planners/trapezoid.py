@@ -1,0 +1,62 @@
+"""The trapezoidal profile: constant acceleration, slew, constant deceleration."""
+
+from __future__ import annotations
+
+from math import inf, sqrt
+
+from motionlang.planners.curve import Profile
+from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
+
+
+def plan_trapezoid(
+    start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0
+) -> Profile:
+    """Plan a trapezoidal move from `start` (moving at `v0`) to rest at `target`.
+
+    Any length unit; speeds a second, accelerations a second squared. A short move peaks below `speed`.
+    T_A = V/A, S_A = V T_A/2 (TN1069, AN00115). Raises ValueError for numbers no machine can follow.
+    """
+    if v0 == 0.0:
+        ramps = from_rest(target - start, speed, accel, decel)
+        if ramps is not None:
+            return Profile("trapezoid", start, target, *ramps)
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
+        check_positive(speed=speed, acceleration=accel, deceleration=decel)
+        raise too_large()
+    check_finite(position=start, target=target, start_velocity=v0)
+    # From rest it is asked for by numbers alone, by nearly every program.
+    from motionlang.planners.feasibility import approach, stretched
+
+    return approach(stretched("trapezoid", accel, decel, 0.0, 1.0), start, target, speed, v0)
+
+
+def from_rest(
+    distance: float, speed: float, accel: float, decel: float
+) -> tuple[float, tuple[float, ...]] | None:
+    """Duration and recipe of a move from rest, written out as it runs inside the program for nearly every move.
+
+    None for numbers no machine can follow.
+    """
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
+        return None
+    size = distance if distance >= 0.0 else -distance
+    per_square = 0.5 / accel + 0.5 / decel
+    ramps = speed * speed * per_square
+    if size >= ramps:
+        v = speed
+        slew = (size - ramps) / speed
+    else:
+        v = sqrt(size / per_square)
+        slew = 0.0
+    rise = v / accel
+    fall = v / decel
+    duration = rise + slew + fall
+    if not duration < inf:
+        return None
+    if distance < 0.0:
+        v = -v
+    return duration, (0.0, rise, 0.0, v, slew, 0.0, v, fall, 0.0, 0.0)

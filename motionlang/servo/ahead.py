@@ -1,0 +1,117 @@
+"""Speculative servo simulation with rollback: a servo runs ahead of the clock in blocks and is taken back if it must.
+
+What a sample is does not depend on where the block ends that it is in.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.servo.discrete import discretise
+from motionlang.servo.foreseen import Foreseen
+from motionlang.servo.servo import Servo
+from motionlang.servo.steps import put
+from motionlang.servo.stretch import run_steps
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.servo.steps import State
+    from motionlang.servo.stretch import Floats, Stretch
+    from motionlang.servo.trace import ServoTrace
+
+    Array = NDArray[np.float64]
+    # State, sample, trajectory points and readings.
+    Mark = tuple[State, int, list[float], dict[str, float]]
+
+SEEN = ("encoder", "velocity", "error", "output", "current")
+"""What is seen of a sample: measured position (counts, the motor's own), counts/s, counts, V, A."""
+SHORT = 64
+
+
+class Ahead(Servo):
+    """One axis under servo, seen before its time."""
+
+    points_of = Foreseen
+
+    @property
+    def short(self) -> int:
+        """Samples of the first block behind something that may be followed by something else."""
+        return SHORT
+
+    # Where it stood at the beginning of each stretch of the last block.
+    _marks: Sequence[Mark] = ()
+    # The last block, where all of it was plain steps: it has marks of its own.
+    _stepped: Stretch | None = None
+
+    @property
+    def began(self) -> State:
+        """The state before the last block that was looked at."""
+        return self._marks[0][0]
+
+    def back(self, sample: int) -> None:
+        """Stand before a sample of the last block again; gains and the track are as they are now."""
+        mark = next(each for each in reversed(self._marks) if each[1] <= sample)
+        self._state, self._sample, self._points, self._row = mark
+        if self._stepped is not None and (nearer := self._stepped.mark_before(sample - self._sample)):
+            done, self._state, self._points = nearer
+            self._sample += done
+        if self._sample < sample:
+            self.look(sample - self._sample)
+
+    def _mark(self) -> Mark:
+        return self._state, self._sample, self._points, self._row
+
+    def look(self, count: int) -> Array:
+        """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
+        self._marks, self._stepped = [self._mark()], None
+        made = np.empty((len(SEEN), count))
+        self._step(self._sample + count, made)
+        self._stepped = self._stretch
+        return made
+
+    def _step(self, until: int, out: Array) -> None:
+        """Plain steps to sample `until` (not included)."""
+        count = until - self._sample
+        self._run(until)
+        made, stretch = out[:, :count], self._stretch
+        columns, encoder = dict(zip(self._columns, stretch.columns, strict=True)), made[0]
+        put(columns["position"], encoder)
+        put(columns["velocity"], made[1])
+        put(columns["output"], made[3])
+        put(columns["current"], made[4])
+        at_load, whole = self._encoding
+        if at_load:
+            encoder -= columns["twist"]
+        if whole:
+            np.rint(encoder, out=encoder)
+        np.subtract(stretch.demand(count), encoder, out=made[2])
+        self._tell(made[:, -1])
+
+    @cached_property
+    def _encoding(self) -> tuple[bool, bool]:
+        """Whether the encoder is at the load, and whether it gives whole counts."""
+        made = discretise(self.plant, self.loop.period)
+        return made.load_encoder, made.quantised or self.loop.arithmetic != "real"
+
+    def _stretched(self, points: Floats, part: int, count: int) -> tuple[Stretch, State]:
+        return run_steps(self._in_charge, self.plant, self._columns, points, part, count, self._state)
+
+    def _tell(self, seen: Array) -> None:
+        """The last sample was this."""
+        encoder, velocity, error, output, current = seen.tolist()
+        self._row = {"demand": encoder + error, "measured": encoder, "velocity": velocity,
+                     "output": output, "current": current}  # fmt: skip
+
+
+def seen_of(trace: ServoTrace) -> Array:
+    """The rows of `SEEN` of a trace."""
+    made = np.empty((len(SEEN), len(trace)))
+    made[0], made[1], made[3], made[4] = trace.encoder, trace.velocity, trace.output, trace.current
+    np.subtract(trace.commanded, made[0], out=made[2])
+    return made

@@ -1,0 +1,100 @@
+"""The loop that an axis of a run has: the program's gains, below them the machine file's, below those a suggestion.
+
+A program that sets none of its gains is one whose controller was tuned before. Where the machine file has no gains
+either, the plant's own suggestion stands in for that tuning, and the report says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from motionlang.servo.gains import LM628_RATE, fields, mccl_loop, mint_loop
+from motionlang.servo.loop import GAINS, Loop
+from motionlang.servo.settings import SERVO, make_loop
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.servo.gains import Gains
+    from motionlang.servo.plant import Drive, Motor
+
+_LEAST_BANDWIDTH = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """A loop and where its gains come from: "program", "machine file" or "suggested"."""
+
+    loop: Loop
+    gains: str
+    bandwidth: float = 0.0
+    """What they were suggested for, Hz."""
+
+
+def axis_loop(
+    section: Mapping[str, object],
+    gains: Gains,
+    plant: Motor | Drive,
+    model: str = "",
+    scale: float = 1.0,
+) -> Chosen:
+    """The loop of an axis from its `[axis.N.servo]` section and the gains that the program has set.
+
+    `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is counts per user unit. ValueError names what is
+    wrong.
+    """
+    set_by_program = fields("mccl" if model else "mint", gains)
+    kept = {name: value for name, value in section.items() if name not in set_by_program}
+    if not set_by_program.isdisjoint(GAINS):
+        loop = _language(section, gains, model, scale)
+        # The section's integral acts as the section says, not as a language does that was not asked for one.
+        return Chosen(
+            make_loop(kept, _acting(loop, set_by_program) if "integral" in kept else loop), "program"
+        )
+    loop = _language(section, gains, "multiflex" if model else "", scale)
+    if model == "dcx":
+        loop = replace(loop, servo_rate=LM628_RATE, trajectory_rate=LM628_RATE)
+    loop = make_loop(kept, _acting(loop, set_by_program))
+    if any(name in section for name in GAINS):
+        return Chosen(loop, "machine file")
+    bandwidth = section.get("bandwidth", SERVO["bandwidth"].default)
+    assert isinstance(bandwidth, (int, float))
+    return _suggested(loop, plant, float(bandwidth))
+
+
+def has_gains(loop: Loop) -> bool:
+    """Whether anything makes the loop answer to its demand."""
+    return any(getattr(loop, name) for name in GAINS)
+
+
+def _acting(loop: Loop, set_by_program: set[str]) -> Loop:
+    """With an integral that acts, and as far as the output reaches, where the program says nothing of it."""
+    fields: dict[str, str | float] = {"integral_mode": "always", "integral_limit": loop.output_limit}
+    return replace(loop, **{name: value for name, value in fields.items() if name not in set_by_program})  # type: ignore[arg-type]
+
+
+def _language(section: Mapping[str, object], gains: Gains, model: str, scale: float) -> Loop:
+    """The loop as the language alone has it, at the rate of the section unless the program sets one."""
+    rate = section.get("servo_rate")
+    if model:
+        return mccl_loop(gains, model, scale)
+    if rate is not None and "period" not in gains:
+        gains = {**gains, "period": (1e6 / rate, "servo_rate")}  # type: ignore[operator]
+    return mint_loop(gains)
+
+
+def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
+    """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it."""
+    from motionlang.servo.tuning import BeyondPlant, linearised, suggested_loop
+
+    linear = linearised(plant)
+    while True:
+        try:
+            return Chosen(suggested_loop(linear, bandwidth, loop), "suggested", bandwidth)
+        except BeyondPlant as error:
+            bandwidth /= 2.0
+            while bandwidth > error.best > 0.0:
+                bandwidth /= 2.0
+            if bandwidth < _LEAST_BANDWIDTH:
+                raise

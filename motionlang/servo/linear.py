@@ -1,0 +1,65 @@
+"""The linear step of a loop and a plant: one matrix, found by trying unit values on the step itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.servo.discrete import discretise
+from motionlang.servo.steps import MEMORY, empty_columns, stepper
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.servo.loop import Loop
+    from motionlang.servo.plant import Drive, Motor
+
+    Array = NDArray[np.float64]
+
+
+def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
+    """One step without limits, and the columns at its beginning, over (state, demand, feed-forward, 1)."""
+    return Probe(loop, plant, columns).sampled
+
+
+class Probe:
+    """One step as a matrix over (state, demand, feed-forward, 1), found by trying unit values on the step itself."""
+
+    def __init__(self, loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> None:
+        run = stepper(loop, plant, columns, limited=False)
+        names = discretise(plant, loop.period).names
+        kept, size = kept_places(loop, names), len(names) + len(MEMORY)
+        wait = size - len(MEMORY) + MEMORY.index("derivative_wait")
+
+        def tried(values: Array, held: bool) -> tuple[Array, Array]:
+            state = [0.0] * size
+            for i, value in zip(kept, values.tolist(), strict=False):
+                state[i] = value
+            state[wait] = float(held)
+            made = empty_columns(columns)
+            after = run([float(values[-3])], [float(values[-2])], tuple(state), made)
+            return np.array([after[i] for i in kept]), np.array([column[0] for column in made])
+
+        self.sampled = _affine(tried, len(kept), False)
+        self.held = _affine(tried, len(kept), True)
+
+
+def _affine(tried: object, nz: int, held: bool) -> tuple[Array, Array]:
+    assert callable(tried)
+    zero = tried(np.zeros(nz + 3), held)
+    found = [tried(unit, held) for unit in np.eye(nz + 3)[:-1]]
+    after = np.array([each[0] - zero[0] for each in found] + [zero[0]]).T
+    outputs = np.array([each[1] - zero[1] for each in found] + [zero[1]]).T
+    return after, outputs
+
+
+def kept_places(loop: Loop, names: tuple[str, ...]) -> list[int]:
+    """Places in the state of what the linear system remembers."""
+    memory = {
+        "total": loop.has_integral,
+        "last_error": bool(loop.derivative),
+        "change": bool(loop.derivative) and loop.derivative_every > 1,
+        "last_position": bool(loop.velocity_feedback),
+    }
+    return [*range(len(names)), *(len(names) + MEMORY.index(name) for name, used in memory.items() if used)]

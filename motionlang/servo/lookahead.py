@@ -1,0 +1,221 @@
+"""How far the motor of an axis can be seen ahead: the samples of a block, and what is looked for in them."""
+
+from __future__ import annotations
+
+from math import ceil, inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.servo.steps import COLUMNS as RUN
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.servo.demand import Demanded
+    from motionlang.servo.plant import Drive, Motor
+
+    Array = NDArray[np.float64]
+
+# Seconds: a profile that ends this much later has ended.
+_AT_ONCE = 1e-9
+# Counts within which a motor stands on a position.
+_ON = 1e-6
+# A motor is at rest when it has been this near its demand, counts, for so many seconds.
+REST_ERROR, REST_TIME = 1.0, 0.02
+
+
+def seen(plant: Motor | Drive) -> tuple[str, ...]:
+    """The columns of a servo run that a sight is made of."""
+    twists = getattr(plant, "resonance", 0.0) > 0.0
+    return tuple(name for name in RUN if name != "integral" and (twists or name != "twist"))
+
+
+def rests_as_seen(track: Demanded) -> bool:
+    """Whether the last profile is the rest at the end of the one before it, in which that was followed ahead."""
+    if len(track.profiles) < 2:
+        return False
+    before, after = track.profiles[-2:]
+    return (
+        before.pieced
+        and after.shape == "hold"
+        and after.duration == inf
+        and before.end_velocity == 0.0
+        and before.end == after.start
+        and track.starts[-1] - track.starts[-2] >= before.duration - _AT_ONCE
+    )
+
+
+class Sight:
+    """Samples that follow one another, `first` being the number of the first one, and a row for each of `SEEN`.
+
+    `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error counts, output
+    volts, current A.
+    """
+
+    __slots__ = ("first", "rows")
+
+    def __init__(self, first: int, rows: Array) -> None:
+        self.first, self.rows = first, rows
+
+    def __len__(self) -> int:
+        return int(self.rows.shape[1])
+
+    @property
+    def end(self) -> int:
+        """The number of the first sample that is not seen any more."""
+        return self.first + len(self)
+
+    @property
+    def encoder(self) -> Array:
+        """Measured positions."""
+        return self._row(0)
+
+    @property
+    def velocity(self) -> Array:
+        """Velocities."""
+        return self._row(1)
+
+    @property
+    def error(self) -> Array:
+        """Following errors."""
+        return self._row(2)
+
+    @property
+    def output(self) -> Array:
+        """What the controller put out."""
+        return self._row(3)
+
+    @property
+    def current(self) -> Array:
+        """Currents."""
+        return self._row(4)
+
+    def _row(self, number: int) -> Array:
+        row: Array = self.rows[number]
+        return row
+
+    def keep(self, first: int, until: int) -> None:
+        """Keep the samples from `first` to `until`, not included."""
+        self.rows = self.rows[:, max(first - self.first, 0) : until - self.first]
+        self.first = max(first, self.first)
+
+    def extend(self, made: Array) -> None:
+        """See further samples."""
+        self.rows = np.concatenate((self.rows, made), axis=1)
+
+
+class Window:
+    """What a motor must keep to for `hold` seconds to count as settled.
+
+    A following error of at most `error` counts and a speed of at most `speed` counts/s; where it is `at_target`, the
+    distance to the target instead of the following error. `since` is the sample from which it has been inside.
+    Where it is `announced`, waits are looked at when it has settled.
+    """
+
+    __slots__ = ("announced", "at_target", "error", "hold", "since", "speed")
+
+    def __init__(
+        self,
+        error: float = inf,
+        speed: float = inf,
+        hold: float = 0.0,
+        at_target: bool = False,
+        announced: bool = True,
+    ) -> None:
+        self.error, self.speed, self.hold, self.at_target = error, speed, hold, at_target
+        self.announced = announced
+        self.since = inf
+
+    def same(self, other: Window | None) -> bool:
+        """Whether another one asks for the same."""
+        names = ("error", "speed", "hold", "at_target")
+        return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
+
+    def inside(self, sight: Sight, target: float) -> NDArray[np.bool_]:
+        """For every sample seen, whether it is inside; `target` is the motor's, in its own coordinates."""
+        off = target - sight.encoder if self.at_target else sight.error
+        made = np.abs(off) <= self.error
+        if self.speed < inf:
+            made &= np.abs(sight.velocity) <= self.speed
+        return made
+
+    def pass_by(self, sight: Sight, target: float, until: int) -> None:
+        """Note the samples before number `until`."""
+        inside = self.inside(sight, target)[: until - sight.first]
+        outside = np.flatnonzero(~inside)
+        if len(outside) == len(inside) or (len(outside) and outside[-1] == len(inside) - 1):
+            self.since = inf
+        elif len(outside):
+            self.since = float(sight.first + int(outside[-1]) + 1)
+        elif self.since == inf:
+            self.since = float(sight.first)
+
+    def settled(self, sight: Sight, target: float, now: int, rate: float) -> float:
+        """The first sample, `now` or a later one, at which it has been kept long enough; inf where none is seen.
+
+        A window that is being kept when the sight ends gives the sample at which it will have been long enough.
+        """
+        for onset, end in self.onsets(sight, target, rate):
+            if max(onset, now) < end or end == sight.end:
+                return float(max(onset, now))
+        return inf
+
+    def onsets(self, sight: Sight, target: float, rate: float) -> list[tuple[int, int]]:
+        """For each time that it is kept: the sample at which that has been long enough, and the first one outside."""
+        found = []
+        for begin, end in _runs(self.inside(sight, target)):
+            known = begin == 0 and self.since < inf
+            first = self.since if known else float(sight.first + begin)
+            found.append((ceil(first + self.hold * rate - 1e-6), sight.first + end))
+        return found
+
+
+def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Begin and end of each stretch of samples that are inside."""
+    padded = np.concatenate(([False], inside, [False]))
+    edges = np.flatnonzero(padded[1:] != padded[:-1])
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def crossing(position: Array, level: float) -> int | None:
+    """The first sample after the first one that has reached `level`, or left it where the first one stands on it."""
+    margin = _ON + 1e-12 * abs(level)
+    off = position - level
+    if abs(off[0]) <= margin:
+        found = np.flatnonzero(np.abs(off) > margin)
+    elif off[0] > 0.0:
+        found = np.flatnonzero(off <= margin)
+    else:
+        found = np.flatnonzero(off >= -margin)
+    return int(found[0]) if len(found) else None
+
+
+def next_side(position: Array, level: float, side: int) -> tuple[int | None, int]:
+    """The first sample after the first one at which the motor changes sides of `level`, and the side it is then on.
+
+    `side` is the one it counts as being on now. Reaching the level counts as passing it; 0 is a side not known yet.
+    """
+    margin = _ON + 1e-12 * abs(level)
+    off = position - level
+    start = 1
+    if side and abs(off[0]) <= margin:  # it stands on the level: back the way it came is no change
+        away = np.flatnonzero(np.abs(off) > margin)
+        if not len(away):
+            return None, side
+        start = int(away[0])
+        if (off[start] > 0.0) != (side > 0):
+            return start, -side
+    if side == 0:
+        found = np.flatnonzero(np.abs(off[1:]) > margin)
+        return (int(found[0]) + 1, 1 if off[int(found[0]) + 1] > 0.0 else -1) if len(found) else (None, 0)
+    found = np.flatnonzero(off[start:] * side <= margin)
+    return (int(found[0]) + start, -side) if len(found) else (None, side)
+
+
+def next_other_side(values: Array, level: float) -> int | None:
+    """The first sample after the first one that is not clearly on the first one's side of a level."""
+    off = values - level
+    side = np.where(np.abs(off) <= _ON + 1e-9 * abs(level), 0.0, np.sign(off))
+    found = np.flatnonzero((side[1:] != side[0]) | (side[1:] == 0.0))
+    return int(found[0]) + 1 if len(found) else None

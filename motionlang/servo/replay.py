@@ -1,0 +1,100 @@
+"""What was done to a servo while it ran, and the same run once more from it: for reports, traces and pictures."""
+
+from __future__ import annotations
+
+from math import floor
+from typing import TYPE_CHECKING
+
+from motionlang.servo.servo import Servo
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.servo.demand import Demanded
+    from motionlang.servo.loop import Loop
+    from motionlang.servo.plant import Drive, Motor
+    from motionlang.servo.trace import ServoTrace
+
+    # When, and what: another loop, an open loop with so many volts, or a closed one with the number of the profile
+    # in force.
+    Change = tuple[float, Loop | float | int]
+
+BLOCK = 1 << 13
+"""Samples that are run in one go."""
+
+
+def apply(servo: Servo, change: Change) -> None:
+    """Do to a servo, which stands at the time of the change, what was done then."""
+    what = change[1]
+    if isinstance(what, float):
+        servo.open(what)
+    elif isinstance(what, int):
+        servo.close(what)
+    else:
+        servo.retune(what)
+
+
+def sample_at(time: float, rate: float) -> int:
+    """The number of the last sample up to a time, the time itself included."""
+    return floor(time * rate + 1e-6)
+
+
+def run_to(servo: Servo, sample: int) -> ServoTrace | None:
+    """Run every sample up to number `sample`, included, and give the last of them; rest that repeats itself is free."""
+    last = None
+    for part in parts(servo, sample):
+        last = part
+    return last
+
+
+def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
+    """The same block by block, with what each was; of rest that repeats itself only the first block."""
+    while servo.sample <= sample:
+        count = min(sample + 1 - servo.sample, BLOCK)
+        state = servo.state
+        yield servo.run(count)
+        rest = sample + 1 - servo.sample
+        if rest > BLOCK and servo.state == state and stands(servo, BLOCK, sample):
+            servo.skip(rest)
+
+
+def stands(servo: Servo, count: int, until: int) -> bool:
+    """Whether the demand has been at rest for the last `count` samples and goes on so to sample `until`."""
+    starts, rate = servo.track.starts, servo.loop.servo_rate
+    since = (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate
+    k = servo.in_force_at(since)
+    if starts[k] > since or servo.track.profiles[k].shape != "hold":
+        return False
+    return k + 1 == len(starts) or starts[k + 1] > until / rate
+
+
+def replay(
+    track: Demanded,
+    loop: Loop,
+    plant: Motor | Drive,
+    changes: Sequence[Change],
+    until: float,
+) -> Iterator[tuple[float, ServoTrace]]:
+    """A run from time 0 to `until` in traces that follow one another, each with the time of its first sample."""
+    servo = Servo(loop, plant, track)
+    for change in (*changes, None):
+        end = until if change is None else min(change[0], until)
+        first = servo.sample
+        for part in parts(servo, sample_at(end, loop.servo_rate)):
+            yield first * loop.period, part
+            first = servo.sample
+        if change is not None:
+            apply(servo, change)
+
+
+def whole(
+    track: Demanded, loop: Loop, plant: Motor | Drive, changes: Sequence[Change], until: float
+) -> ServoTrace:
+    """The same in one trace; a pause in which nothing changed is filled in."""
+    servo = Servo(loop, plant, track, record=True)
+    for change in changes:
+        if change[0] <= until:
+            servo.advance(change[0])
+            apply(servo, change)
+    servo.advance(until)
+    return servo.trace

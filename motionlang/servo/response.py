@@ -1,0 +1,278 @@
+"""Figures of a loop and a plant: the step response, and of a linear pair bandwidth, margins and stability."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import inf, pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.servo.discrete import discretise
+from motionlang.servo.linear import linear_step
+from motionlang.servo.steps import COLUMNS, initial_state
+from motionlang.servo.stretch import run_stretch
+from motionlang.servo.trace import joined
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.servo.loop import Loop
+    from motionlang.servo.plant import Drive, Motor
+    from motionlang.servo.trace import ServoTrace
+
+    Array = NDArray[np.float64]
+    Complex = NDArray[np.complex128]
+
+DROP = 10.0 ** (-3.0 / 20.0)
+"""-3 dB."""
+SETTLING = 0.02
+LOW, HIGH = 0.1, 0.9
+_POINTS = 2000
+# Every so many points of the grid are worked out both ways, which must agree so closely; and how far from the level a
+# gain must be that is only worked out the quick way.
+_TRIED, _AGREED, _CLEAR = 50, 1e-8, 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class StepFigures:
+    """Of the answer to a step: times in seconds, overshoot as a share of the step, errors in counts.
+
+    `rise` is from 10 to 90 %, `settling` into 2 % for good; both are inf where it never happens. `bandwidth` (Hz) is
+    0.35/rise: a rule of thumb that holds for any loop, nonlinear ones too.
+    """
+
+    size: float
+    rise: float
+    overshoot: float
+    peak: float
+    peak_time: float
+    settling: float
+    final_error: float
+    peak_output: float
+
+    @property
+    def bandwidth(self) -> float:
+        """Hz, estimated from the rise time."""
+        return 0.35 / self.rise if 0.0 < self.rise < inf else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class LoopFigures:
+    """Of the linear loop, at the servo rate: frequencies in Hz, margins in degrees and as a factor."""
+
+    stable: bool
+    bandwidth: float
+    crossover: float
+    phase_margin: float
+    gain_margin: float
+    peak: float
+    """Largest closed-loop gain."""
+
+
+def step_response(loop: Loop, plant: Motor | Drive, size: float, seconds: float) -> ServoTrace:
+    """Run the answer to a demand that jumps from 0 to `size` counts at time 0; feed-forward sees no motion."""
+    count = max(2, round(seconds * loop.servo_rate))
+    points = [size] * (-(-count // loop.ratio) + 2)
+    state = initial_state(discretise(plant, loop.period), 0.0)
+    made, _ = run_stretch(loop, plant, COLUMNS, points, 0, count, state)
+    return joined(loop, plant, COLUMNS, [made])
+
+
+def step_figures(trace: ServoTrace, size: float) -> StepFigures:
+    """Rise, overshoot and settling of a step response of `size` counts."""
+    share = trace.measured / size
+    time = trace.time
+    last = float(share[-1])
+    peak = int(share.argmax())
+    outside = np.flatnonzero(np.abs(share - 1.0) > SETTLING)
+    settled = (
+        time[outside[-1] + 1]
+        if len(outside) and outside[-1] + 1 < len(time)
+        else inf
+        if len(outside)
+        else 0.0
+    )
+    rise = _crossing(share, time, HIGH) - _crossing(share, time, LOW)
+    return StepFigures(
+        size=size,
+        rise=rise if rise < inf else inf,
+        overshoot=max(0.0, float(share[peak]) - 1.0),
+        peak=float(share[peak]) * size,
+        peak_time=float(time[peak]),
+        settling=float(settled),
+        final_error=(1.0 - last) * size,
+        peak_output=trace.peak_output,
+    )
+
+
+def _crossing(share: Array, time: Array, level: float) -> float:
+    """When the response first reaches `level`, between samples in a straight line."""
+    above = np.flatnonzero(share >= level)
+    if not len(above):
+        return inf
+    i = int(above[0])
+    if i == 0:
+        return float(time[0])
+    part = (level - share[i - 1]) / (share[i] - share[i - 1])
+    return float(time[i - 1] + part * (time[i] - time[i - 1]))
+
+
+# ------------------------------------------------------------------------------------------ in the frequency domain
+
+
+def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
+    """Bandwidth and margins of a linear loop; ValueError where the loop or the plant is not linear.
+
+    The derivative must be sampled at the servo rate, and limits, encoder steps and interpolation are left out.
+    """
+    f, g, c = closed_loop(loop, plant)
+    stable = bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
+    top = 0.5 * loop.servo_rate
+    grid = np.geomspace(top * 1e-5, top, _POINTS)
+    closed = _gain(f, g, c, grid, loop.period)
+    ring = closed / (1.0 - closed)
+    crossover = _last_fall(grid, np.abs(ring), 1.0, lambda w: abs(_open(f, g, c, w, loop.period)))
+    phase = 180.0 / pi * float(np.angle(_open(f, g, c, crossover, loop.period))) if crossover else 0.0
+    return LoopFigures(
+        stable=stable,
+        bandwidth=_first_fall(
+            grid, np.abs(closed), DROP, lambda w: abs(_gain(f, g, c, np.array([w]), loop.period)[0])
+        ),
+        crossover=crossover,
+        phase_margin=(phase + 180.0) % 360.0 if crossover else inf,
+        gain_margin=_gain_margin(grid, ring, lambda w: _open(f, g, c, w, loop.period)),
+        peak=float(np.abs(closed).max()),
+    )
+
+
+def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
+    """z' = F z + G demand, position = C z: one servo sample of the linear loop, without limits."""
+    if not (loop.is_linear and plant.is_linear):
+        raise ValueError(
+            "only a linear loop and plant have a frequency response: leave out quantisation and friction"
+        )
+    if loop.derivative and loop.derivative_every > 1:
+        raise ValueError("a frequency response needs the derivative sampled at the servo rate")
+    step, outputs = linear_step(loop, plant, ("position",))
+    return step[:, :-3], step[:, -3], outputs[0, :-3]
+
+
+def is_stable(loop: Loop, plant: Motor | Drive) -> bool:
+    """Whether the linear loop settles."""
+    f, _, _ = closed_loop(loop, plant)
+    return bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
+
+
+def bandwidth(loop: Loop, plant: Motor | Drive) -> float:
+    """The frequency (Hz) at which the closed loop's gain first falls below -3 dB."""
+    return _bandwidth(loop, plant, None)
+
+
+def reaches(loop: Loop, plant: Motor | Drive, target: float) -> bool:
+    """Whether the bandwidth is `target` Hz or more; mostly known sooner than how much it is."""
+    return _bandwidth(loop, plant, target) >= target
+
+
+def _bandwidth(loop: Loop, plant: Motor | Drive, target: float | None) -> float:
+    """The bandwidth; of one that surely is on one side of a target something on that side."""
+    f, g, c = closed_loop(loop, plant)
+    grid = _grid(loop.servo_rate)
+    below = _first_below(f, g, c, loop.period, grid)
+    if below is None:
+        gain = np.abs(_gain(f, g, c, grid, loop.period))
+        return _first_fall(grid, gain, DROP, lambda w: abs(_gain(f, g, c, np.array([w]), loop.period)[0]))
+    if below in (0, len(grid)):
+        return float(grid[-1]) if below else 0.0
+    low, high = float(grid[below - 1]), float(grid[below])
+    if target is not None and not low < target <= high:
+        return low if low >= target else 0.0
+    negative, driven = (-f).astype(np.complex128), g[:, None].astype(np.complex128)
+    diagonal = np.arange(len(f))
+
+    def exact(w: float) -> float:
+        matrix = negative.copy()
+        matrix[diagonal, diagonal] += np.exp(2j * pi * w * loop.period)
+        return float(abs(np.linalg.solve(matrix, driven)[:, 0] @ c))
+
+    return _bisect(exact, low, high, DROP)
+
+
+@lru_cache(maxsize=8)
+def _grid(rate: float) -> Array:
+    return np.geomspace(0.5e-5 * rate, 0.5 * rate, _POINTS)
+
+
+def _first_below(f: Array, g: Array, c: Array, period: float, grid: Array) -> int | None:
+    """The first place of the grid at which the gain is below -3 dB, its length where none is; None where not sure.
+
+    From the two polynomials of the transfer function over z - 1, which keep their digits at low frequencies. They are
+    believed where they agree with the matrices at every fiftieth place, and nowhere come too near to the level.
+    """
+    part = f - np.eye(len(f))
+    below = np.poly(part)
+    above = np.poly(part - np.outer(g, c)) - below
+    w = np.expm1(2j * pi * grid * period)
+    with np.errstate(all="ignore"):
+        gain = np.abs(np.polyval(above, w) / np.polyval(below, w))
+    some = np.abs(_gain(f, g, c, grid[::_TRIED], period))
+    if not (np.abs(gain[::_TRIED] - some) <= _AGREED * (1.0 + some)).all():
+        return None
+    found = np.flatnonzero(gain < DROP + _CLEAR)
+    if not len(found):
+        return len(grid)
+    first = int(found[0])
+    return first if gain[first] < DROP - _CLEAR else None
+
+
+def _gain(f: Array, g: Array, c: Array, frequencies: Array, period: float) -> Complex:
+    """C (zI - F)^-1 G on the unit circle."""
+    z = np.exp(2j * pi * frequencies * period)
+    matrices = z[:, None, None] * np.eye(len(f)) - f
+    driven = np.broadcast_to(g, (len(z), len(g)))[:, :, None].astype(np.complex128)
+    found: Complex = np.linalg.solve(matrices, driven)[:, :, 0] @ c
+    return found
+
+
+def _open(f: Array, g: Array, c: Array, frequency: float, period: float) -> complex:
+    closed = complex(_gain(f, g, c, np.array([frequency]), period)[0])
+    return closed / (1.0 - closed)
+
+
+def _first_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
+    below = np.flatnonzero(gain < level)
+    if not len(below) or below[0] == 0:
+        return float(grid[-1]) if not len(below) else 0.0
+    return _bisect(exact, float(grid[below[0] - 1]), float(grid[below[0]]), level)
+
+
+def _last_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
+    """The highest frequency at which the gain falls through `level`."""
+    falls = np.flatnonzero((gain[:-1] >= level) & (gain[1:] < level))
+    return _bisect(exact, float(grid[falls[-1]]), float(grid[falls[-1] + 1]), level) if len(falls) else 0.0
+
+
+def _gain_margin(grid: Array, ring: Complex, exact: object) -> float:
+    """The factor by which the gain could grow: at the first frequency where the phase passes -180 degrees."""
+    assert callable(exact)
+    above = (ring.imag[:-1] < 0.0) & (ring.imag[1:] >= 0.0) & (ring.real[:-1] < 0.0)
+    margins = []
+    for i in np.flatnonzero(above):
+        w = _bisect(lambda x: -complex(exact(x)).imag, float(grid[i]), float(grid[i + 1]), 0.0)
+        margins.append(1.0 / abs(exact(w)))
+    return min((m for m in margins if m > 1.0), default=inf)
+
+
+def _bisect(value: object, low: float, high: float, level: float) -> float:
+    """Where a falling function passes `level`."""
+    assert callable(value)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break  # neighbours: nothing lies between them
+        if value(middle) >= level:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)

@@ -1,0 +1,225 @@
+"""What a servo run leaves behind: columns at the servo rate, and the figures read off them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.servo.discrete import discretise
+from motionlang.servo.plant import Drive
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.servo.loop import Loop
+    from motionlang.servo.plant import Motor
+    from motionlang.servo.stretch import Stretch
+
+    Array = NDArray[np.float64]
+
+UNITS = {
+    "time": "s",
+    "demand": "counts",
+    "position": "counts",
+    "velocity": "counts/s",
+    "error": "counts",
+    "integral": "V",
+    "output": "V",
+    "current": "A",
+    "torque": "N m",
+    "acceleration": "counts/s^2",
+    "jerk": "counts/s^3",
+}
+"""Every column a trace can give, and its unit."""
+
+
+def joined(
+    loop: Loop, plant: Motor | Drive, columns: tuple[str, ...], stretches: Sequence[Stretch]
+) -> ServoTrace:
+    """The trace of stretches that follow one another."""
+    if not stretches:
+        return ServoTrace(loop, plant, dict.fromkeys(columns, np.zeros(0)), ())
+    kept = {name: _end_to_end([each.columns[i] for each in stretches]) for i, name in enumerate(columns)}
+    return ServoTrace(loop, plant, kept, stretches)
+
+
+def _end_to_end(parts: Sequence[Sequence[float] | Array]) -> Array:
+    made = [np.asarray(part, dtype=np.float64) for part in parts]
+    return made[0] if len(made) == 1 else np.concatenate(made)
+
+
+class ServoTrace:
+    """Columns of one axis, one row a servo sample from time 0 on: what was true when the loop looked.
+
+    `demand` and `position` are in the coordinates that the program uses. Only what was recorded is there, and what
+    of `UNITS` follows from it.
+    """
+
+    def __init__(
+        self, loop: Loop, plant: Motor | Drive, columns: Mapping[str, Array], stretches: Sequence[Stretch]
+    ) -> None:
+        self.loop, self.plant = loop, plant
+        self._columns, self._stretches = dict(columns), stretches
+
+    def __len__(self) -> int:
+        return len(next(iter(self._columns.values())))
+
+    @cached_property
+    def commanded(self) -> Array:
+        """The demand in the motor's own coordinates."""
+        return _end_to_end([each.demand(len(each.columns[0])) for each in self._stretches] or [np.zeros(0)])
+
+    @cached_property
+    def _offset(self) -> Array:
+        """What the zero of the program has been moved by, at every sample."""
+        shifts = [shift for each in self._stretches for shift in each.shifts] or [(0, 0.0)]
+        first = shifts[0][0]
+        edges = [*(sample - first for sample, _ in shifts), len(self)]
+        made: Array = np.repeat(np.array([value for _, value in shifts]), np.diff(edges))
+        return made
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in UNITS:
+            raise KeyError(name)
+        column: Array = getattr(self, name)
+        return column
+
+    @property
+    def time(self) -> Array:
+        """Seconds."""
+        made: Array = np.arange(len(self), dtype=np.float64) * self.loop.period
+        return made
+
+    @property
+    def demand(self) -> Array:
+        """Demanded position, interpolated, counts."""
+        return self.commanded - self._offset
+
+    @property
+    def position(self) -> Array:
+        """True position of the motor, counts."""
+        return self._columns["position"] - self._offset
+
+    @property
+    def measured(self) -> Array:
+        """The position as the encoder gives it, counts."""
+        made: Array = self.encoder - self._offset
+        return made
+
+    @property
+    def encoder(self) -> Array:
+        """The same in the motor's own coordinates, which no program renames."""
+        position = self._columns["position"]
+        made = discretise(self.plant, self.loop.period)
+        if made.load_encoder:
+            position = position - self._columns["twist"]
+        whole = made.quantised or self.loop.arithmetic != "real"
+        made_whole: Array = np.rint(position) if whole else position
+        return made_whole
+
+    @property
+    def velocity(self) -> Array:
+        """Velocity of the motor, counts/s."""
+        return self._columns["velocity"]
+
+    @property
+    def error(self) -> Array:
+        """Following error: demand minus measured position, counts."""
+        return self.commanded - self.encoder
+
+    @property
+    def integral(self) -> Array:
+        """What the integral contributes to the output, volts."""
+        return self._columns["integral"]
+
+    @property
+    def output(self) -> Array:
+        """The controller's output, volts."""
+        return self._columns["output"]
+
+    @property
+    def current(self) -> Array:
+        """Motor current, A; zero for a `Drive`, which keeps it to itself."""
+        return self._columns["current"]
+
+    @property
+    def torque(self) -> Array:
+        """Motor torque, N m."""
+        constant = 0.0 if isinstance(self.plant, Drive) else self.plant.torque_constant
+        return self.current * constant
+
+    @property
+    def acceleration(self) -> Array:
+        """Mean acceleration from this sample to the next, counts/s²."""
+        return np.diff(self.velocity, append=self.velocity[-1:]) * self.loop.servo_rate
+
+    @property
+    def onset(self) -> Array:
+        """Acceleration just after the output has changed, counts/s²: what a DAC step does first (friction left out)."""
+        made = discretise(self.plant, self.loop.period)
+        row = next(iter(made.regimes.values())).drive
+        total: Array = row[-2] * self.output + row[-1]
+        for name, factor in zip(made.names, row, strict=False):
+            if factor and name not in self._columns:
+                raise ValueError(
+                    f"the onset of the acceleration needs the {name.replace('_', ' ')}, not recorded"
+                )
+            if factor:
+                total = total + factor * self._columns[name]
+        return total
+
+    @property
+    def jerk(self) -> Array:
+        """Change of that acceleration over one sample, counts/s³."""
+        return np.diff(self.acceleration, prepend=0.0) * self.loop.servo_rate
+
+    @property
+    def dac_steps(self) -> Array:
+        """The output in DAC steps, where the loop has a DAC."""
+        if not self.loop.dac_bits:
+            raise ValueError("this loop's output is not quantised: it has no DAC steps")
+        return np.rint(self.output / self.loop.dac_step)
+
+    def table(self) -> dict[str, Array]:
+        """Every column by name, in the order of `UNITS`."""
+        return {name: self[name] for name in UNITS}
+
+    # -- figures
+
+    @property
+    def peak_error(self) -> float:
+        """Largest following error, counts."""
+        return float(np.abs(self.error).max(initial=0.0))
+
+    @property
+    def rms_torque(self) -> float:
+        """Root of the mean square of the torque, N m."""
+        return float(np.sqrt(np.mean(self.torque**2))) if len(self) else 0.0
+
+    def rms_torque_between(self, begin: float, end: float) -> float:
+        """The same over the samples from `begin` to `end` seconds."""
+        part = self.torque[(self.time >= begin) & (self.time <= end)]
+        return float(np.sqrt(np.mean(part**2))) if len(part) else 0.0
+
+    @property
+    def peak_output(self) -> float:
+        """Largest output, volts."""
+        return float(np.abs(self.output).max(initial=0.0))
+
+    def settled_at(self, window: float, after: float = 0.0) -> float:
+        """The time from which the error stays within `window` counts, not before `after`; inf if it never does."""
+        outside = np.flatnonzero(np.abs(self.error) > window)
+        if len(outside) and outside[-1] == len(self) - 1:
+            return inf
+        settled = float(self.time[outside[-1] + 1]) if len(outside) else 0.0
+        return max(settled, after)
+
+    def first_beyond(self, limit: float) -> float:
+        """The first time at which the following error is beyond `limit` counts; inf if it never is."""
+        beyond = np.flatnonzero(np.abs(self.error) > limit)
+        return float(self.time[beyond[0]]) if len(beyond) else inf

@@ -1,0 +1,178 @@
+"""First gains for a plant and a bandwidth: a place to start tuning from, not to end at.
+
+The plant is taken as K/(s (tau s + 1)) and three closed-loop poles are put at one frequency; then that frequency is
+moved until the real loop, sampled and with everything the plant has, has the bandwidth that was asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from math import inf, pi
+from typing import TYPE_CHECKING
+
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
+from motionlang.servo.response import LoopFigures, bandwidth, is_stable, loop_figures, reaches
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+SUSPECT = 30.0
+"""A phase margin below this many degrees is worth a warning."""
+# How closely the frequency of the poles is found.
+_SAME = 1e-12
+
+
+@dataclass(frozen=True, slots=True)
+class Suggestion:
+    """A loop, the figures that it has on the linear plant, and what to beware of."""
+
+    loop: Loop
+    figures: LoopFigures
+    warnings: tuple[str, ...]
+
+
+class BeyondPlant(ValueError):
+    """A bandwidth that no gains give to a plant; `best` is about what some do, in Hz, 0 where none close the loop."""
+
+    def __init__(self, message: str, best: float = 0.0) -> None:
+        super().__init__(message)
+        self.best = best
+
+
+@lru_cache(maxsize=256)
+def suggest(
+    plant: Motor | Drive, target: float, base: Loop | None = None, *, integral: bool = True
+) -> Suggestion:
+    """Gains for a closed-loop bandwidth of `target` Hz; rates and limits from `base`.
+
+    `BeyondPlant` says what bandwidth is possible when this one is not.
+    """
+    linear = linearised(plant)
+    loop = suggested_loop(linear, target, base or Loop(), integral)
+    figures = loop_figures(loop, linear)
+    return Suggestion(loop, figures, _warnings(plant, figures))
+
+
+# Every axis with the same motor, whatever its friction, and every run of it in a session, asks for the same.
+@lru_cache(maxsize=256)
+def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
+    """The loop of a suggestion for a `linearised` plant."""
+    if not 0.0 < target < inf:
+        raise ValueError(f"the bandwidth must be greater than zero, not {target}")
+    shaped = _shape(
+        linear, replace(base, override=None, dac_bits=0, arithmetic="real", derivative_every=1), integral
+    )
+    low, high = _range(linear, shaped, target)
+    return shaped(_least(lambda w: bandwidth(shaped(w), linear) - target, low, high))
+
+
+def _least(value: Callable[[float], float], low: float, high: float) -> float:
+    """Where `value` is no longer negative, to a part in 10¹²: Dowell and Jarratt's chords (the Illinois method).
+
+    One value costs about a millisecond; halving needs more than fifty of them, chords some twenty.
+    """
+    below, above = value(low), value(high)
+    last = 0
+    while high - low > _SAME * high:
+        middle = low - below * (high - low) / (above - below)
+        edge = 0.25 * _SAME * high  # a chord that ends in a corner steps over it
+        middle = min(max(middle, low + edge), high - edge)
+        found = value(middle)
+        if found < 0.0:
+            low, below = middle, found
+            above *= 0.5 if last < 0 else 1.0
+            last = -1
+        else:
+            high, above = middle, found
+            below *= 0.5 if last > 0 else 1.0
+            last = 1
+        if not below < 0.0 < above:
+            break
+    return high
+
+
+def linearised(plant: Motor | Drive) -> Motor | Drive:
+    """The plant without friction, backlash and encoder steps."""
+    if isinstance(plant, Drive):
+        return replace(plant, quantised=False)
+    return replace(plant, coulomb=0.0, breakaway=0.0, backlash=0.0, quantised=False, load_torque=0.0)
+
+
+def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float], Loop]:
+    """A loop for every triple-pole frequency (rad/s).
+
+    tau s³ + (1 + K Kd) s² + K Kp s + K Ki = tau (s + w)³ gives K/tau Kd = 3w - 1/tau, K/tau Kp = 3w², K/tau Ki = w³;
+    where the plant damps more than that there is no derivative, and (s + w)² of the slower part is left.
+    """
+    push, damping = _constants(plant)
+
+    def shaped(w: float) -> Loop:
+        kd, kp, ki = 3.0 * w - damping, 3.0 * w * w, w**3
+        if kd < 0.0:
+            kd, kp, ki = 0.0, 2.0 * w * damping, w * w * damping
+        if not integral:
+            kd, kp, ki = max(0.0, 2.0 * w - damping), w * max(w, 0.5 * damping), 0.0
+        return replace(
+            base,
+            proportional=kp / push,
+            integral=ki / push / base.servo_rate,
+            integral_limit=min(base.integral_limit, base.output_limit),
+            derivative=kd / push * base.servo_rate,
+            velocity_feedback=0.0,
+            velocity_ff=damping / push,
+            accel_ff=1.0 / push,
+            decel_ff=1.0 / push,
+        )
+
+    return shaped
+
+
+def _constants(plant: Motor | Drive) -> tuple[float, float]:
+    """K/tau (counts/s² per volt) and 1/tau (1/s)."""
+    if isinstance(plant, Drive):
+        return plant.speed_per_volt / plant.time_constant, 1.0 / plant.time_constant
+    torque = plant.torque_constant * plant.amplifier_gain
+    if plant.amplifier == "voltage":
+        torque /= plant.resistance
+    return torque * plant.counts_per_radian / plant.total_inertia, 1.0 / plant.mechanical_time_constant
+
+
+def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float) -> tuple[float, float]:
+    """Pole frequencies below and above the target, all of them stable."""
+    low = 2.0 * pi * target
+    # Whether a loop is stable is known a hundred times sooner than its bandwidth.
+    while not is_stable(shaped(low), plant) or reaches(shaped(low), plant, target):
+        low *= 0.7
+        if low < 1e-4 * target:
+            raise BeyondPlant("this plant cannot be closed stably with a PID loop at this servo rate")
+    high = low
+    tried: list[Loop] = []
+    while True:
+        high *= 1.05
+        loop = shaped(high)
+        if not is_stable(loop, plant):
+            best = max((bandwidth(each, plant) for each in tried), default=0.0)
+            where = f"this plant at {loop.servo_rate:g} servo samples a second"
+            raise BeyondPlant(
+                f"a bandwidth of {target:g} Hz is beyond {where}: about {best:.3g} Hz is possible", best
+            )
+        if reaches(loop, plant, target):
+            return low, high
+        tried.append(loop)
+
+
+def _warnings(plant: Motor | Drive, figures: LoopFigures) -> tuple[str, ...]:
+    found = []
+    if figures.phase_margin < SUSPECT:
+        found.append(f"the phase margin is only {figures.phase_margin:.0f} degrees: ask for less bandwidth")
+    if isinstance(plant, Motor) and plant.coulomb:
+        found.append(
+            "Coulomb friction is not in these figures: expect a slow last count, and let the integral act"
+        )
+    if isinstance(plant, Motor) and plant.backlash:
+        found.append("backlash is not in these figures: the loop may hunt inside it")
+    if isinstance(plant, Motor) and plant.resonance and figures.bandwidth > plant.resonance / 3.0:
+        found.append(f"the resonance at {plant.resonance:g} Hz is less than three times the bandwidth away")
+    return tuple(found)

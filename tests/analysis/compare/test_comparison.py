@@ -1,0 +1,258 @@
+"""A recording against a run: the delay is found, residuals and lags are what was put in, bad files are answered."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from motionlang.analysis.compare.comparison import Comparison, Mapped, _own, compare
+from motionlang.analysis.compare.recording import read_table
+from motionlang.cli import main
+from motionlang.errors import ProgramError
+from motionlang.execution import run
+from motionlang.result import Run
+from motionlang.source import Source
+from motionlang.views.comparison import render_comparison
+
+PROGRAM = """\
+SPEED(0, 1) = 100, 50
+ACCEL(0, 1) = 1000;
+DECEL(0, 1) = 1000;
+WAIT(100)
+MOVER(0, 1) = 80, -20 : GO(0, 1)
+PAUSE IDLE(0) And IDLE(1)
+WAIT(200)
+MOVEA(0) = 0 : GO(0)
+PAUSE IDLE(0)
+WAIT(300)
+"""
+X = Mapped("position.0", "x", None)
+
+
+@cache
+def simulated() -> Run:
+    return run(Source("two.mnt", PROGRAM), dialect="mint", cache=False)
+
+
+def recorded(values: Callable[[np.ndarray], Sequence[np.ndarray]], rate: float = 1000.0) -> Source:
+    """A recording of two seconds and a half, columns t, x, y: `values` of the times."""
+    times = np.arange(int(2.5 * rate)) / rate
+    rows = np.stack([times, *values(times)], 1)
+    return Source("real.csv", "t,x,y\n" + "\n".join(",".join(f"{cell:.9f}" for cell in row) for row in rows))
+
+
+def at(axis: int, times: np.ndarray) -> np.ndarray:
+    made = simulated().trace
+    return made.at(axis, "position", np.clip(times, 0.0, made.end))
+
+
+def held(source: Source, *mapping: Mapped, **options: object) -> Comparison:
+    return compare(simulated(), source, mapping or (X,), **options)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.31234, -0.0421])
+def test_the_same_motion_is_found_wherever_the_recording_begins(delay: float) -> None:
+    made = held(recorded(lambda t: (at(0, t - delay), at(1, t - delay))), X, Mapped("position.1", "y", None))
+    assert made.delay == pytest.approx(delay, abs=1e-7)
+    for row in made.signals:
+        assert abs(row["peak"]) < 1e-4
+        assert (row["scale"], row["offset"]) == pytest.approx((1.0, 0.0), abs=1e-6)
+    assert [row["line"] for row in made.moves if row["signal"] == "position.0"] == [5, 8]
+    assert [phase["name"] for phase in made.moves[0]["phases"]] == ["accel", "slew", "decel"]
+
+
+def test_what_was_put_in_comes_out() -> None:
+    """Two axes, one 5 ms behind the other; 3 uu of overshoot; one reading that is 2 uu off while at speed."""
+    end = simulated().trace.end
+    second = next(move for move in simulated().controller.log.moves if move.line == 8)
+    over = second.start_time + (second.profile.duration if second.profile else 0.0) + 0.05
+
+    def real(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        x = at(0, t)
+        x[np.abs(t - 0.5).argmin()] += 2.0
+        x[np.abs(t - over).argmin()] -= 3.0
+        return x, at(1, t - 0.005)
+
+    made = held(recorded(real), X, Mapped("position.1", "y", None), delay=0.0)
+    assert end > over
+    first, back, other = made.moves
+    assert (first["peak"], first["peak_time"]) == pytest.approx((2.0, 0.5), abs=1e-6)
+    assert [phase["peak"] for phase in first["phases"]] == pytest.approx([0.0, 2.0, 0.0], abs=1e-6)
+    assert back["overshoot"] == pytest.approx(3.0)
+    assert first["overshoot"] == 0.0
+    assert other["lag"] == pytest.approx(0.005, rel=0.05)
+    assert other["peak"] == pytest.approx(0.25, rel=0.01)  # 50 uu/s for 5 ms
+    assert made.is_within is None
+
+
+@pytest.mark.parametrize(("tolerance", "within"), [(0.2, False), (0.3, True)])
+def test_a_tolerance_judges(tolerance: float, within: bool) -> None:
+    made = held(
+        recorded(lambda t: (at(0, t - 0.0025), at(1, t))), tolerances={"position": tolerance}, delay=0.0
+    )
+    assert made.is_within is within
+    assert made.moves[0]["phases"][1]["within"] is within
+
+
+def test_another_unit_is_told_with_the_factor_that_mends_it() -> None:
+    made = held(recorded(lambda t: (1000.0 * at(0, t), at(1, t))))
+    (remark,) = [each for each in made.remarks if "times as far" in each.message]
+    assert "--map position.0=x*0.001" in remark.hint
+    mended = held(recorded(lambda t: (1000.0 * at(0, t), at(1, t))), Mapped("position.0", "x", 0.001))
+    assert mended.remarks == []
+
+
+def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
+    from motionlang.views.export import write_trace
+
+    write_trace(simulated().trace, str(tmp_path / "x.csv"), 500.0)
+    made = compare(simulated(), Source.read(tmp_path / "x.csv"))
+    assert {row["signal"] for row in made.signals} == {
+        f"{quantity}.{axis}" for quantity in ("position", "velocity", "acceleration") for axis in (0, 1)
+    }
+    assert abs(made.delay) < 1e-6
+
+
+# ------------------------------------------------------------------------------------------ files as they come
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "time (ms),x\n0,1.5\n1,2.5\n2,3.5",
+        "# logger\n\ntime [ms];x\n0,0;1,5\n1,0;2,5\n2,0;3,5\n",
+        "time_ms\tx\n0\t1.5\n1\t2.5\n2\t3.5\n",
+        "Time    x\nms      mm\n0   1.5\n 1  2.5\n2   3.5\n",
+        '"time","x",\n"s","mm",\n0.000,1.5,\n0.001,2.5,\n0.002,3.5,\n',
+        "% made by a scope\r\ntime;x;;\r\nms;mm;;\r\n0;1,5;;\r\n1;2,5;;\r\n2;3,5;;",
+    ],
+)
+def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
+    from motionlang.analysis.compare.recording import seconds, time_column
+
+    source = Source("x.csv", text)
+    table = read_table(source)
+    name = time_column(table, source, None)
+    assert seconds(table, name, None).tolist() == pytest.approx([0.0, 0.001, 0.002])
+    assert table.columns[table.find("X", source)].tolist() == [1.5, 2.5, 3.5]
+
+
+def test_numbers_that_are_missing_gaps_and_time_that_runs_back_are_told_and_left_out() -> None:
+    lines = recorded(lambda t: (at(0, t), at(1, t))).text.split("\n")
+    lines[10] = lines[10].split(",")[0] + ",NaN,0"
+    lines[20] = lines[20].split(",")[0] + ",---,0"
+    del lines[700:800]
+    lines[1:1] = [f"{7 + i / 1000},0,0" for i in range(50)]
+    lines.append("2.6,0")
+    made = held(Source("real.csv", "\n".join(lines)))
+    told = {each.message: each for each in made.remarks}
+    assert told["x: 2 values of 2451 not a number, the first is 'NaN'"].line == 61
+    assert told["time runs back 1 time"].line == 52
+    assert "lines 52 to 2452" in told["time runs back 1 time"].hint
+    assert told["1 row of other than 3 columns"].line == 2452
+    assert any(message.startswith("x: 2 gaps, the longest 0.101 s from 0.698") for message in told)
+    assert abs(made.signals[0]["peak"]) < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("text", "mapping", "message", "hint"),
+    [
+        ("", (X,), "no two rows of numbers", "columns of numbers"),
+        ("hello\nworld\n", (X,), "no two rows of numbers", "columns of numbers"),
+        ("a,x\n0,1\n1,2\n2,3\n", (X,), "no column of real.csv is called time", "its columns are a, x"),
+        ("t,pos\n0,1\n1,2\n2,3\n", (X,), "has no column 'x'", "its columns are t, pos"),
+        ("t,x\n0,1\n1,1\n2,1\n", (X,), "nothing moves", "--delay"),
+        ("t,x\n0,1\n1,1\n2,1\n", (), "what the columns of real.csv are is not said", "--map position.0=NAME"),
+        ("t,x\n0,n\n1,\n2,-\n3,4\n", (X,), "fewer than three numbers", ""),
+        ("t,x\n0,1\n1,2\n", (Mapped("speed.0", "x", None),), "'speed' is no quantity", "position, velocity"),
+        ("t,x\n0,1\n1,2\n", (Mapped("position.9", "x", None),), "names no axis", "position.0"),
+        ("t,x\n0,1\n1,2\n", (Mapped("position", "x", None),), "names no axis", "position.0"),
+    ],
+)
+def test_what_cannot_be_compared_is_answered(
+    text: str, mapping: tuple[Mapped, ...], message: str, hint: str
+) -> None:
+    with pytest.raises(ProgramError) as caught:
+        compare(simulated(), Source("real.csv", text), mapping)
+    (diagnostic,) = caught.value.diagnostics
+    assert message in diagnostic.message
+    assert hint in diagnostic.hint
+
+
+# ------------------------------------------------------------------------------------------ the command
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "two.mnt").write_text(PROGRAM)
+    (tmp_path / "real.csv").write_text(recorded(lambda t: (at(0, t - 0.2), at(1, t - 0.2))).text)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status"),
+    [
+        (("two.mnt", "real.csv", "--map", "position.0=x", "--tolerance", "0.01"), 0),
+        (("two.mnt", "real.csv", "--map", "position.0=x", "--tolerance", "0.01", "--delay", "0.1"), 1),
+        (("two.mnt", "none.csv"), 1),
+        (("none.mnt", "real.csv"), 1),
+        (("two.xyz", "real.csv"), 1),
+        (("two.mnt", "real.csv", "--map", "position.0"), 2),
+        (("two.mnt", "real.csv", "--map", "position.0=x*y"), 2),
+        (("two.mnt", "real.csv", "--tolerance", "-1"), 2),
+        (("two.mnt", "real.csv", "--plot", "x.png"), 2),
+        (("two.mnt", "real.csv", "--delay", "nan"), 2),
+        (("two.mnt", "real.csv", "--until", "-1"), 2),
+    ],
+)
+def test_the_command_and_its_status(folder: Path, arguments: tuple[str, ...], status: int) -> None:
+    try:
+        found = main(["compare", *arguments])
+    except SystemExit as ended:
+        found = int(ended.code or 0)
+    assert found == status
+
+
+def test_json_and_a_page_with_both(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert (
+        main(["compare", "two.mnt", "real.csv", "--map", "position.0=2", "--json", "--plot", "x.html"]) == 0
+    )
+    report = json.loads(capsys.readouterr().out)
+    assert report["schema"] == "motionlang.compare/1"
+    assert report["delay"] == pytest.approx(0.2, abs=1e-6)
+    assert '"quantity":"position"' in (folder / "x.html").read_text(encoding="utf-8").replace(" ", "")
+
+
+def test_of_our_own_columns_the_measured_position_goes_before_the_demanded_one() -> None:
+    columns = dict.fromkeys(
+        ["time_s", "axis0_position_uu", "axis0_actual_uu", "axis0_velocity_uu_per_s"], np.zeros(1)
+    )
+    assert [(each.target, each.column) for each in _own(columns)] == [
+        ("position.0", "axis0_actual_uu"),
+        ("velocity.0", "axis0_velocity_uu_per_s"),
+    ]
+    other = dict.fromkeys(["axis1_actual_uu", "axis1_position_uu"], np.zeros(1))
+    assert [(each.target, each.column) for each in _own(other)] == [("position.1", "axis1_actual_uu")]
+
+
+def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() -> None:
+    """The recording ends before the last 12 of 50 moves, and is 0.01 uu off: 38 and two of the others are shown."""
+    text = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor i = 1 To 50\n"
+    text += "  MOVER(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)\nNext\n"
+    many = run(Source("many.mnt", text), dialect="mint", cache=False)
+    end = many.controller.log.moves[38].start_time - 0.005
+    times = np.arange(int(end * 1000.0)) / 1000.0
+    rows = [
+        f"{t:.3f},{x + 0.01:.9f}" for t, x in zip(times, many.trace.at(0, "position", times), strict=True)
+    ]
+    made = compare(many, Source("real.csv", "\n".join(["t,x", *rows])), (X,), delay=0.0)
+    assert sum(row["peak"] is None for row in made.moves) == 12
+    shown = render_comparison(made).split("\n\n")[2].splitlines()
+    assert shown[-1] == "the 40 worst of 50 moves; --all shows the others"
+    assert sum("not recorded" in line for line in shown) == 2

@@ -1,0 +1,269 @@
+"""Where the time goes: every second of a run is charged once, to the line that it waited for."""
+
+from __future__ import annotations
+
+import json
+import tracemalloc
+from itertools import pairwise
+from math import fsum
+from pathlib import Path
+
+import pytest
+
+from motionlang.analysis.cycle.export import speedscope, trace_events, write_profile
+from motionlang.analysis.cycle.profile import Share, TimeProfile
+from motionlang.analysis.cycle.tasks import TaskTime
+from motionlang.cli import main
+from motionlang.execution import run
+from motionlang.source import Source
+from motionlang.views.cycle import render_profile
+
+ROOT = Path(__file__).parents[3]
+GALLERY = sorted((ROOT / "scripts").rglob("*.mnt")) + sorted((ROOT / "scripts").rglob("*.mcl"))
+
+# X takes 1.1 s, Z half a second, and waits for X; then a dwell, a sub that is called twice, and an input at 3 s.
+PROGRAM = """\
+SPEED(0, 1) = 100;
+ACCEL(0, 1) = 1000;
+DECEL(0, 1) = 1000;
+MOVER(0, 1) = 100, 40 : GO(0, 1)
+PAUSE IDLE(0) And IDLE(1)
+WAIT(250)
+Press
+Press
+PAUSE INX(3)
+End
+
+Sub Press()
+  Stroke 10
+  Stroke -10
+End Sub
+
+Sub Stroke(ByVal way As Float)
+  MOVER(1) = way : GO(1)
+  PAUSE IDLE(1)
+End Sub
+"""
+WORLD = {"input": [{"channel": 3, "at": 3.0, "value": 1}]}
+
+
+def profiled(text: str, name: str = "cycle.mnt", **options: object) -> TimeProfile:
+    return TimeProfile(run(Source(name, text), cache=False, **options))  # type: ignore[arg-type]
+
+
+def by_name(shares: list[Share]) -> dict[str, float]:
+    return {share.name: share.seconds for share in shares}
+
+
+def life(task: TaskTime) -> float:
+    return fsum((*task.waiting.values(), task.computing, task.ready))
+
+
+def test_the_chain_goes_through_what_the_end_waited_for() -> None:
+    made = profiled(PROGRAM, machine=WORLD)
+    kinds = by_name(made.kinds())
+    assert kinds["travel of axis 0"] == pytest.approx(1.1)
+    # A stroke of 10 at 100 with 1000 takes 0.2 s; there are four.
+    assert kinds["travel of axis 1"] == pytest.approx(0.8)
+    assert kinds["dwell"] == pytest.approx(0.25)
+    assert kinds["waiting for an input"] == pytest.approx(3.0 - 1.1 - 0.8 - 0.25, abs=1e-3)
+    assert [link.cause for link in made.links if link.axes == (0,)] == [
+        "accelerating",
+        "at speed",
+        "decelerating",
+    ]
+    (first, *_) = made.lines()
+    assert first.line == 4
+    assert first.seconds == pytest.approx(1.1)
+    assert {18, 6, 9} <= {share.line for share in made.lines()}
+
+
+def test_a_sub_has_its_own_time_and_that_of_what_it_called() -> None:
+    shares = {share.name: share for share in profiled(PROGRAM, machine=WORLD).subs()}
+    assert shares["Stroke"].seconds == pytest.approx(0.8, abs=1e-3)
+    assert shares["Press"].seconds < 1e-3
+    assert shares["Press"].total == pytest.approx(0.8, abs=1e-3)
+    assert shares["the program"].total == pytest.approx(3.0, abs=1e-3)
+
+
+def test_a_dwell_in_a_sub_knows_who_called_it() -> None:
+    made = profiled("Rest\nEnd\nSub Rest()\n  Nap 100\nEnd Sub\nSub Nap(ByVal ms)\n  WAIT(ms)\nEnd Sub\n")
+    (link,) = [each for each in made.links if each.cause == "dwell"]
+    assert (link.place.line, link.place.sub, link.place.callers) == (7, "Nap", (1, 4))
+
+
+def test_an_axis_that_could_have_been_slower_is_told() -> None:
+    """Z is there after 0.5 s, X after 1.1 s."""
+    (slack,) = profiled(PROGRAM, machine=WORLD).slacks()
+    assert (slack.axis, slack.other) == (1, 0)
+    assert slack.seconds == pytest.approx(0.6)
+
+
+def test_moves_that_the_buffer_starts_are_followed_to_the_one_that_a_task_started() -> None:
+    made = profiled(
+        "SPEED(0) = 50\nMOVEBUFFERSIZE(0) = 5\nMOVER(0) = 5\nMOVER(0) = 10\nMOVER(0) = 20\nGO(0)\nPAUSE IDLE(0)\n"
+    )
+    assert [share.line for share in made.lines()][:3] == [5, 4, 3]
+    assert by_name(made.kinds())["travel of axis 0"] == pytest.approx(made.run.time, abs=1e-3)
+
+
+def test_motion_that_goes_on_after_the_program_is_part_of_the_run() -> None:
+    made = profiled("SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 100 : GO(0)\n")
+    assert by_name(made.kinds())["travel of axis 0"] == pytest.approx(1.1, abs=1e-4)
+    assert made.tasks[0].life < 1e-3
+
+
+def test_paths_count_once() -> None:
+    made = profiled("SPEED(0) = 50\nVECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n")
+    assert by_name(made.kinds())["travel of axes 0, 1"] == pytest.approx(made.run.time, abs=1e-3)
+
+
+def test_tasks_have_their_own_times() -> None:
+    """One waits for 10 ms at a time, the other computes for a second: each tells what it did, and its life adds up."""
+    made = profiled(
+        "Run slow\nDim i As Integer\nFor i = 1 To 20000\nNext\nEnd\n"
+        "Task slow\n  While 1\n    WAIT(10)\n  End While\nEnd Task\n"
+    )
+    parent, slow = made.tasks
+    assert parent.computing > 0.1
+    assert slow.waiting["time"] > 0.1
+    assert slow.computing < 0.1 * parent.computing
+
+
+def test_a_run_that_is_cut_short_waits_to_its_end() -> None:
+    made = profiled("WAIT(100)\nPAUSE INX(3)\n", until=2.0, machine=WORLD)
+    assert by_name(made.kinds()) == {
+        "waiting for a condition": pytest.approx(1.9, abs=1e-3),
+        "dwell": pytest.approx(0.1, abs=1e-3),
+        "computing": pytest.approx(0.0, abs=1e-3),
+    }
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_every_second_of_the_gallery_is_charged_once(part: int) -> None:
+    for path in GALLERY[part::4]:
+        made, name = TimeProfile(run(path)), path.name
+        assert made.seconds == pytest.approx(made.run.time, abs=1e-9), name
+        for link, after in pairwise(made.links):
+            assert link.end == after.begin, name
+        if made.links:
+            assert (made.links[0].begin, made.links[-1].end) == (0.0, made.run.time), name
+        for shares in (made.lines(), made.kinds(), made.subs()):
+            assert fsum(share.seconds for share in shares) == pytest.approx(made.run.time, abs=1e-9), name
+        for task in made.tasks:
+            assert life(task) == pytest.approx(task.life, abs=1e-9), name
+            assert min(task.computing, task.ready, *task.waiting.values(), 0.0) > -1e-9, name
+
+
+# ------------------------------------------------------------------------------------------ what is made of it
+
+
+def test_other_programs_read_it() -> None:
+    made = profiled(PROGRAM, machine=WORLD)
+    found = speedscope(made)
+    (profile,) = found["profiles"]
+    assert fsum(profile["weights"]) == pytest.approx(made.run.time)
+    frames = [frame["name"] for frame in found["shared"]["frames"]]
+    assert {"the program", "Press", "Stroke", "line 18: MOVER(1) = way : GO(1)"} <= set(frames)
+    stacks = [[frames[k] for k in stack] for stack in profile["samples"]]
+    deep = max(stacks, key=len)
+    assert [name for name in deep if not name.startswith("line")] == [
+        "the program",
+        "Press",
+        "Stroke",
+        deep[-1],
+    ]
+    events = list(trace_events(made))
+    lanes = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
+    assert lanes == ["chain", "task ParentTask", "axis 0", "axis 1"]
+    chain = {event["name"] for event in events if event.get("cat") == "chain"}
+    assert {"accelerating, line 4", "dwell, line 6", "waiting for an input, line 9"} <= chain
+    assert max(event["ts"] + event["dur"] for event in events if event["ph"] == "X") == pytest.approx(
+        made.run.time * 1e6
+    )
+
+
+@pytest.mark.parametrize("text", ["", PROGRAM])
+def test_the_trace_is_one_document_with_a_line_for_each_event(text: str, tmp_path: Path) -> None:
+    made, path = profiled(text, machine=WORLD), tmp_path / "cycle.trace.json"
+    write_profile(made, str(path))
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert document["traceEvents"] == json.loads(json.dumps(list(trace_events(made))))
+    assert document["traceEvents"][0]["args"] == {"name": "cycle.mnt"}
+    assert document["otherData"]["version"].startswith("motionlang ")
+    assert len(path.read_text(encoding="utf-8").splitlines()) == len(document["traceEvents"]) + 3
+
+
+def test_a_trace_is_written_without_holding_it(tmp_path: Path) -> None:
+    """The spans of the chain take less than the text of all events; events as rows would take ten times as much."""
+    made = profiled("For k = 1 To 500\n  MOVER(0) = 3 : GO(0) : PAUSE IDLE(0)\nNext\n")
+    path = tmp_path / "cycle.trace.json"
+    tracemalloc.start()
+    try:
+        write_profile(made, str(path))
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak < path.stat().st_size
+
+
+@pytest.mark.parametrize(
+    "text", ["", "WAIT(1)", PROGRAM, 'MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\nWAIT(0.3)\nPRINT "x"\n']
+)
+def test_the_file_is_what_json_would_write(text: str, tmp_path: Path) -> None:
+    made, path = profiled(text, machine=WORLD), tmp_path / "cycle.json"
+    write_profile(made, str(path))
+    assert path.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n"
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_nor_does_it_differ_on_the_gallery(part: int, tmp_path: Path) -> None:
+    for path in GALLERY[part::4]:
+        made, to = TimeProfile(run(path)), tmp_path / "cycle.json"
+        write_profile(made, str(to))
+        assert to.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n", path.name
+
+
+def test_the_listing_has_the_seconds_of_each_line() -> None:
+    text = render_profile(profiled(PROGRAM, machine=WORLD), everything=True)
+    assert "    1.1000   36.7%     4  MOVER(0, 1) = 100, 40 : GO(0, 1)" in text
+    assert "axis 1 waits for axis 0: 0.6000 s" in text
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "cycle.mnt").write_text(PROGRAM)
+    (tmp_path / "cycle.machine.toml").write_text("[[input]]\nchannel = 3\nat = 3.0\n")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "cycle.mnt", "--profile", "--profile-to", "x.speedscope.json"]) == 0
+    assert "where the 3.0" in capsys.readouterr().out
+    assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
+    assert main(["run", "cycle.mnt", "--report", "json", "--profile-to", "x.json"]) == 0
+    assert json.loads(capsys.readouterr().out)["status"] == "ended"
+    assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang.cycle/1"
+
+
+def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with (folder / "cycle.machine.toml").open("a") as file:
+        file.write("[budget]\ntime = 2.9\nmotion = 2\ndwell = 0.2\n")
+    assert main(["run", "cycle.mnt", "--report", "none"]) == 1
+    told = capsys.readouterr().err
+    assert "the run took 3.0" in told
+    assert "dwell took 0.25" in told
+    assert "cycle.mnt:6" in told
+    assert "motion took" not in told
+
+
+def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> None:
+    """The columns of figures and subs take 62 characters, and the source of the longest line 24 more."""
+    made = profiled("Sub Stroke()\n  MOVER(0) = 10 : GO(0)\n  PAUSE IDLE(0)\nEnd Sub\nStroke\nEnd\n")
+    wide, narrow = (render_profile(made, width=width) for width in (100, 70))
+    head = "line  sub     seconds"
+    assert head in wide
+    assert head in narrow
+    assert "MOVER(0) = 10 : GO(0)" in wide
+    assert "MOVER(0) = 10 : GO(0)" not in narrow

@@ -1,0 +1,316 @@
+"""A wait is a wait however it is written: a loop that polls is charged as a PAUSE, one that computes to itself."""
+
+from __future__ import annotations
+
+from math import fsum
+
+import pytest
+
+from motionlang.analysis.cycle.budget import over_budget
+from motionlang.analysis.cycle.profile import Share, TimeProfile
+from motionlang.analysis.diff.charged import charged
+from motionlang.execution import run
+from motionlang.mint.compile import polling
+from motionlang.result import Run
+from motionlang.source import Source
+
+# 200 at 100 with 1000 either way takes 200 / 100 + 100 / 1000 = 2.1 s.
+MOVE = "SPEED(0) = 100\nACCEL(0) = 1000\nDECEL(0) = 1000\nMOVER(0) = 200 : GO(0)\n"
+TRAVEL = 2.1
+# What stands from line 5 on, the line of the wait, and the longest time that the loop itself may add, s.
+WAITS = {
+    "PAUSE": ("PAUSE IDLE(0)", 5, 1e-4),
+    "While": ("While Not IDLE(0)\n  n = n + 1\nEnd While", 5, 1e-4),
+    "empty": ("While Not IDLE(0)\nEnd While", 5, 1e-4),
+    "fraction": ("While Not IDLE(0)\n  x = x + 0.1\nEnd While", 5, 1e-4),
+    "with a WAIT": ("While Not IDLE(0)\n  WAIT 5\nEnd While", 5, 6e-3),
+    "with outputs": ("While Not IDLE(0)\n  n = n + 1\n  OUTX(1) = n Mod 2\nEnd While", 5, 1e-4),
+    "Repeat": ("Repeat\n  n = n + 1\nUntil IDLE(0)", 5, 1e-4),
+    "Loop": ("Loop\n  If IDLE(0) Then Exit\nEnd Loop", 5, 1e-4),
+    "Goto": ("again:\n  n = n + 1\nIf Not IDLE(0) Then Goto again", 5, 1e-4),
+    "Goto out": ("again:\nIf IDLE(0) Then Goto there\nGoto again\nthere:\nn = 1", 5, 1e-4),
+    "For": ("For n = 1 To 1000000\n  If IDLE(0) Then Exit For\nNext", 5, 1e-4),
+    "position": ("Repeat\nUntil POS(0) >= 200", 5, 1e-4),
+    "speed": ("WAIT 1\nRepeat\nUntil VEL(0) = 0", 6, 2e-3),
+    "variable": ("done = 0\nWhile done = 0\n  done = IDLE(0)\nEnd While", 6, 1e-4),
+    "by an If": ("done = 0\nWhile done = 0\n  If IDLE(0) Then done = 1\nEnd While", 6, 1e-4),
+    "function": (
+        "While Ready() = 0\nEnd While\nEnd\n"
+        "Function Ready() As Integer\n  Ready = IDLE(0)\nEnd Function",
+        5,
+        1e-4,
+    ),
+    "sub": ("Rest\nEnd\nSub Rest()\n  While Not IDLE(0)\n  End While\nEnd Sub", 8, 1e-4),
+    "Return": ("Rest\nEnd\nSub Rest()\n  Loop\n    If IDLE(0) Then Return\n  End Loop\nEnd Sub", 8, 1e-4),
+    "two conditions": ("While Not IDLE(0) And INX(2) = 0\nEnd While", 5, 1e-4),
+    "a time beyond": ("While Not IDLE(0) And TIME < 9000\nEnd While", 5, 1e-4),
+    "nested": ("While Not IDLE(0)\n  For n = 1 To 500\n  Next\nEnd While", 5, 2e-2),
+}  # fmt: skip
+
+
+def ran(text: str, name: str = "poll.mnt", **options: object) -> Run:
+    return run(Source(name, text), cache=False, **options)  # type: ignore[arg-type]
+
+
+def by_name(shares: list[Share]) -> dict[str, float]:
+    return {share.name: share.seconds for share in shares}
+
+
+def checked(made: TimeProfile) -> TimeProfile:
+    """A profile whose every sum is the time of its run."""
+    for shares in (made.lines(), made.kinds(), made.subs()):
+        assert fsum(share.seconds for share in shares) == pytest.approx(made.run.time, abs=1e-9)
+    return made
+
+
+@pytest.mark.parametrize("form", WAITS)
+def test_motion_is_charged_to_its_line_and_the_wait_to_that_of_the_loop(form: str) -> None:
+    text, line, slack = WAITS[form]
+    made = checked(TimeProfile(ran(MOVE + text + "\n")))
+    kinds, lines = by_name(made.kinds()), by_name(made.lines())
+    assert kinds["travel of axis 0"] == pytest.approx(TRAVEL, abs=1e-4 if form != "speed" else 2e-3)
+    assert lines["4"] == pytest.approx(TRAVEL, abs=slack)
+    assert by_name(made.held())[str(line)] == pytest.approx(TRAVEL, abs=slack)
+    assert made.run.time == pytest.approx(TRAVEL, abs=slack)
+
+
+@pytest.mark.parametrize("form", [each for each in WAITS if each != "PAUSE"])
+def test_loops_that_are_skipped_are_charged_as_those_that_are_not(
+    form: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = MOVE + WAITS[form][0] + "\n"
+    skipped = TimeProfile(ran(text))
+    monkeypatch.setattr(polling, "left_behind", lambda *_: None)
+    plain = TimeProfile(ran(text))
+    assert plain.report() == skipped.report()
+
+
+# ------------------------------------------------------------------------------------------ what a loop waits for
+
+# Channel 3 comes on at 3 s, channel 4 at 5 s.
+WORLD = {"input": [{"channel": 3, "at": 3.0}, {"channel": 4, "at": 5.0}]}
+# What stands on line 1, what it waits for, and when that is over, s.
+CAUSES = {
+    "input": ("While INX(3) = 0\nEnd While", "waiting for an input", 3.0),
+    "bank": ("Repeat\nUntil IN(0) And 8", "waiting for an input", 3.0),
+    "both inputs": ("While INX(3) = 0 Or INX(4) = 0\nEnd While", "waiting for an input", 5.0),
+    "either input": ("Repeat\n  WAIT 5\nUntil INX(3) Or INX(4)", "waiting for an input", 3.0),
+    "time": ("While TIME < 4000\nEnd While", "dwell", 4.0),
+    "time in steps": ("Repeat\n  WAIT 10\nUntil TIME >= 4000", "dwell", 4.0),
+    "PAUSE for a time": ("PAUSE TIME >= 4000", "dwell", 4.0),
+    "input or time": ("While INX(3) = 0 And TIME < 2000\nEnd While", "dwell", 2.0),
+    "input before time": ("While INX(3) = 0 And TIME < 9000\nEnd While", "waiting for an input", 3.0),
+    "steps": ("For n = 1 To 1000\n  If INX(3) Then Exit For\n  WAIT 5\nNext", "waiting for an input", 3.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("form", CAUSES)
+def test_a_loop_waits_for_what_ended_it(form: str) -> None:
+    text, cause, time = CAUSES[form]
+    made = checked(TimeProfile(ran(text + "\nEnd\n", machine=WORLD)))
+    assert by_name(made.kinds())[cause] == pytest.approx(time, abs=11e-3 if "WAIT 10" in text else 2e-4)
+    assert made.lines()[0].line == 1
+    assert by_name(made.held())["1"] == pytest.approx(time, abs=11e-3)
+
+
+def test_what_a_loop_needs_to_notice_is_its_own() -> None:
+    """The motion ends at 2.1 s; with a look every 0.5 s the loop ends at 2.5 s, 0.4 s of which are its WAIT."""
+    made = checked(TimeProfile(ran(MOVE + "While Not IDLE(0)\n  WAIT 500\nEnd While\n")))
+    assert by_name(made.kinds())["travel of axis 0"] == pytest.approx(2.1, abs=1e-4)
+    assert by_name(made.lines())["6"] == pytest.approx(0.4, abs=1e-3)
+
+
+def test_a_position_that_is_passed_is_waited_for_under_way() -> None:
+    """At 100 with 1000 the axis is at 55 after 0.6 s: 5 on the first 0.1 s, then 50; the move goes on to its end."""
+    made = checked(TimeProfile(ran(MOVE + "While POS(0) < 55\nEnd While\nWAIT 100\nCANCEL(0)\n")))
+    lines = by_name(made.lines())
+    assert lines["4"] == pytest.approx(0.6, abs=1e-3)
+    assert lines["7"] == pytest.approx(0.1, abs=1e-3)
+
+
+def test_a_loop_that_works_is_charged_by_what_it_does() -> None:
+    """Three strokes of 0.2 s, each with a dwell of 50 ms and a poll, in a loop that an input would end."""
+    text = (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+        "While INX(7) = 0 And n < 3\n"
+        "  MOVER(0) = 10 : GO(0)\n"
+        "  While Not IDLE(0)\n  End While\n"
+        "  OUTX(1) = 1\n  WAIT 50\n  OUTX(1) = 0\n"
+        "  n = n + 1\n"
+        "End While\n"
+    )
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    lines = by_name(made.lines())
+    assert lines["3"] == pytest.approx(0.6, abs=1e-3)
+    assert lines["7"] == pytest.approx(0.15, abs=1e-3)
+    assert by_name(made.held()) == {
+        "4": pytest.approx(0.6, abs=1e-3),
+        "7": pytest.approx(0.15, abs=1e-3),
+    }
+
+
+def test_a_state_machine_waits_between_its_steps() -> None:
+    """It waits for the input up to 3 s, then for a stroke of 1.1 s, and computes 2000 statements in a sub."""
+    text = (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+        "Loop\n"
+        "  If state = 0 And INX(3) Then\n    MOVER(0) = 100 : GO(0) : state = 1\n  End If\n"
+        "  If state = 1 And IDLE(0) Then\n    state = 2\n  End If\n"
+        "  If state = 2 Then Finish\n"
+        "End Loop\n"
+        "Sub Finish()\n  For i = 1 To 1000\n  Next\n  End\nEnd Sub\n"
+    )
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    kinds = by_name(made.kinds())
+    assert kinds["waiting for an input"] == pytest.approx(3.0, abs=1e-3)
+    assert kinds["travel of axis 0"] == pytest.approx(1.1, abs=1e-3)
+    assert by_name(made.held())["2"] == pytest.approx(4.1, abs=1e-3)
+    # A For costs a statement to begin, and each Next one.
+    assert by_name(made.subs())["Finish"] == pytest.approx(1000e-5, abs=5e-5)
+
+
+def test_a_run_that_is_cut_short_in_a_loop_waits_as_in_a_pause() -> None:
+    for wait in ("PAUSE INX(7)", "While INX(7) = 0\nEnd While"):
+        made = checked(TimeProfile(ran(f"WAIT(100)\n{wait}\n", until=2.0, machine=WORLD)))
+        assert by_name(made.kinds())["waiting for a condition"] == pytest.approx(1.9, abs=1e-3)
+        assert by_name(made.lines())["2"] == pytest.approx(1.9, abs=1e-3)
+
+
+def test_tasks_that_poll_wait() -> None:
+    """The parent waits for a variable that another task sets at 2.1 s, behind its motion; both lives add up."""
+    text = (
+        "Dim ready As Integer\nRun Feed\nWhile ready = 0\nEnd While\nEnd\n"
+        "Task Feed\nSPEED(0) = 100\nACCEL(0) = 1000\nDECEL(0) = 1000\nMOVER(0) = 200 : GO(0)\n"
+        "While Not IDLE(0)\nEnd While\nready = 1\nEnd Task\n"
+    )
+    made = checked(TimeProfile(ran(text)))
+    assert by_name(made.kinds())["waiting for a task"] == pytest.approx(2.1, abs=2e-3)
+    assert by_name(made.lines())["3"] == pytest.approx(2.1, abs=2e-3)
+    parent, feed = made.tasks
+    assert parent.waiting["task"] == pytest.approx(2.1, abs=5e-3)
+    assert feed.waiting["axis"] == pytest.approx(2.1, abs=5e-3)
+    for task in made.tasks:
+        assert fsum((*task.waiting.values(), task.computing, task.ready)) == pytest.approx(
+            task.life, abs=1e-9
+        )
+        assert min(task.computing, task.ready) > -1e-9
+
+
+def test_a_shift_of_polling_is_a_few_records() -> None:
+    """Seven hours of waiting for an input are one loop in the log, and one wait."""
+    world = {"input": [{"channel": 3, "at": 25_200.0}]}
+    made = TimeProfile(ran("While INX(3) = 0\n  n = n + 1\n  WAIT 5\nEnd While\n", machine=world))
+    assert len(made.run.machine.log.loops) == 1
+    assert by_name(made.kinds())["waiting for an input"] == pytest.approx(25_200.0)
+
+
+# ------------------------------------------------------------------------------------------------- loops that compute
+
+
+def test_computing_before_a_wait_is_charged_to_its_own_line_and_sub() -> None:
+    """A For of n iterations of k statements takes n (k + 1) + 1 statements of 10 us, its first one among them."""
+    text = (
+        "For i = 1 To 1000\n  x = x + i\nNext\n"
+        "WAIT(50)\n"
+        "Count 2000\n"
+        "PAUSE INX(3)\nEnd\n"
+        "Sub Count(ByVal most As Integer)\n  For j = 1 To most\n    y = y + j\n    z = y\n  Next\nEnd Sub\n"
+    )
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    lines, subs = made.lines(), by_name(made.subs())
+    computing = {share.line: share.causes.get("computing", 0.0) for share in lines}
+    assert computing[1] == pytest.approx(1000 * 2 * 1e-5, abs=5e-5)
+    assert computing[9] == pytest.approx(2000 * 3 * 1e-5, abs=5e-5)
+    assert computing.get(4, 0.0) + computing.get(6, 0.0) < 1e-4
+    assert subs["Count"] == pytest.approx(2000 * 3 * 1e-5, abs=5e-5)
+    (loop,) = [link for link in made.links if link.place.line == 9]
+    assert (loop.cause, loop.place.sub, loop.place.callers) == ("computing", "Count", (5,))
+
+
+def test_loops_in_loops_have_their_own_time() -> None:
+    """The inner loop of 200 x 2 statements takes 4 ms of each iteration, what is around it 200 x 1."""
+    text = (
+        "For i = 1 To 10\n  For j = 1 To 200\n    x = x + j\n  Next\n"
+        "  While k < 100 * i\n    k = k + 1\n  End While\nNext\n"
+    )
+    made = checked(TimeProfile(ran(text + "PAUSE INX(3)\n", machine=WORLD)))
+    lines = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
+    assert lines[2] == pytest.approx(10 * 200 * 2 * 1e-5, abs=1e-4)
+    assert lines[5] == pytest.approx(10 * 100 * 2 * 1e-5, abs=1e-4)
+    assert lines[1] < 1e-3
+
+
+def test_a_sub_without_loops_has_what_it_computes() -> None:
+    """Fib(12) is 465 calls of two statements each, an If and an assignment; the first line has what is before it."""
+    text = (
+        "x = 1\ny = Fib(12)\nPAUSE INX(3)\nEnd\nFunction Fib(ByVal n As Integer) As Integer\n"
+        "  If n < 2 Then\n    Fib = n\n  Else\n    Fib = Fib(n - 1) + Fib(n - 2)\n  End If\nEnd Function\n"
+    )
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    assert by_name(made.subs())["Fib"] == pytest.approx(930e-5, abs=2e-5)
+    computing = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
+    assert computing[5] == pytest.approx(930e-5, abs=2e-5)
+    assert computing.get(3, 0.0) < 2e-5
+
+
+def test_a_loop_behind_a_sub_that_waits_has_its_own_time() -> None:
+    """1 000 iterations of two statements take 20 ms; the WAIT in the sub was over before the loop began."""
+    text = "Inner()\nFor i = 1 To 1000\n  x = x + i\nNext\nEnd\nSub Inner()\n  WAIT(5)\nEnd Sub\n"
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    computing = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
+    assert computing[2] == pytest.approx(20e-3, abs=3e-5)
+    assert computing.get(7, 0.0) < 3e-5
+
+
+# ------------------------------------------------------------------------------------------------------ who asks
+
+
+def test_the_budget_the_difference_and_the_page_agree() -> None:
+    text = "Wait = 50\n" + MOVE + "While Not IDLE(0)\n  n = n + 1\nEnd While\n"
+    old, new = ran(text), ran(text.replace("= 200", "= 300"))
+    (over,) = over_budget(old, {"budget.motion": 1.0, "budget.computing": 0.01, "budget.dwell": 0.06})
+    assert over.message.startswith("motion took 2.1 s, 1.1 s more than the budget of 1 s")
+    assert over.line == 5
+    (first, *others) = charged(old, new)
+    assert first.new == 5
+    assert first.seconds == pytest.approx(1.0, abs=1e-4)
+    assert all(abs(each.seconds) < 1e-4 for each in others)
+    (wait,) = [wait for wait in TimeProfile(old).waits()["ParentTask"] if wait.cause != "time"]
+    assert (wait.cause, wait.what, wait.why) == ("axis", (0,), "while Not IDLE(0)")
+
+
+# ------------------------------------------------------------------------------------------------------------ MCCL
+
+# 40000 counts at 10000 with 100000 either way take 40000 / 10000 + 10000 / 100000 = 4.1 s; channel 3 comes on at 6 s.
+MCCL_MOVE = "1MN,1SV10000,1SA100000,1DS100000\n1MR40000\n"
+MCCL_WORLD = {"input": [{"channel": 3, "at": 6.0}, {"channel": 4, "at": 7.0}]}
+# What stands from line 3 on, the cause by kind, its line of the wait, and how long, s.
+MCCL_WAITS = {
+    "WS": ("1WS", "travel of axis 1", 3, 4.1),
+    "JR": ('LU"POSITION"\nAR10\n1RV@10,IB39999.9,JR-2,NO', "travel of axis 1", 5, 4.1),
+    "WN": ("WN3", "waiting for an input", 3, 6.0),
+    "IF RP": ("IF3,RP,NO", "waiting for an input", 3, 6.0),
+    "WA IF RP": ("WA0.005,IF3,RP,NO", "waiting for an input", 3, 6.0),
+    "JP": ("NO,IF3,JP1,NO", "waiting for an input", 3, 6.0),
+    "macro": ("MD15,IF3,RP,NO\nMC15", "waiting for an input", 3, 6.0),
+    "jump to itself": ("MD15,IF3,MJ15,NO\nMJ15", "waiting for an input", 3, 6.0),
+}
+
+
+@pytest.mark.parametrize("form", MCCL_WAITS)
+def test_a_line_of_mccl_that_polls_waits(form: str) -> None:
+    text, cause, line, time = MCCL_WAITS[form]
+    made = checked(TimeProfile(ran(MCCL_MOVE + text + "\n", "poll.mcl", machine=MCCL_WORLD)))
+    assert by_name(made.kinds())[cause] == pytest.approx(time, abs=2e-3)
+    assert by_name(made.held())[str(line)] == pytest.approx(time, abs=6e-3)
+
+
+def test_what_follows_a_loop_of_mccl_in_its_line_is_not_of_it() -> None:
+    """IN3 holds at 6 s; then the same line dwells for half a second, and the next one counts to 2000."""
+    text = "IF3,JP0,NO,WA0.5\nAL0\nAA1,RP2000\n"
+    made = checked(TimeProfile(ran(text, "poll.mcl", machine=MCCL_WORLD)))
+    kinds = by_name(made.kinds())
+    assert kinds["waiting for an input"] == pytest.approx(6.0, abs=1e-3)
+    assert kinds["dwell"] == pytest.approx(0.5, abs=1e-6)
+    # 2001 times AA1 and RP, each command of 10 us.
+    assert by_name(made.lines())["3"] == pytest.approx(4002e-5, abs=1e-4)

@@ -1,0 +1,84 @@
+"""Changes that are accepted one by one: of the report that is made, exactly the others are otherwise."""
+
+from __future__ import annotations
+
+import json
+from itertools import chain, combinations
+
+import pytest
+
+from motionlang.analysis.diff.accept import Change, changes, merged
+from motionlang.analysis.diff.reports import difference
+from motionlang.execution import run
+from motionlang.report import rendered, text
+from motionlang.source import Source
+from motionlang.views.diff import change_lines
+from tests.analysis.diff.test_reports import CYCLE as TURNS
+
+# The turns of the other tests, told without the time, then a move that is stopped.
+CYCLE = TURNS.replace(', " after ", TIME', "") + (
+    "MOVEA(0) = 400 : GO(0) : WAIT(300) : STOP(0) : PAUSE IDLE(0)\nWAIT(50)\n"
+)
+EDITS = {
+    "rate": [("ACCEL(0, 1) = 1000;", "ACCEL(0, 1) = 1000, 2000")],
+    "wait": [("WAIT(100)", "WAIT(130)")],
+    "end": [("WAIT(50)", "WAIT(80)"), ("ACCEL(0, 1) = 1000;", "ACCEL(0, 1) = 1000, 2000")],
+    "turn": [("To 3", "To 4")],
+    "fewer": [("To 3", "To 2"), ("WAIT(50)", "WAIT(40)")],
+    "way": [("MOVEA(1) = 50", "MOVEA(1) = 60"), ('"turn "', '"part "')],
+    "stop": [("WAIT(300)", "WAIT(320)")],
+    "word": [('PRINT "turn ", n', "PRINT n"), ("WAIT(100)", "WAIT(90)")],
+}
+
+
+def report(program: str) -> dict[str, object]:
+    found: dict[str, object] = json.loads(text(run(Source("c.mnt", program), cache=False), whole=False))
+    return found
+
+
+def told(old: dict[str, object], new: dict[str, object]) -> set[str]:
+    found = difference(old, new)
+    return {line for change in changes(found) for line in change_lines(found, change)}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_what_is_refused_is_still_otherwise_and_nothing_else(edit: str) -> None:
+    program = CYCLE
+    for was, is_ in EDITS[edit]:
+        assert was in program
+        program = program.replace(was, is_)
+    old, new = report(CYCLE), report(program)
+    found = difference(old, new)
+    every = changes(found)
+    assert every
+    for some in chain.from_iterable(combinations(every, n) for n in range(min(len(every), 7) + 1)):
+        made = json.loads(rendered(merged(old, new, found, some)))
+        left, done = difference(made, new), difference(old, made)
+        assert kinds(changes(left)) == kinds([each for each in every if each not in some]), (
+            edit,
+            kinds(some),
+        )
+        assert kinds(changes(done)) == kinds(some), (edit, kinds(some))
+        again = merged(made, new, left, changes(left))
+        assert difference(again, new).same
+    assert difference(merged(old, new, found, every), new).same
+    assert difference(old, merged(old, new, found, [])).same
+
+
+def kinds(found: object) -> list[str]:
+    return sorted(change.kind for change in found)  # type: ignore[attr-defined]
+
+
+def test_a_report_that_is_there_as_data_is_written_in_the_same_form() -> None:
+    ran = run(Source("c.mnt", CYCLE), cache=False)
+    for whole in (True, False):
+        assert rendered(json.loads(text(ran, whole=whole))) == text(ran, whole=whole)
+
+
+def test_each_change_is_told_by_itself() -> None:
+    old, new = report(CYCLE), report(CYCLE.replace("To 3", "To 4"))
+    found = difference(old, new)
+    every: list[Change] = changes(found)
+    assert [each.kind for each in every] == ["moves", "print", "field"][: len(every)]
+    assert change_lines(found, every[0])[0].startswith("new: line 6: MOVEA of axis 0 by 100 uu at ")
+    assert len(change_lines(found, every[0])) == 4

@@ -1,0 +1,73 @@
+"""Which lines a difference in time is charged to."""
+
+from __future__ import annotations
+
+from math import fsum
+
+import pytest
+
+from motionlang.analysis.diff.charged import Charge, charged
+from motionlang.analysis.diff.reports import difference
+from motionlang.execution import run
+from motionlang.report import build
+from motionlang.result import Run
+from motionlang.source import Source
+from motionlang.views.diff import diff_lines
+
+# X takes 1.1 s, Z 0.5 s; then 0.1 s of nothing.
+PROGRAM = """\
+SPEED(0, 1) = 100;
+ACCEL(0, 1) = 1000;
+DECEL(0, 1) = 1000;
+MOVER(0, 1) = 100, 40 : GO(0, 1)
+PAUSE IDLE(0) And IDLE(1)
+WAIT(100)
+"""
+
+
+def ran(text: str) -> Run:
+    return run(Source("press.mnt", text), cache=False)
+
+
+def told(text: str) -> list[tuple[int | None, int | None, float]]:
+    return [(each.old, each.new, round(each.seconds, 3)) for each in charged(ran(PROGRAM), ran(text))]
+
+
+@pytest.mark.parametrize(
+    ("was", "is_", "expected"),
+    [
+        ("100, 40", "100, 50", []),  # nobody waits for Z
+        ("100, 40", "90, 40", [(4, 4, -0.1)]),
+        ("WAIT(100)", "WAIT(150)", [(6, 6, 0.05)]),
+        ("SPEED", "' a remark\nSPEED", []),
+        ("WAIT(100)", "' a remark\nWAIT(150)", [(6, 7, 0.05)]),
+        ("WAIT(100)\n", "", [(6, None, -0.1)]),
+        ("WAIT(100)\n", "WAIT(100)\nWAIT(20)\n", [(None, 7, 0.02)]),
+        ("100, 40", "200, 40", [(4, 4, 1.0)]),
+    ],
+)
+def test_it_is_the_line_that_the_run_waited_for(
+    was: str, is_: str, expected: list[tuple[int | None, int | None, float]]
+) -> None:
+    assert was in PROGRAM
+    found = told(PROGRAM.replace(was, is_))
+    assert [each for each in found if abs(each[2]) > 1e-3] == expected
+
+
+def test_together_they_are_the_whole_difference() -> None:
+    old, new = ran(PROGRAM), ran(PROGRAM.replace("100, 40", "90, 140").replace("WAIT(100)", "WAIT(150)"))
+    found = charged(old, new)
+    assert fsum(each.seconds for each in found) == pytest.approx(new.time - old.time, abs=1e-12)
+    assert found[0].old == 4
+    assert found[0].seconds == pytest.approx(0.4, abs=1e-4)
+
+
+def test_lines_that_are_new_or_gone_are_told_as_such_and_many_together() -> None:
+    old, new = ran(PROGRAM), ran(PROGRAM.replace("WAIT(100)\n", ""))
+    found = difference(build(old), build(new))
+    charges = [Charge(6, None, -0.1), Charge(None, 7, 0.02), Charge(4, 5, 0.01), Charge(0, 0, 0.003),
+               Charge(1, 1, 0.002), Charge(2, 2, 0.001)]  # fmt: skip
+    assert diff_lines(found, None, charges)[1] == (
+        "of that: line 6 (no more) -0.100000 s, line 7 (new) +0.020000 s, line 4 (now 5) +0.010000 s, "
+        "no line +0.003000 s, 2 more +0.003000 s"
+    )

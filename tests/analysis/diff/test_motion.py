@@ -1,0 +1,76 @@
+"""Where the motion of two runs parts, found by tables of pieces: as looking at every place one by one finds it."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from motionlang.analysis.diff import motion
+from motionlang.analysis.diff.motion import LOOKS, ROUNDING, Parting, parting
+from motionlang.controller.axis import Axis
+from motionlang.execution import run, settings_beside
+from motionlang.log.track import WholeTrack
+from motionlang.result import Run
+from motionlang.source import Source
+
+SCRIPTS = Path(__file__).parents[3] / "scripts"
+# What is changed in a program; motion of the cam, the contour and the shear is in formulas besides pieces.
+CHANGES = {
+    "mint/palletiser.mnt": ("= 600, 600, 300", "= 600, 500, 300"),
+    "mint/pick-and-place.mnt": ("= 800, 500", "= 700, 500"),
+    "mint/cam-lift.mnt": ("= 180", "= 190"),
+    "mint/contour-glue.mnt": ("= 2000", "= 1500"),
+    "mint/flying-shear.mnt": ("= 200", "= 210"),
+}
+
+
+def looked(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
+    """One place after the other."""
+    edges = sorted({*WholeTrack(a).starts, *WholeTrack(b).starts, end})
+    first, largest = None, (0.0, 0.0)
+    for begin, finish in pairwise(edges):
+        for n in range(1, LOOKS + 1) if finish <= end else ():
+            time = begin + (finish - begin) * n / LOOKS
+            one, other = (
+                a.scale.position_to_user(a.position(time)),
+                b.scale.position_to_user(b.position(time)),
+            )
+            distance = abs(one - other) - ROUNDING * max(abs(one), abs(other), 1.0)
+            if distance > tolerance and first is None:
+                first = time
+            if distance > largest[0]:
+                largest = distance, time
+    return None if first is None else Parting(a.index, first, *largest)
+
+
+def pair(name: str) -> tuple[Run, Run]:
+    path = SCRIPTS / name
+    source, (was, is_) = Source.read(path), CHANGES[name]
+    assert was in source.text
+    settings = settings_beside(path)
+    return tuple(  # type: ignore[return-value]
+        run(Source(source.name, text), cache=False, machine=settings, until=60.0)
+        for text in (source.text, source.text.replace(was, is_))
+    )
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 0.5])
+@pytest.mark.parametrize("name", CHANGES)
+def test_it_is_what_looking_everywhere_finds(
+    name: str, tolerance: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(motion, "TOGETHER", 7)  # short runs, too, are looked at in parts
+    old, new = pair(name)
+    end, expected = min(old.time, new.time), []
+    for number, a in old.controller.axes.items():
+        found = looked(a, new.controller.axes[number], end, tolerance)
+        if found is not None:
+            expected.append(found)
+    told = parting(old, new, tolerance)
+    assert told is not None
+    (mine,) = (each for each in expected if each.axis == told.axis)
+    assert (told.largest, told.largest_at) == (mine.largest, mine.largest_at)
+    # The moment itself lies between the place that is elsewhere and the one before it.
+    assert min(each.time for each in expected) >= told.time

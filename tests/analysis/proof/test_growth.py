@@ -1,0 +1,99 @@
+"""The work of a proof grows with its run, not with its square: counted, not timed."""
+
+from __future__ import annotations
+
+from marshal import loads
+
+import pytest
+
+from motionlang import run
+from motionlang.analysis.proof import checker as judge
+from motionlang.controller.move import Move
+from motionlang.log import stream
+from motionlang.result import Run
+from motionlang.source import Source
+
+BLENDS = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
+PROFILEMODE(0) = 1 : ACCELJERK(0) = 200000 : DECELJERK(0) = 200000
+MOVEBUFFERSIZE(0) = 100 : MOVEBUFFERSIZE(1) = 100
+BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 0.0000333333
+{}GO(0)
+PAUSE IDLE(0)
+"""
+
+
+JOGS = """Dim k As Float
+While k < {}
+  k = k + 1
+  JOG(0) = 0.001 * k
+End While
+CANCEL(0)
+"""
+
+OFFSETS = """SPEED(1) = 80 : ACCEL(1) = 300 : DECEL(1) = 400 : MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0
+FOLLOW(1) = 0.5
+JOG(0) = 30
+Dim i As Integer
+For i = 1 To {}
+  OFFSET(1) = 0.1 : GO(1)
+  WAIT 60
+Next
+CANCEL(0)
+"""
+
+
+def proved(text: str) -> Run:
+    return run(Source("long.mnt", text), cache=False, prove=True)
+
+
+def looks(monkeypatch: pytest.MonkeyPatch, text: str) -> int:
+    """How often the proof of a program asks how far another entry has come."""
+    count, gone = 0, judge.gone
+
+    def counted(move: Move, time: float) -> tuple[float, float]:
+        nonlocal count
+        count += 1
+        return gone(move, time)
+
+    result = proved(text)
+    with monkeypatch.context() as patched:
+        patched.setattr(judge, "gone", counted)
+        assert result.proof().holds
+    return count
+
+
+def test_each_blended_path_is_compared_with_those_that_overlap_it_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    few, many = (
+        looks(monkeypatch, BLENDS.format("VECTORR(0, 1) = 0.03, 0.04\n" * paths)) for paths in (41, 84)
+    )
+    assert 0 < many <= 2.2 * few
+
+
+def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    few, many = (looks(monkeypatch, OFFSETS.format(offsets)) for offsets in (50, 100))
+    assert 0 < many <= 2.2 * few
+
+
+def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """2 000 jogs without a rest between them, packed by 128: some 32 parts of moves and of profiles."""
+    count = 0
+
+    def counted(data: bytes) -> object:
+        nonlocal count
+        count += 1
+        return loads(data)
+
+    for name, value in (("MOST", 512), ("LEFT", 128), ("PART", 128)):
+        monkeypatch.setattr(stream, name, value)
+    result = proved(JOGS.format(2000))
+    monkeypatch.setattr(stream, "loads", counted)
+    proof = result.proof()
+    assert proof.holds
+    assert proof.counts["moves"] == 2000
+    assert 0 < count <= 500

@@ -1,0 +1,369 @@
+"""The proof of a run: it finds what is forged into a track, names what was ordered, and lists what is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from motionlang import run
+from motionlang.analysis.proof.prove import prove
+from motionlang.controller.axis import Axis
+from motionlang.log.order import Order
+from motionlang.log.trace import Samples
+from motionlang.log.track import Recorded
+from motionlang.planners import Profile, hold, plan
+from motionlang.report import moves
+from motionlang.result import Run
+from motionlang.source import Source
+
+FINE = {"controller.instruction_time": 1e-9}
+MOVE = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 50\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
+JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
+
+
+def proved(program: str) -> Run:
+    result = run(Source("move.mnt", program), machine=FINE, cache=False, prove=True)
+    assert result.diagnostics == []
+    return result
+
+
+def found(result: Run) -> list[str]:
+    return [f"{each.line}: {each.message}" for each in result.proof().violations]
+
+
+def put(a: Axis, made: Callable[[Profile], Profile]) -> None:
+    """Forge the first moving profile of a track, and of the log."""
+    i = next(k for k, each in enumerate(a.profiles) if each.shape != "hold")
+    a.profiles[i] = made(a.profiles[i])
+
+
+FORGED: dict[str, tuple[Callable[[Profile], Profile], str]] = {
+    "a jump": (lambda p: p.shifted(1.0), "the position jumps by 1 counts"),
+    "too fast": (lambda _: plan("trapezoid", 0.0, 100.0, 25.0, 100.0, 50.0), "the speed reaches 25 counts"),
+    "too hard": (lambda _: plan("trapezoid", 0.0, 100.0, 20.0, 130.0, 50.0), "the acceleration reaches 130"),
+    "brakes too hard": (
+        lambda _: plan("trapezoid", 0.0, 100.0, 20.0, 100.0, 70.0),
+        "the deceleration reaches 70",
+    ),
+    "elsewhere": (lambda _: plan("trapezoid", 0.0, 101.0, 20.0, 100.0, 50.0), "the position jumps by"),
+    "not at all": (lambda _: hold(0.0).cut(5.3), "the log has it at"),
+}
+
+
+def test_a_sound_run_is_proved() -> None:
+    proof = proved(MOVE).proof()
+    assert proof.holds
+    assert proof.counts == {"moves": 1, "profiles": 1, "joins": 2, "paths": 0}
+    assert {name: round(share, 6) for name, share in proof.worst.items()} == {
+        "speed": 1.0, "acceleration": 1.0, "deceleration": 1.0,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FORGED)
+def test_what_is_forged_is_found(name: str) -> None:
+    forge, message = FORGED[name]
+    result = proved(MOVE)
+    put(result.controller.axes[0], forge)
+    assert any(message in each for each in found(result)), found(result)
+
+
+def test_a_jerk_beyond_the_one_in_force_is_found() -> None:
+    result = proved(JERKS + MOVE)
+    assert found(result) == []
+    put(
+        result.controller.axes[0],
+        lambda _: plan("scurve", 0.0, 100.0, 20.0, 100.0, 50.0, 0.0, 0.0, 900.0, 400.0),
+    )
+    assert any("the jerk reaches 900" in each for each in found(result))
+
+
+def test_a_log_that_ends_elsewhere_is_found() -> None:
+    result = proved(MOVE)
+    result.controller.log.moves[0].target += 1.0
+    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
+
+
+def test_a_move_that_ends_as_the_run_does_is_asked_where() -> None:
+    (whole,) = proved(MOVE).controller.log.moves
+    assert whole.profile is not None
+    end = whole.start_time + whole.profile.duration
+    result = run(Source("move.mnt", MOVE), machine=FINE, cache=False, prove=True, until=end)
+    assert found(result) == []
+    result.controller.log.moves[0].target += 1.0
+    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
+
+
+def test_a_move_in_no_time_is_found() -> None:
+    result = proved(MOVE)
+    result.controller.log.moves[0].profile = Profile("trapezoid", 0.0, 100.0, 0.0, (0.0, 0.0, 0.0, 0.0))
+    assert any("100 counts in no time" in each for each in found(result))
+
+
+ORDERED = {
+    "MOVER(0) = 100 : GO(0)\nWAIT 500\nCANCEL(0)\n": "a stop at once: cancelled, switched off, or at a limit",
+    "MOVER(0) = 100 : GO(0)\nWAIT 500\nPOS(0) = 7\nPAUSE IDLE(0)\n": "a position that is given a new value",
+    "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 10\nVECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 50, 5\nGO(0)\n"
+    "PAUSE IDLE(0)\n": "a kink within CONTOURANGLE",
+}
+
+
+@pytest.mark.parametrize("program", ORDERED)
+def test_what_is_ordered_has_its_name(program: str) -> None:
+    proof = proved("SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n" + program).proof()
+    assert proof.holds
+    assert list(proof.exceptions) == [ORDERED[program]]
+
+
+def test_a_position_is_given_a_new_value_at_the_moment_at_which_a_move_is_cut_off() -> None:
+    """The end of the move, its beginning and its time added up, is one rounding behind that moment."""
+    program = "WA0.1\n1MN,1SV20000,1MA5000\nWA0.125,1RT\n"
+    result = run(Source("reset.mcl", program), machine={}, cache=False, prove=True)
+    (move,) = result.controller.log.moves
+    assert move.profile is not None
+    assert move.start_time + move.profile.duration > result.controller.axes[1].starts[-1]
+    assert found(result) == []
+
+
+# Paths of more than one pace, and a stop on one: each broke a bound once.
+PACES = (
+    # A path shorter than the ramp to its speed: 420.5 uu/s² without a forward pass.
+    "FEEDRATEMODE(0) = 1 : CONTOURMODE(0) = 1 : ACCEL(0) = 90 : DECEL(0) = 60\nSPEED(0) = 29\nVECTORR(0, 1) = 1, 0\n"
+    "SPEED(0) = 30\nVECTORR(0, 1) = 100, 0\nGO(0)\nPAUSE IDLE(0)\n",
+    "SPEED(0) = 40 : ACCEL(0) = 300 : DECEL(0) = 500 : MAXACCEL(0) = 60 : MAXDECEL(0) = 60\n"
+    "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 5\nVECTORR(0, 1) = 5, 0\nVECTORR(0, 1) = 40, 0.001\nGO(0)\n"
+    "PAUSE IDLE(0)\n",
+    # A stop in the midst of an S-ramp.
+    "SPEED(0) = 20 : ACCEL(0) = 50 : DECEL(0) = 50 : PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
+    "VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\nSTOP(0)\nPAUSE IDLE(0)\n",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("program", PACES)
+def test_paths_of_other_paces_and_stops_on_them_keep_every_bound(program: str) -> None:
+    assert found(proved(program)) == []
+
+
+def test_a_run_that_kept_no_orders_cannot_be_proved() -> None:
+    result = run(Source("move.mnt", MOVE), cache=False)
+    with pytest.raises(ValueError, match="prove=True"):
+        result.proof()
+
+
+# Orders that are forged afterwards: the motion then breaks them.
+ARC = "MAXACCEL(1) = 40\nCIRCLER(0, 1) = -10, 0, 300\nGO(0)\nPAUSE IDLE(0)\n"
+LINE = "VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"
+SLAVE = "MASTERSOURCE(1) = _msPOS : FOLLOW(1) = 0.5\nJOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n"
+CAM = (
+    "Dim rise(3) As Float = 2, 5, 9\nMASTERSOURCE(1) = _msPOS : MASTERDISTANCE(1) = 10\nCAMTABLE(1, rise)\n"
+    "CAM(1) = 0 : GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
+)
+SPLINE = (
+    "Dim way(5) As Float = 4, 5, 10, 10, 5\nSPLINETABLE(0, way)\nSPLINETIME(0) = 500\nSPLINE(0) = 0\nGO(0)\n"
+    "PAUSE IDLE(0)\n"
+)
+FLY = (
+    "MASTERSOURCE(1) = _msPOS : MASTERDISTANCE(1) = 10\nMOVEBUFFERSIZE(1) = 5\nFLY(1) = 5 : FLY(1) = 10 : FLY(1) = 5\n"
+    "GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
+)
+REFERENCE = "SPEEDREF(0) = 20\nWAIT 9000\nSPEEDREF(0) = 0\nWAIT 9000\n"
+SLOWER = "FEEDRATEMODE(0) = 0\nMOVER(0) = 100 : GO(0)\nWAIT 1000\nSPEED(0) = 10\nPAUSE IDLE(0)\n"
+RATES = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
+Forge = Callable[[Order], Order]
+
+
+def path_of(order: Order, **other: object) -> Order:
+    return order if order.path is None else order._replace(path=order.path._replace(**other))  # type: ignore[arg-type]
+
+
+def tie_of(order: Order, **other: object) -> Order:
+    return order if order.tie is None else order._replace(tie=order.tie._replace(**other))  # type: ignore[arg-type]
+
+
+def off(order: Order, place: float, value: float, kind: str) -> Order:
+    """A tie to a table of one segment."""
+    return tie_of(order, table=((0.0, place), (0.0, value), kind))
+
+
+BROKEN: dict[str, tuple[str, Forge, str]] = {
+    "a path that goes elsewhere": (LINE, lambda o: path_of(o, line=(30.0, 41.0)), "off the way that was ordered"),
+    "a path too long": (LINE, lambda o: path_of(o, line=(33.0, 44.0)), "ordered was 33"),
+    "another radius": (ARC, lambda o: path_of(o, centre=(-10.5, 0.0)), "off the way that was ordered"),
+    "an angle": (ARC, lambda o: path_of(o, angle=301.0), "its path ends at"),
+    "a path too fast": (LINE, lambda o: o._replace(speed=19.9), "the path speed reaches 20, above 19.9"),
+    "a slow path too fast": (
+        "SPEED(0) = 0.5\nVECTORR(0, 1) = 0.3, 0.4\nGO(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(speed=0.4),
+        "the path speed reaches 0.5, above 0.4",
+    ),
+    "a path too hard": (LINE, lambda o: o._replace(rates=(99.0, 100.0)), "the path acceleration reaches 100"),
+    "too hard for one of its axes": (ARC, lambda o: path_of(o, most_accel=(1e9, 35.0)), "the rate on paths of axis 1"),
+    "too fast for one of its axes": (LINE, lambda o: path_of(o, most=(1e9, 15.0)), "speed on paths of axis 1 reaches"),
+    "the jerk of a path": (JERKS + LINE, lambda o: o._replace(jerks=(300.0, 399.0)), "the path jerk reaches 400"),
+    "a fade that is too slow": (
+        "JOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(rates=(100.0, 120.0)) if o.kind == "stop" else o,
+        "it takes 0.2 s where 0.166667 s are due",
+    ),
+    "a fade at a lower jerk": (
+        JERKS + "JOG(0) = 20\nWAIT 100\nSTOP(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(jerks=(500.0, 500.0)) if o.kind == "stop" else o,
+        "s are due",
+    ),
+    "a move that dawdles": (
+        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n",
+        lambda o: o._replace(speed=21.0) if o.kind == "move" else o,
+        "it takes 5.2 s where",
+    ),
+    "a move in motion that dawdles": (SLOWER, lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o, "s are due"),
+    "a path that dawdles": (LINE, lambda o: o._replace(speed=21.0), "it takes 2.7 s where 2.59095 s are due"),
+    "an arc that dawdles": (
+        ARC,
+        lambda o: path_of(o._replace(speed=100.0), most_accel=(1e9, 1e9), most=(1e9, 1e9)),
+        "s are due at the most",
+    ),
+    "a cam beside its table": (CAM, lambda o: off(o, 10.0, 2.1, "linear"), "ordered is 2.1"),
+    "a cam of another length": (CAM, lambda o: off(o, 9.0, 4.5, "linear"), "long, ordered is 9"),
+    "a segment beside its distance": (FLY, lambda o: off(o, 10.0, 6.0, "even"), "ordered is 6"),
+    "a segment that begins at another ratio": (
+        FLY,
+        lambda o: tie_of(o, table=None) if o.tie and o.tie.table and o.tie.table[1][1] == 5.0 else o,
+        "its segment begins at a ratio of 1, due is 0",
+    ),
+    "a spline beside its points": (
+        SPLINE,
+        lambda o: o._replace(points=([0.0, 5.0, 15.1, 25.0, 30.0], *o.points[1:])) if o.points else o,
+        "point 2 is 15.1 at",
+    ),
+    "a spline at other velocities": (
+        SPLINE,
+        lambda o: o._replace(points=(o.points[0], [1.0] * 5, o.points[2])) if o.points else o,
+        "at 1 counts/s, it is at 0 at 0 counts/s",
+    ),
+    "a speed reference that dawdles": (
+        REFERENCE,
+        lambda o: o._replace(slopes=((130.0, 0.0, 0.0), o.slopes[1])) if o.slopes else o,
+        "s are due",
+    ),
+    "a speed reference too hard": (
+        REFERENCE,
+        lambda o: o._replace(rates=(90.0, 90.0)) if o.slopes else o,
+        "the rate of a reference reaches",
+    ),
+    "another ratio": (SLAVE, lambda o: tie_of(o, ratio=0.51), "its master has it at"),
+    "another place on a cam": (CAM, lambda o: tie_of(o, origin=0.5), "its master has it at"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_an_order_that_the_motion_breaks_is_found(name: str) -> None:
+    program, forge, message = BROKEN[name]
+    result = proved(RATES + program)
+    assert found(result) == []
+    assert result.orders is not None
+    for axis, records in result.orders.of.items():
+        result.orders.of[axis] = [forge(order) for order in records]
+    assert any(message in each for each in found(result)), found(result)
+
+
+def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
+    result = proved(MOVE)
+    assert result.orders is not None
+    (row,), recorded = list(moves(result)), Recorded(result.controller)
+    samples = result.trace.sample(10.0)
+
+    def told(report: dict[str, object], trace: Samples = samples) -> list[str]:
+        assert result.orders is not None
+        return [
+            each.message for each in prove(recorded, result.orders, result.time, [report], trace).violations
+        ]
+
+    assert told(row) == []
+    assert told({**row, "end": 101.0}) == [
+        "axis 0 from 0.000000 s: the report has it at 101 at 5.300000 s, the track at 100"
+    ]
+    assert told({**row, "peak_speed": 20.1}) == [
+        "axis 0 from 0.000000 s: the report has a peak of 20.1, the track 20"
+    ]
+    assert "the report has it at 7" in told({**row, "start_time": 7.0})[0]
+    times, place, *others = samples.data
+    forged = Samples(samples.columns, (times, place + 0.01 * (times > 2.05), *others))
+    assert told(row, forged) == ["axis 0 at 2.100000 s: the trace has it at 40.01, the track at 40"]
+
+
+def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run of as many profiles as are kept is proved; one more, and nothing is kept."""
+    monkeypatch.setattr("motionlang.log.orders.MANY_ALIKE", 1)
+    program = (
+        "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
+    )
+    whole = run(Source("move.mnt", program), cache=False, prove=True)
+    assert whole.orders is not None
+    count = sum(map(len, whole.orders.of.values())) - len(whole.orders.of)
+    for most, told in ((count, []), (count - 1, [f"0: the run has more than {count - 1} profiles"])):
+        monkeypatch.setattr("motionlang.log.orders.MOST", most)
+        monkeypatch.setattr("motionlang.analysis.proof.prove.MOST", most)
+        ran = run(Source("move.mnt", program), cache=False, prove=True)
+        assert ran.output == whole.output == ["4.0000"]
+        assert [each.partition(" of motion")[0] for each in found(ran)] == told
+        assert ran.report == whole.report
+        assert ran.orders is not None
+        assert (ran.orders.is_full, bool(ran.orders.of)) == (bool(told), not told)
+
+
+@pytest.mark.parametrize(("speed", "orders"), [("10", 1), ("10 * i", 60)])
+def test_moves_that_are_ordered_alike_are_kept_as_one(
+    speed: str, orders: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sixty moves of one order and their rests are two profiles in fifty; with a speed each there are too many."""
+    turn = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
+    program = f"Dim i As Integer\nFor i = 1 To 60\n  {turn}Next\n"
+    monkeypatch.setattr("motionlang.log.orders.MOST", 62)
+    kept = proved(program).orders
+    assert kept is not None
+    assert (kept.is_full, len({id(each) for each in kept.of[0]})) == (False, 1 + orders)
+    monkeypatch.setattr("motionlang.log.orders.MOST", 4)
+    full = proved(program).orders
+    assert full is not None
+    assert full.is_full == (orders > 1)
+
+
+def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of moves and profiles that the log has packed, and of a path among them."""
+    monkeypatch.setattr("motionlang.log.log.FIRST_LOOK", 4)
+    monkeypatch.setattr("motionlang.log.log.MOST_PROFILES", 40)
+    monkeypatch.setattr("motionlang.log.log.LEFT_PROFILES", 4)
+    monkeypatch.setattr("motionlang.log.trace.PROFILES", 8)
+    move = "MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
+    loop = f"For i = 1 To 60\n  {move}Next\n"
+    path = "VECTORR(0, 1) = 3, 4\nGO(0)\nPAUSE IDLE(0)\n"
+    result = proved(f"Dim i As Integer\n{RATES}{loop}{path}{loop}")
+    proof = result.proof()
+    assert result.controller.axes[0].older is not None
+    assert (proof.violations, proof.counts["moves"], proof.counts["paths"]) == ([], 122, 1)
+    (row, *rows) = list(moves(result))
+    assert result.orders is not None
+    recorded = Recorded(result.controller)
+    told = prove(recorded, result.orders, result.time, rows).violations
+    assert [each.message for each in told] == ["the report tells of 121 moves, the log of 122"]
+    told = prove(recorded, result.orders, result.time, [{**row, "line": 99}, *rows]).violations
+    assert [each.message for each in told] == [
+        "axis 0 from 0.000000 s: the report has it at 5e-09 s, line 99"
+    ]
+
+
+def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
+    program = (
+        "SCALE(0) = 4 : SCALE(1) = 4 : MAXSPEED(0) = 10 : SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
+        "VECTORR(0, 1) = 50, 0\nGO(0)\nPAUSE IDLE(0)\n"
+    )
+    proof = proved(program).proof()
+    assert (proof.holds, proof.counts["paths"]) == (True, 1)
+
+
+@pytest.mark.parametrize("motion", ["1MR5000", "1PS0.1,1MR5000", "1VM,1GO"])
+def test_settings_that_come_in_motion_say_nothing_of_what_goes_on_at_a_new_zero(motion: str) -> None:
+    """An axis of MCCL goes on as it began until something is ordered; a new zero orders nothing."""
+    program = f"1MN,1SV5000,1SA100000,1DS100000\n{motion},WA0.01\n1SA2.5,1DS2.5\n1DH100\nWA0.01,1AB,1WS\n"
+    result = run(Source("zero.mcl", program), cache=False, prove=True)
+    assert (result.status, found(result)) == ("ended", [])

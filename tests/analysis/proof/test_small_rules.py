@@ -1,0 +1,180 @@
+"""Small rules of the proof by their figures, each where nothing else would tell it from another."""
+
+from __future__ import annotations
+
+from math import inf, nextafter
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from motionlang.analysis.proof.axes import _judge_knots
+from motionlang.analysis.proof.checker import Proof, position
+from motionlang.analysis.proof.followers import FOUR, _judge_table, _moments, _wanted
+from motionlang.analysis.proof.paths import Way, _counts, _judge_along, spans_along
+from motionlang.analysis.proof.segments import Span, _from
+from motionlang.analysis.proof.time_bounds import Law, lead
+from motionlang.execution import run
+from motionlang.log.history import MoveFigures, servo_traces
+from motionlang.log.order import Order, PathOrder, Tie
+from motionlang.log.track import WholeTrack
+from motionlang.planners import hold, plan_trapezoid
+from motionlang.planners.sequence import chained
+from motionlang.planners.table_motion import table_curve
+from motionlang.source import Source
+from tests.controller.machines import machine, until
+
+FREE = (inf, inf)
+
+
+def test_an_acceleration_beyond_what_is_allowed_is_taken_back_to_that_first() -> None:
+    """30 to 20 at a jerk of 100 in 0.1 s, held until 98, and taken back in 0.2 s."""
+    time, way = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
+    assert time == pytest.approx(0.1 + 4.775 + 0.2)
+    assert way == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
+
+
+def test_a_slave_is_looked_at_where_a_piece_ends_and_within_each() -> None:
+    c = machine(1)
+    c.move_to(0, 20.0)
+    track = WholeTrack(until(c, 1.0).axes[0])
+    inside = [0.1 * share for share in FOUR] + [0.1 + 0.9 * share for share in FOUR]
+    assert _moments(track, track, 0.0, 1.0) == pytest.approx(sorted([0.1, 1.0, *inside]))
+    assert all(0.0 < share < 1.0 for share in FOUR)
+
+
+def test_a_place_between_two_of_a_table_is_on_the_line_between_them() -> None:
+    master: Any = None
+    tie = Tie(master, table=((0.0, 2.0, 4.0), (0.0, 8.0, 10.0), "linear"))
+    assert [_wanted(tie, hold(0.0), along) for along in (1.0, 2.0, 3.0)] == [4.0, 8.0, 9.0]
+
+
+# How a table is ordered, its places and values, how its curve is made, and what is told.
+TABLES: dict[str, tuple[str, tuple[float, ...], tuple[float, ...], str, str]] = {
+    "straight": ("linear", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "linear", ""),
+    "smooth": ("cubic", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "cubic", ""),
+    "bent between its places": (
+        "linear", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "cubic", "is not straight from 0 to 2 of its master",
+    ),
+    "a small jump of the slope of a long table": (
+        "cubic", (0.0, 1000.0, 2000.0), (0.0, 1.0, 2.001), "linear", "the slope of its curve jumps by 1e-06",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_curve_is_joined_as_its_table_says(name: str) -> None:
+    kind, places, values, made, told = TABLES[name]
+    some: Any = SimpleNamespace(index=1, starts=[0.0])
+    proof, order = Proof(), Order("CurveFollow", 1, tie=Tie(some, table=(places, values, kind)))
+    _judge_table(proof, some, some, 0, order, table_curve(list(places), list(values), made))
+    assert [told in each.message for each in proof.violations] == [True] * bool(told)
+
+
+def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() -> None:
+    """The end of a move, its beginning and its time added up, may lie a rounding behind the zero."""
+    c = machine(1)
+    until(c, 1000.0).define_position(0, 7.0)
+    track = WholeTrack(until(c, 1001.0).axes[0])
+    for time in (1000.0, nextafter(1000.0, inf)):
+        assert (position(track, time), position(track, time, ending=True)) == (7.0, 0.0)
+    assert position(track, 1000.1, ending=True) == 7.0
+
+
+@pytest.mark.parametrize(("gap", "told"), [(0.01, 0), (0.02, 1)])
+def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: float, told: int) -> None:
+    """Four roundings of 10⁶ s, 1.6 ns, at 10⁷ counts/s."""
+    fast = Span(0.0, 1.0, (0.0, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
+    other = Span(1.0, 1.0, (1e7 + gap, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
+    some: Any = SimpleNamespace(index=0, starts=[1e6], profiles=[hold(0.0)])
+    proof = Proof()
+    _judge_knots(proof, some, 0, Order("jog", 1), [fast, other])
+    assert len(proof.violations) == told
+
+
+def test_a_cubic_piece_is_cut_where_its_velocity_and_its_acceleration_turn() -> None:
+    """4 + 9 x - 6 x² + x³: the velocity 9 - 12 x + 3 x² is 0 at 1 and at 3, the acceleration 6 x - 12 at 2."""
+    span = Span(0.0, 4.0, (4.0, 9.0, -6.0, 1.0, 0.0, 0.0, 0.0))
+    assert span.cuts() == pytest.approx([0.0, 1.0, 2.0, 3.0, 4.0])
+    assert (span.peak(1), span.peak(2), span.peak(3)) == (9.0, 12.0, 6.0)
+    assert [round(power) for power, _, _ in span.sides()] == [-34, 7, -7, 34]
+
+
+def test_parts_of_axes_in_counts() -> None:
+    assert _counts([3.0, 2.0], [(0, 4.0), (1, 0.5)]) == [12.0, 1.0]
+
+
+def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
+    path = PathOrder(
+        (0, 1), (1.0, 1.0), 0.0, 0, True, (30.0, 40.0), (0.0, 0.0), 0.0, (), (0, 1), 100.0, FREE, FREE, FREE, 0.0
+    )  # fmt: skip
+    half = plan_trapezoid(0.0, 15.0, 30.0, 60.0, 60.0)
+    whole = chained(half, half.shifted(15.0))
+    rows = [(whole, 0.0), (whole.scaled(0.0, 4.0 / 3.0), 0.0)]
+    found = spans_along(rows, Way(path, [0.0, 0.0]), whole.duration)
+    assert found[-1].begin + found[-1].length == pytest.approx(whole.duration)
+    assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
+
+
+# Paths of 0.05 counts/s, with jerks of 10 and 20: how one begins, its jerk, how long it lasts, and the violations.
+# Due after 0.25 s: 0.3 once the acceleration has eased, less 20 * 0.05² / 2; after 0.05 s: 2 * 0.05 - 10 * 0.05² / 2.
+COMING: dict[str, tuple[float, float, float, float, tuple[str, ...]]] = {
+    "0.1 counts/s, and 2² / (2 * 10) more until the jerk has eased 2 counts/s²": (
+        0.1,
+        2.0,
+        -10.0,
+        0.2,
+        (),
+    ),
+    "eased with less jerk": (
+        0.1, 2.0, -8.0, 0.25,
+        ("the path speed reaches 0.35, above 0.3", "it does not slow down: 0.35 after 0.25 s, due are 0.275"),
+    ),
+    "braking, and then faster than it came": (
+        0.1, -1.0, 10.0, 0.23,
+        ("the path speed reaches 0.1345, above 0.05", "it does not slow down: 0.1345 after 0.23 s, due are 0.05"),
+    ),
+    "from rest, with no speed of its own": (
+        0.0, 2.0, 0.0, 0.05, ("it does not slow down: 0.1 after 0.05 s, due are 0.0875",),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", COMING)
+def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name: str) -> None:
+    speed, rate, jerk, length, told = COMING[name]
+    path = PathOrder(
+        (0,), (1.0,), 0.0, 0, True, (9.0,), (0.0, 0.0), 0.0, (), (0, 1), None, (inf,), (inf,), (inf,), 0.0
+    )
+    order = Order("path", 1, speed=0.05, rates=(2.0, 2.0), jerks=(10.0, 20.0), path=path)
+    proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
+    _judge_along(proof, order, Way(path, [0.0]), [span], "here")
+    assert [each.message for each in proof.violations] == [f"here: {each}" for each in told]
+
+
+def test_a_piece_counted_from_elsewhere_is_the_same_piece() -> None:
+    piece = (1.0, 2.0, 3.0, 4.0, 0.0, 0.0, 0.0)
+    assert _from(piece, 2.0) == (1.0 + 4.0 + 12.0 + 32.0, 2.0 + 12.0 + 48.0, 3.0 + 24.0, 4.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(("error", "settled"), [([0.0, 5.0, 5.0, 5.0], None), ([0.0, 5.0, 5.0, 0.0], 0.3)])
+def test_a_motor_that_is_outside_its_window_at_last_has_not_settled(
+    error: list[float], settled: float | None
+) -> None:
+    made: Any = SimpleNamespace(
+        loop=SimpleNamespace(servo_rate=10.0, period=0.1),
+        error=np.array(error), output=np.zeros(4), torque=np.zeros(4),
+    )  # fmt: skip
+    figures = MoveFigures(0.0, 0.0, 9.0)
+    figures.take(0.0, made, 1.0)
+    assert figures.settle_time == (settled if settled is None else pytest.approx(settled))
+
+
+def test_an_axis_with_a_motor_has_a_trace_of_it() -> None:
+    made = run(
+        Source("a.mnt", "MOVER(0) = 10 : GO(0) : PAUSE IDLE(0)"),
+        machine={"axis.0.plant.inertia": 2e-4},
+        cache=False,
+    )
+    assert list(servo_traces(made.controller)) == [0]

@@ -1,0 +1,31 @@
+"""The layout of a path that a proof goes by: what each axis has of the speed and of the rates, by hand."""
+
+from __future__ import annotations
+
+from math import cos, hypot, inf, pi, sin
+
+import pytest
+
+from motionlang.analysis.proof.paths import Way
+from motionlang.log.order import PathOrder
+
+FREE = (inf, inf)
+
+
+def arc(angle: float) -> PathOrder:
+    return PathOrder(
+        (0, 1), (1.0, 1.0), 0.0, 0, False, (), (0.0, 0.0), angle, (), (0, 1), None, FREE, FREE, FREE, 0.0
+    )  # fmt: skip
+
+
+def test_a_quarter_of_a_circle_has_the_whole_acceleration_in_each_axis() -> None:
+    way = Way(arc(90.0), [10.0, 0.0])
+    assert way.length == pytest.approx(5.0 * pi)
+    assert way.rates(0.0, way.length, 3.0, 20.0) == pytest.approx([hypot(3.0, 40.0)] * 2)
+
+
+def test_a_part_of_an_arc_has_the_slopes_of_its_ends() -> None:
+    begin, end = 30.0 * pi / 180.0, 50.0 * pi / 180.0
+    way = Way(arc(20.0), [10.0 * cos(begin), 10.0 * sin(begin)])
+    assert way.slopes(0.0, way.length) == pytest.approx([sin(end), cos(begin)])
+    assert way.ends == pytest.approx([10.0 * cos(end), 10.0 * sin(end)])

@@ -1,0 +1,156 @@
+"""Open readings name what else may hold, and how a controller tells: how many do not may only fall."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.assumptions.answers import HOLDS, OTHER, is_answer, read
+from motionlang.assumptions.entries import readings
+from motionlang.assumptions.probe import Motion, alone
+from motionlang.assumptions.reading import REFUSED, Reading
+from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.switch import switch
+from motionlang.source import Source
+
+# Open readings about a controller without an alternative, and those that no program tells.
+WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 184
+# What a controller cannot answer: the readings that are this program's own matter.
+OWN = 59
+NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
+DISTANCE = 100.0
+
+
+def open_ones() -> list[Reading]:
+    """The open readings that a controller has an answer to."""
+    return [each for each in readings().values() if each.is_open and not each.own]
+
+
+def by_name() -> list[Reading]:
+    """The readings that a program of their own asks about."""
+    return [each for each in readings().values() if each.probe is not None and each.probe.alone]
+
+
+def text_of(reading: Reading) -> Source:
+    assert reading.probe is not None
+    name, axis = NAMES[reading.probe.language]
+    return Source(name, alone(reading, axis, Motion(axis, DISTANCE) if reading.probe.motion else None))
+
+
+def machine_of(reading: Reading) -> dict[str, object]:
+    """The machine that a probe needs, as its entry says it for the virtual controller."""
+    assert reading.probe is not None
+    return read_machine(Source("probe.machine.toml", reading.probe.machine))
+
+
+def test_readings_without_alternatives_become_fewer() -> None:
+    assert sum(not each.alternatives for each in open_ones()) == WITHOUT_ALTERNATIVES
+
+
+def test_readings_that_no_program_tells_become_fewer() -> None:
+    assert sum(each.probe is None for each in open_ones()) == WITHOUT_PROBE
+
+
+def test_what_is_our_own_is_asked_of_no_controller() -> None:
+    own = [each for each in readings().values() if each.own]
+    assert len(own) == OWN
+    for each in own:
+        assert each.is_open, each.name
+        assert each.probe is None, each.name
+
+
+def test_each_answer_is_told_apart_and_belongs_to_an_alternative() -> None:
+    for each in readings().values():
+        if each.probe is None or each.probe.form:
+            continue
+        assert len(each.probe.answers) <= 1 + len(each.alternatives), each.name
+        plain = [answer for answer in each.probe.answers if not answer.startswith("re:")]
+        for answer in plain:
+            assert sum(is_answer(other, answer) for other in each.probe.answers) == 1, (each.name, answer)
+
+
+@pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)
+def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: Reading) -> None:
+    """The program is taken, runs, and shows what it says; where it says that it is refused, it is."""
+    assert each.probe is not None
+    source = text_of(each)
+    if each.probe.answers[0] == REFUSED:
+        result = run(source, machine=machine_of(each), cache=False)
+        assert (result.status, result.output) == ("fault", [])
+        return
+    result = run(source, machine=machine_of(each), cache=False)
+    found = read("\n".join(result.output))
+    assert [problem.message for problem in found.problems] == []
+    assert {verdict.answer: verdict.status for verdict in found.verdicts} == {found.verdicts[0].answer: HOLDS}
+
+
+@pytest.mark.parametrize("distance", [20.0, 12.5, 4.0, 1000.0])
+@pytest.mark.parametrize(
+    "each",
+    [each for each in readings().values() if each.probe and each.probe.motion],
+    ids=lambda each: each.name,
+)
+def test_a_question_fits_any_distance_that_is_allowed(each: Reading, distance: float) -> None:
+    """The virtual controller answers as the reading that it takes, however far the axis may move."""
+    assert each.probe is not None
+    name, axis = NAMES[each.probe.language]
+    result = run(
+        Source(name, alone(each, axis, Motion(axis, distance))), machine=machine_of(each), cache=False
+    )
+    (verdict,) = read("\n".join(result.output)).verdicts
+    assert (verdict.reading.name, verdict.status) == (each.name, HOLDS), verdict.answer
+
+
+def switched() -> list[tuple[Reading, object]]:
+    """The readings that a program of their own asks about and the machine file can set, with each other value."""
+    return [
+        (each, choice)
+        for each in by_name()
+        if each.key and (found := switch(each.name)) is not None
+        for choice in found.choices[1:]
+    ]
+
+
+@pytest.mark.parametrize(("each", "choice"), switched(), ids=lambda each: getattr(each, "name", each))
+def test_a_controller_that_has_it_otherwise_is_found_out_and_can_be_had(
+    each: Reading, choice: object
+) -> None:
+    machine = machine_of(each) | {each.key: choice}
+    (verdict,) = read("\n".join(run(text_of(each), machine=machine, cache=False).output)).verdicts
+    assert (verdict.status, verdict.value) == (OTHER, choice)
+
+
+@pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)
+def test_every_other_answer_names_its_alternative(each: Reading) -> None:
+    assert each.probe is not None
+    for answer, alternative in zip(each.probe.answers[1:], each.alternatives, strict=False):
+        if not answer.startswith("re:") and answer and each.probe.language == "mint":
+            (verdict,) = read(f"<probe|mint 1>\n<{each.name}|{answer}>\n<end|mint 1>\n").verdicts
+            assert (verdict.status, verdict.what) == (OTHER, alternative)
+
+
+@pytest.mark.parametrize(
+    "each", [each for each in by_name() if each.probe and each.probe.motion], ids=lambda each: each.name
+)
+def test_what_moves_stays_within_the_distance_that_is_allowed(each: Reading) -> None:
+    result = run(text_of(each), machine=machine_of(each), cache=False)
+    assert result.report["moves"]
+    for move in result.report["moves"]:  # type: ignore[attr-defined]
+        assert all(-1e-6 <= move[place] <= DISTANCE + 1e-6 for place in ("start", "end")), move
+
+
+def test_what_a_probe_needs_is_said_in_words() -> None:
+    for each in by_name():
+        assert each.probe is not None
+        if each.probe.machine:
+            assert each.probe.needs, each.name
+        assert not re.search(r"[.]$", each.probe.needs), each.name
+
+
+def test_the_page_of_probes_names_the_options() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "probe.md").read_text(encoding="utf-8")
+    for option in ("--list", "--motion", "--without", "--axis", "--answers"):
+        assert option in page

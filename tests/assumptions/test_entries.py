@@ -1,0 +1,67 @@
+"""The files of evidence: what stands in them is whole, and no run reads them."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from motionlang.assumptions.entries import chapters, readings
+from motionlang.assumptions.page import markdown
+from motionlang.execution import dialect, dialects
+
+PAGE = Path(__file__).parents[2] / "docs" / "fidelity.md"
+# What is no word of a table, nor of a grammar: a machine with a motor, any program, the name of a handler.
+BESIDE = {"@motor", "@always", "ONERROR"}
+
+
+def test_every_reading_is_whole() -> None:
+    assert len(readings()) > 400
+    for name, each in readings().items():
+        assert re.fullmatch(r"[a-z]+\.[a-z0-9]+(-[a-z0-9]+)*", name), name
+        assert each.question, name
+        assert each.chosen, name
+        assert each.chosen not in each.alternatives, name
+
+
+def test_no_question_is_asked_twice_in_a_chapter() -> None:
+    for chapter in chapters():
+        asked = [each.question for section in chapter.sections for each in section.readings]
+        assert sorted(asked) == sorted(set(asked)), chapter.title
+
+
+def test_what_a_reading_depends_on_are_words_of_a_language() -> None:
+    known = {row.name for name in dialects() for row in dialect(name).table()} | BESIDE
+    signs = {"control", "operator", "separator"}
+    for name, each in readings().items():
+        for word in set(each.words) - known:
+            assert {kind for kind, _, _ in dialect("mint").tokens(word)} <= signs, (name, word)
+
+
+def test_the_page_is_what_the_entries_say() -> None:
+    assert PAGE.read_text(encoding="utf-8") == markdown(), "python -m tests.derived writes it"
+
+
+def test_no_run_loads_the_evidence() -> None:
+    text = (
+        "import sys; from motionlang import run; from motionlang.source import Source; "
+        "run(Source('a.mnt', 'SPEED(0)=1\\nPRINT POS(0)\\n'), cache=False); "
+        "run(Source('a.mcl', '1TP\\n'), cache=False); "
+        "print([m for m in sys.modules if m.startswith('motionlang.assumptions') or m == 'tomllib'])"
+    )
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
+    assert done.stdout == "[]\n", done.stderr
+
+
+def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
+    settable = {
+        name: switch for language in dialects() for name, switch in dialect(language).switches().items()
+    }
+    assert {name for name, each in readings().items() if each.key == f"readings.{name}"} == set(settable)
+    for name, switch in settable.items():
+        each = readings()[name]
+        assert each.probe is not None, name
+        if switch.choices:
+            assert len(switch.choices) == 1 + len(each.alternatives), name
+        assert len(switch.choices or [1]) == len(each.probe.answers), name

@@ -1,0 +1,215 @@
+"""Probes: what they ask, and that a virtual controller with other readings is found out by its answers alone."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from motionlang import run
+from motionlang.assumptions.answers import HOLDS, Answers, machine_text, read
+from motionlang.assumptions.entries import readings
+from motionlang.assumptions.probe import BEGIN, END, NEXT, Motion, asked, mark, written
+from motionlang.execution import dialect
+from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.switch import Switch
+from motionlang.source import Source
+from tests.cases import cases
+
+# What a program of its own asks.
+BY_NAME = {each.name for each in readings().values() if each.probe is not None and each.probe.alone}
+LANGUAGES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
+# Readings without a switch, which other keys of the machine file set, and values that a probe can tell apart.
+OTHER_KEYS = {"mint": {"controller.instruction_time": [2e-5, 5e-5, 1e-4]}, "mccl": {}}
+# With fewer decimals a controller does not print enough to tell what its settings are.
+DECIMALS = range(3, 10)
+# What cannot be at power-up: a precision mode without a table, blending beside contours.
+IMPOSSIBLE = ("readings.mint.precisionmode-default", "readings.mint.blendmode-default")
+
+
+def answers(
+    language: str, settings: dict[str, object], motion: Motion | None = None, further: int = 0
+) -> list[str]:
+    name, axis = LANGUAGES[language]
+    axis += further
+    result = run(Source(name, written(language, axis, motion)), machine=settings, cache=False)
+    assert result.status == "ended"
+    return result.output
+
+
+def another(name: str, switch: Switch, draw: random.Random) -> object:
+    """A value of a reading, drawn."""
+    if switch.choices:
+        return draw.choice(switch.choices)
+    if name == "mint.float-decimals":
+        return draw.choice(DECIMALS)
+    low = max(-1000.0, -1000.0 if switch.low is None else switch.low)
+    high = min(1000.0, 1000.0 if switch.high is None else switch.high)
+    quarters = draw.randint(-int(-low // 0.25) if low >= 0 else int(low / 0.25), int(high / 0.25))
+    return quarters // 4 if switch.whole else quarters / 4
+
+
+def noise(lines: list[str], draw: random.Random) -> str:
+    """What a terminal shows around answers: other line ends, stamps, colours, prompts, the probe's own listing."""
+    end = draw.choice(["\n", "\r\n", "\r"])
+    shown = ["\x1b[2J", "Connected.", *lines, "Goodbye."]
+    stamp = draw.choice(["", "[12:01:02.345] ", "2026-01-02 12:01:02 "])
+    return "".join(f"{stamp}\x1b[0m{line} {end}" for line in shown)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@cases("seed", range(10))
+def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> None:
+    draw = random.Random(seed)
+    settings: dict[str, object] = {
+        f"readings.{name}": another(name, switch, draw)
+        for name, switch in dialect(language).switches().items()
+        if draw.random() < 0.5 and name not in BY_NAME
+    }
+    for key in IMPOSSIBLE:
+        settings.pop(key, None)
+    for key, values in OTHER_KEYS[language].items():
+        settings[key] = draw.choice(values)
+    found = read(noise(answers(language, settings), draw))
+    assert [each.message for each in found.problems] == []
+    told = read_machine(Source("found.toml", machine_text(found, "log.txt")))
+    for key, value in settings.items():
+        name = key.removeprefix("readings.")
+        if key in told:
+            assert told[key] == pytest.approx(value) if isinstance(value, float) else told[key] == value, key
+        else:
+            verdict = next(each for each in found.verdicts if name in (each.reading.name, each.reading.key))
+            assert verdict.status == HOLDS, key
+    assert set(told) <= set(settings)
+    assert answers(language, told) == answers(language, settings)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@cases(("moves", "further"), [(False, 0), (True, 0), (False, 2), (True, 2)])
+def test_every_reading_chosen_holds_on_the_virtual_controller(
+    language: str, moves: bool, further: int
+) -> None:
+    """Of whichever axis."""
+    motion = Motion(LANGUAGES[language][1] + further, 100.0) if moves else None
+    found = read("\n".join(answers(language, {}, motion, further)))
+    assert [each.message for each in found.problems] == []
+    wrong = {each.reading.name: each.answer for each in found.verdicts if each.status != HOLDS}
+    assert wrong == {}
+    assert len(found.verdicts) == len(asked(language, motion=moves))
+
+
+def test_many_open_readings_are_asked() -> None:
+    open_ones = [each for each in readings().values() if each.probe is not None and each.is_open]
+    assert len(open_ones) >= 60
+    assert len([each for each in open_ones if each.probe and each.probe.language == "mccl"]) >= 25
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_probe_moves_nothing_and_writes_nothing_unless_it_is_asked(language: str) -> None:
+    name, axis = LANGUAGES[language]
+    text = written(language, axis)
+    assert "moves nothing" in text
+    result = run(Source(name, text), cache=False)
+    assert result.report["moves"] == []
+    if language == "mint":
+        assert re.findall(r"^(?!PRINT)\w+\(.*", text, re.MULTILINE) == []
+    moved = run(Source(name, written(language, axis, Motion(axis, 100.0))), cache=False)
+    moves: list[dict[str, Any]] = moved.report["moves"]  # type: ignore[assignment]
+    assert {move["axis"] for move in moves} == {axis}
+    assert all(-1e-9 <= move[place] <= 100.0 + 1e-9 for move in moves for place in ("start", "end"))
+    assert moves[-1]["end"] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_questions_are_marked_apart() -> None:
+    marks = [mark(name) for name in (*readings(), BEGIN, END, NEXT)]
+    assert len(set(marks)) == len(marks)
+
+
+def log(change: Callable[[list[str]], list[str]], language: str = "mint") -> Answers:
+    """What is read out of the answers of the virtual controller, changed."""
+    return read("\n".join(change(answers(language, {}))))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_answers_that_are_cut_off(language: str) -> None:
+    found = log(lambda lines: lines[:20], language)
+    assert "the end of the answers is missing" in found.problems[-1].message
+    assert found.verdicts
+    assert all(each.status == HOLDS for each in found.verdicts)
+
+
+def test_an_answer_that_is_cut_off_is_none() -> None:
+    found = log(lambda lines: [*lines[:5], lines[5][:-3]])
+    assert [each.message for each in found.problems] == [
+        f"the answer to {lines_name(5)} is cut off",
+        "the end of the answers is missing: 4 were found",
+    ]
+
+
+def lines_name(number: int) -> str:
+    return answers("mint", {})[number].partition("|")[0].lstrip("<")
+
+
+def test_answers_in_another_order_say_the_same() -> None:
+    straight, turned = log(lambda lines: lines), log(lambda lines: lines[::-1])
+    assert [(each.reading.name, each.status) for each in straight.verdicts] == [
+        (each.reading.name, each.status) for each in turned.verdicts
+    ]
+    assert turned.problems == []
+
+
+def test_a_question_without_an_answer_is_told() -> None:
+    found = log(lambda lines: [*lines[:5], *lines[7:]])
+    assert [each.message for each in found.problems] == [
+        f"2 of {len(found.verdicts) + 2} questions have no answer"
+    ]
+
+
+def test_two_answers_to_one_question_set_nothing() -> None:
+    found = log(lambda lines: [*lines, "<mint.homespeed-default|77>"])
+    assert "mint.homespeed-default is answered twice, by '4000.0000' and '77'" in found.problems[0].message
+    assert "mint.homespeed-default" not in {each.reading.name for each in found.verdicts}
+
+
+def test_the_echo_of_the_probe_is_no_answer() -> None:
+    listing = written("mint", 0).splitlines()
+    found = log(lambda lines: [each for pair in zip(listing, lines, strict=False) for each in pair] + lines)
+    assert found.problems == []
+    echoed = written("mccl", 1).splitlines()
+    result = answers("mccl", {})
+    bare = [
+        each
+        for line in result
+        for each in ((line, "1TG") if line == str(mark("mccl.gain-default")) else (line,))
+    ]
+    for shown in ([*(f">{line}" for line in echoed), *result], bare):
+        found = read("\n".join(shown))
+        assert found.problems == []
+        assert all(each.status == HOLDS for each in found.verdicts)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted", "message"),
+    [
+        ("", "", "there is no answer to a probe here"),
+        (written("mint", 0), "", "the questions are here, and no answers"),
+        ("<probe|mint 1>\n<mint.nothing|5>\n<end|mint 1>\n", "", "mint.nothing is no reading"),
+        ("<probe|mint 1>\n<mccl.quotient|5>\n<end|mint 1>\n", "", "mccl.quotient is a reading of the other language"),
+        ("<probe|mint 1>\n<mint.truth|1 1>\n<end|mint 1>\n", "mccl", "the answers to a probe of mint, not of mccl"),
+        ("<probe|mint 1>\n<mint.idletime-default|7.5>\n<end|mint 1>\n", "", "must be a whole number"),
+        ("<probe|mint 1>\n<mint.idletime-default|-4>\n<end|mint 1>\n", "", "must be 0 to 60000"),
+    ],
+)  # fmt: skip
+def test_answers_that_say_nothing(text: str, wanted: str, message: str) -> None:
+    found = read(text, wanted)
+    assert message in found.problems[0].message
+    assert found.verdicts == []
+
+
+def test_an_answer_that_nobody_expected_sets_nothing() -> None:
+    found = read("<probe|mint 2>\n<mint.truth|yes>\n<mint.homespeed-default|fast>\n<end|mint 2>\n")
+    assert [each.status for each in found.verdicts] == ["unknown"] * 2
+    assert "[readings]" not in machine_text(found, "log.txt")

@@ -1,0 +1,183 @@
+"""A run that is ended between any two lines of the interpreter has a report, a trace, and a proof that holds."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from random import Random
+from types import FrameType
+from typing import Any
+
+import pytest
+
+from motionlang import run
+from motionlang.lang.scheduler import Scheduler
+from motionlang.log.track import Recorded
+from motionlang.planners.packed import packed
+from motionlang.report import moves
+from motionlang.result import Run
+from motionlang.source import Source
+from motionlang.views.table import render
+
+MINT = """Dim i As Integer
+SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
+For i = 1 To 2
+  MOVER(0) = 5 : GO(0)
+  WAIT = 20
+  MOVER(1) = 3 : GO(1)
+  PAUSE IDLE(0, 1)
+  VECTORR(0, 1) = 4, 5
+  GO(0, 1)
+  PAUSE IDLE(0, 1)
+Next
+JOG(0) = 40
+WAIT = 60
+JOG(0) = 60
+WAIT = 60
+STOP(0)
+PAUSE IDLE(0)
+"""
+MCCL = "1MN,2MN,1SV5000,1SA50000,1DS50000\n1MR500,WA0.05,2MR300,1WS,2WS\n1VM,1GO,WA0.1,1ST,1WS\n"
+# Where it is ended: anywhere, and where a move comes into the log and onto its track.
+PLACES = {
+    "anywhere": ("/motionlang/controller/", "/motionlang/lang/"),
+    "log": ("/controller/core.py", "/record/orders.py", "/record/log.py"),
+}
+
+
+# What writes plain moves on a track and into the log, and what packs it.
+STEPS = {
+    "/controller/core.py": {"start_plain", "arrive"},
+    "/controller/axis.py": {"_write", "_go_on_writing"},
+    "/controller/plain_moves.py": {"written"},
+    "/record/log.py": {"make_room", "pack"},
+    "/record/stream.py": {"append", "pack"},
+    "/record/moves.py": {"pack", "show"},
+    "/record/older_profiles.py": {"take_from"},
+}
+# Moves that are looked at, one under way and one that is over, and others that nobody looks at until they are packed.
+PLAIN = """Dim i As Integer
+Dim x As Float
+SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
+For i = 1 To 2
+  MOVER(0, 1) = 5, 3 : GO(0, 1)
+  PAUSE IDLE(0, 1)
+  MOVER(0) = 5 : GO(0)
+  PAUSE IDLE(0)
+  MOVER(0) = -2 : GO(0)
+  WAIT = 20
+  x = POS(0)
+  PAUSE IDLE(0)
+Next
+"""
+
+
+class Ended:
+    """Ctrl-C at the `at`-th line that is run at some places; counts those that were run."""
+
+    def __init__(self, places: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
+        self.places, self.at, self.count = places, at, 0
+
+    def look(self, frame: FrameType, event: str, argument: Any) -> Any:
+        code = frame.f_code
+        place = next((place for place in self.places if place in code.co_filename), "")
+        if not place or (isinstance(self.places, dict) and code.co_name not in self.places[place]):
+            return None
+        if event == "line":
+            self.count += 1
+            if self.count == self.at:
+                sys.settrace(None)
+                raise KeyboardInterrupt
+        return self.look
+
+
+@contextmanager
+def looking(ended: Ended) -> Iterator[None]:
+    sys.settrace(ended.look)
+    try:
+        yield
+    finally:
+        sys.settrace(None)
+
+
+def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
+    from motionlang import execution
+
+    execute = execution._execute
+
+    def watched(*given: Any) -> None:
+        scheduler = Scheduler.run
+
+        def run_watched(*given: Any) -> str:
+            with looking(ended):
+                return scheduler(*given)
+
+        with monkeypatch.context() as m:
+            m.setattr(Scheduler, "run", run_watched)
+            execute(*given)
+
+    with monkeypatch.context() as m:
+        m.setattr(execution, "_execute", watched)
+        return run(source, cache=False, prove=True)
+
+
+@pytest.mark.parametrize("places", PLACES)
+@pytest.mark.parametrize(("name", "text"), [("a.mnt", MINT), ("a.mcl", MCCL)])
+def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    source, whole = Source(name, text), Ended(PLACES[places], 0)
+    for _ in range(2):  # the first run imports, and fills what is kept
+        whole.count = 0
+        result = ran(source, whole, monkeypatch)
+        assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
+    assert whole.count > 200
+    for at in Random(name).sample(range(1, whole.count), min(100, whole.count - 1)):
+        result = ran(source, Ended(PLACES[places], at), monkeypatch)
+        assert result.status == "interrupted", at
+        json.dumps(result.report)
+        render(result)
+        rows: list[dict[str, Any]] = list(moves(result))
+        ends = [row["start_time"] + row["duration"] for row in rows]
+        assert max(ends, default=0.0) <= result.time + 1e-9, at
+        result.trace.sample(100.0)
+        assert [each.message for each in result.proof().violations] == [], at
+
+
+def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
+    """When each profile of each axis began, and what it is; each has a beginning, which is over."""
+    tracks = Recorded(result.controller).axes
+    assert all(len(a.starts) == len(a.profiles) and a.starts[-1] <= result.time for a in tracks.values())
+    return {
+        number: [(start, repr(packed(profile))) for start, profile in zip(a.starts, a.profiles, strict=True)]
+        for number, a in tracks.items()
+    }
+
+
+def test_plain_moves_are_whole_wherever_the_run_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """At each line that starts one, writes it on the track or packs it: the run up to then, and nothing twice."""
+    for name, most in {"FIRST_LOOK": 1, "HURRY": 0.0, "MOST_PROFILES": 6, "LEFT_PROFILES": 2}.items():
+        monkeypatch.setattr(f"motionlang.log.log.{name}", most)
+    source, whole = Source("a.mnt", PLAIN), Ended(STEPS, 0)
+    for _ in range(2):
+        whole.count = 0
+        result = ran(source, whole, monkeypatch)
+        assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
+    assert result.controller.axes[0].older is not None
+    ended = result
+    begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
+    tracks = motion(result)
+    for at in range(1, whole.count + 1):
+        result = ran(source, Ended(STEPS, at), monkeypatch)
+        assert result.status == "interrupted", at
+        for number, a in result.controller.axes.items():
+            assert a.position(result.time) == ended.controller.axes[number].position(result.time), at
+        json.dumps(result.report)
+        result.trace.sample(100.0)
+        assert [each.message for each in result.proof().violations] == [], at
+        found = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
+        assert found == begun[: len(found)], at
+        assert len(found) >= sum(start < result.time for start, *_ in begun), at
+        for number, track in motion(result).items():
+            assert track == tracks[number][: len(track)], at
+            assert len(track) >= sum(start < result.time for start, _ in tracks[number]), at

@@ -1,0 +1,82 @@
+"""PMC TN1069: the worked example, exact and as printed."""
+
+from __future__ import annotations
+
+from math import cos, pi
+
+import pytest
+
+from motionlang.notes import tn1069
+from motionlang.planners.verify import verify
+
+EXACT = {
+    "T_A": (400, 628.3185307, 444.4444444, 800),
+    "S_A": (8000, 12566.37061, 8888.888889, 21333.33333),
+    "S_V": (24000, 14867.25877, 22222.22222, None),
+    "T_V": (600, 371.6814693, 555.5555556, None),
+    "the whole move": (1400, 1628.318531, 1444.444444, 1549.193338),
+}
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_the_table_is_exact(name: str) -> None:
+    row = next(row for row in tn1069.comparison() if row.name == name)
+    for exact, expected in zip(row.exact, EXACT[name], strict=True):
+        assert exact == (expected if expected is None else pytest.approx(expected, rel=1e-9))
+
+
+def test_the_printed_table_is_kept_beside_it() -> None:
+    printed = {row.name: row.printed for row in tn1069.comparison() if row.printed}
+    assert printed == {
+        "T_A": (400, 628, 444, 800),
+        "S_A": (8000, 12560, 8880, 10667),
+        "S_V": (24000, 14880, 22240, 18667),
+        "T_V": (600, 372, 556, 467),
+    }
+
+
+def test_the_parabolic_move_is_too_short_for_its_speed() -> None:
+    parabolic = tn1069.profiles()[3]
+    assert [phase.name for phase in parabolic.phases] == ["accel", "decel"]
+    assert parabolic.peak_speed == pytest.approx(38729.83346, rel=1e-9)
+    assert parabolic.phases[0].duration == pytest.approx(0.7745966692, rel=1e-9)
+
+
+def test_every_column_keeps_its_limits() -> None:
+    for profile in tn1069.profiles():
+        assert verify(profile, speed=40e3, accel=100e3, decel=100e3, end=40e3) == []
+
+
+@pytest.mark.parametrize(("column", "peak"), [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0)])
+def test_the_peak_acceleration_is_the_one_asked_for(column: int, peak: float) -> None:
+    assert tn1069.profiles()[column].peak_acceleration == pytest.approx(peak * 100e3, rel=1e-12)
+
+
+def test_the_errata_are_told() -> None:
+    assert len(tn1069.ERRATA) == 6
+
+
+def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
+    """By integration of V/2 (1 - cos(pi t/T_A)): 533.84 counts at 0.3 T_A, where the print gives 7005.98."""
+    steps, ramp = 100_000, 0.6283185307179586
+    width = 0.3 * ramp / steps
+    area = sum(20e3 * (1.0 - cos(pi * (i + 0.5) * width / ramp)) for i in range(steps)) * width
+    printed, exact = tn1069.printed_sinusoidal_position(0.3)
+    assert exact == pytest.approx(area, rel=1e-8)
+    assert f"{printed:.2f} {exact:.2f}" == "7005.98 533.84"
+
+
+def test_a_move_of_ones_own() -> None:
+    """A = 200, D = 100, V = 50, S = 1000, n = 0.25: T_A = V/(A (1 - n)), T_D twice that, S = T V/2 each."""
+    demand = tn1069.Demand(200.0, 50.0, 1000.0, 100.0, 0.25)
+    rows = {row.name: row for row in tn1069.comparison(demand)}
+    assert [row.printed for row in rows.values()] == [None] * len(rows)
+    assert rows["T_A"].exact == pytest.approx((250.0, 125.0 * pi, 1000.0 / 3.0, 500.0))
+    assert rows["T_D"].exact == pytest.approx((500.0, 250.0 * pi, 2000.0 / 3.0, 1000.0))
+    assert rows["S_A"].exact == pytest.approx((6.25, 3.125 * pi, 25.0 / 3.0, 50.0 / 3.0))
+    assert rows["S_D"].exact == pytest.approx((12.5, 6.25 * pi, 50.0 / 3.0, 100.0 / 3.0))
+    for i in range(4):
+        ends = float(rows["S_A"].exact[i] or 0) + float(rows["S_D"].exact[i] or 0)
+        assert rows["S_V"].exact[i] == pytest.approx(1000.0 - ends)
+    for profile in tn1069.profiles(demand):
+        assert verify(profile, speed=50.0, accel=200.0, decel=100.0, end=1000.0) == []

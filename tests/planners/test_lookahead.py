@@ -1,0 +1,139 @@
+"""The speed over paths that are run through: against a linear programme, and against the limits one by one."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import hypot, inf, sqrt
+from random import Random
+
+import pytest
+from scipy.optimize import linprog  # type: ignore[import-untyped]
+
+from motionlang.planners import Profile
+from motionlang.planners.lookahead import Pace, plan_course
+
+# Length, speed, acceleration, deceleration.
+Way = tuple[float, float, float, float]
+
+EASY = (90.0, 60.0)
+
+
+def course(ways: list[Way], v0: float = 0.0, joins: tuple[float, ...] = ()) -> Profile:
+    made = plan_course(
+        [(length, Pace("trapezoid", *limits)) for length, *limits in ways], 0.0, v0, joins=joins
+    )
+    assert made is not None
+    return made
+
+
+def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
+    """Judged by a linear programme over the squares of the speeds at the joins and the peaks between them.
+
+    No square can be larger in any course without all that depend on it being able to be: the largest sum has each of
+    them at its largest.
+    """
+    n = len(ways)
+    rows, bounds = [], []
+    for i, (length, _, accel, decel) in enumerate(ways):
+        for signs, most in (
+            ({i + 1: 1.0, i: -1.0}, 2.0 * accel * length),
+            ({i: 1.0, i + 1: -1.0}, 2.0 * decel * length),
+            ({n + 1 + i: 1.0, i: -decel / (accel + decel), i + 1: -accel / (accel + decel)}, None),
+        ):
+            row = [0.0] * (2 * n + 1)
+            for k, sign in signs.items():
+                row[k] = sign
+            rows.append(row)
+            bounds.append(2.0 * length * accel * decel / (accel + decel) if most is None else most)
+    speeds = [way[1] for way in ways]
+    limits = [joins[i] if joins else inf for i in range(n - 1)]
+    caps = [min(a, b, c) ** 2 for a, b, c in zip(speeds, speeds[1:], limits, strict=False)]
+    ranges = [(v0 * v0, v0 * v0), *((0.0, cap) for cap in caps), (0.0, 0.0), *((0.0, v * v) for v in speeds)]
+    found = linprog([-1.0] * (2 * n + 1), A_ub=rows, b_ub=bounds, bounds=ranges, method="highs-ds")
+    assert found.status == 0, found.message
+    v = [sqrt(max(0.0, square)) for square in found.x]
+    time = 0.0
+    for i, (length, _, accel, decel) in enumerate(ways):
+        first, last, top = v[i], v[i + 1], v[n + 1 + i]
+        ramps = (top * top - first * first) / (2.0 * accel) + (top * top - last * last) / (2.0 * decel)
+        time += (top - first) / accel + (top - last) / decel + max(0.0, length - ramps) / top
+    return time
+
+
+def random_ways(random: Random) -> list[Way]:
+    return [
+        (
+            random.choice([10.0, 80.0, random.uniform(0.05, 100), random.uniform(0.01, 1.0)]),
+            random.choice([5.0, 20.0, 45.0, random.uniform(1, 60)]),
+            random.choice([90.0, random.uniform(20, 400)]),
+            random.choice([60.0, random.uniform(20, 400)]),
+        )
+        for _ in range(random.randint(1, 12))
+    ]
+
+
+def keeps_its_limits(ways: list[Way], made: Profile) -> None:
+    """Every piece is judged by the limits of the way that it lies on."""
+    begins = [0.0]
+    for length, *_ in ways:
+        begins.append(begins[-1] + length)
+    times = sorted({*made.knots, *(made.crossing(s) or 0.0 for s in begins[1:-1])})
+    for t0, t1 in pairwise(times):
+        if t1 - t0 < 1e-12:
+            continue
+        middle = made.at(0.5 * (t0 + t1))
+        here = next(i for i, s in enumerate([*begins[1:-1], inf]) if middle.position < s)
+        _, speed, accel, decel = ways[here]
+        assert max(made.velocity(t0), made.velocity(t1)) <= speed * (1.0 + 1e-9)
+        assert -decel * (1.0 + 1e-9) <= middle.acceleration <= accel * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("ways", "time"),
+    [
+        # 1/3 s to 30, 88.5 uu at 30, 1/2 s from it
+        ([(1.0, 29.0, *EASY), (100.0, 30.0, *EASY)], 1 / 3 + 88.5 / 30 + 0.5),
+        (
+            [(2.0, 20.0, *EASY), (3.0, 25.0, *EASY), (4.0, 28.0, *EASY), (60.0, 30.0, *EASY)],
+            2.7342724867724866,
+        ),
+    ],
+)
+def test_courses_by_their_figures(ways: list[Way], time: float) -> None:
+    made = course(ways)
+    assert made.duration == pytest.approx(time, abs=1e-12)
+    keeps_its_limits(ways, made)
+
+
+def test_a_short_stretch_with_low_limits_keeps_them() -> None:
+    ways = [(5.0, 100.0, 60.0, 60.0), (hypot(40.0, 0.001), 100.0, 300.0, 500.0)]
+    made = course(ways)
+    keeps_its_limits(ways, made)
+    assert made.duration == pytest.approx(least_time(ways, 0.0, ()), rel=1e-9)
+
+
+def judge(first: int, count: int) -> None:
+    for seed in range(first, first + count):
+        random = Random(seed)
+        ways = random_ways(random)
+        joins = tuple(random.choice([inf, random.uniform(0.1, 60.0)]) for _ in ways[1:])
+        v0 = 0.0
+        if random.random() < 0.4:
+            length, speed, _, decel = ways[0]
+            v0 = random.random() * min(speed, joins[0] if joins else inf, sqrt(2.0 * decel * length))
+            v0 = min(v0, *(w[1] for w in ways), *joins, sqrt(2.0 * min(w[3] for w in ways) * length))
+        made = course(ways, v0, joins)
+        assert made.duration == pytest.approx(least_time(ways, v0, joins), rel=1e-9), seed
+        keeps_its_limits(ways, made)
+        assert made.end == pytest.approx(sum(way[0] for way in ways), rel=1e-12)
+        assert made.extrema()[1] <= made.end * (1.0 + 1e-12)
+
+
+@pytest.mark.parametrize("first", range(0, 200, 50))
+def test_no_course_is_faster(first: int) -> None:
+    judge(first, 50)
+
+
+@pytest.mark.long
+def test_no_course_is_faster_of_many() -> None:
+    judge(10_000, 10_000)

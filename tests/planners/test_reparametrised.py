@@ -1,0 +1,338 @@
+"""Motion along curves, in a row and on top of each other: exact against plain arithmetic and numerical derivatives."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from motionlang.planners import Profile, plan, plan_trapezoid, plan_velocity
+from motionlang.planners.arc import arc_over, line_over, rotated
+from motionlang.planners.curve import from_curve
+from motionlang.planners.evaluate import evaluate
+from motionlang.planners.reparametrised import Composed, crossings, travelled
+from motionlang.planners.sample import sample_profile, sample_track
+from motionlang.planners.sequence import Chain
+from motionlang.planners.superposition import Sum, added
+from motionlang.planners.table_motion import table_curve
+from tests.planners.cases import Move, moves, quick
+
+CIRCLE = 2.0 * math.pi * 10.0
+# A rise by 10 over 4 with no slope at its ends: 3 * 10/4² x² - 2 * 10/4³ x³.
+CUBIC = (0.0, 0.0, 30.0 / 16.0, -20.0 / 64.0, 0.0, 0.0, 0.0)
+
+
+def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trapezoid") -> Profile:
+    """One axis of an arc of radius 10 about 0 from angle 0, at 20 along the path with rates of 50."""
+    length = 10.0 * abs(sweep)
+    along = plan(shape, 0.0, length, 20.0, 50.0, 50.0, ramp=0.2)
+    end = 10.0 * (math.cos(sweep) if cosine else math.sin(sweep))
+    return Composed(along, arc_over(length, 0.0, 10.0, 0.0, sweep, end, cosine))
+
+
+def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A cubic that rises by 10 over 4 has a slope of 1.5 * 10/4 at most, and bends by 6 * 10/4² at its ends.
+
+    A cam that is driven at 20 so has peaks of 75 and 1500. Up to the first 1 it comes to a slope of 45/16, and beyond
+    its end it goes on straight.
+    """
+    monkeypatch.setattr(Composed, "state", None)
+    curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
+    whole = Composed(plan_velocity("trapezoid", -5.0, 20.0, 20.0, 50.0, 50.0), curve)
+    assert (whole.peak_speed, whole.peak_acceleration) == pytest.approx((75.0, 1500.0))
+    back = Composed(plan_velocity("trapezoid", 1.0, -20.0, -20.0, 50.0, 50.0), curve)
+    assert (back.peak_speed, back.peak_acceleration) == pytest.approx((20.0 * 45.0 / 16.0, 1500.0))
+    beside = Composed(plan_velocity("trapezoid", 5.0, 20.0, 20.0, 50.0, 50.0), curve)
+    assert (beside.peak_speed, beside.peak_acceleration) == (0.0, 0.0)
+
+
+def test_the_peak_of_many_cycles_is_looked_for_where_the_master_is_fastest(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A master that speeds up at 2 to 20 passes 25 cycles of a cam: only the last few can have the highest speed."""
+    curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
+    ramp = plan_velocity("trapezoid", 0.0, 0.0, 20.0, 2.0, 2.0).cut(10.0)
+    cycles = []
+    for k in range(25):
+        begin, end = math.sqrt(4.0 * k), math.sqrt(4.0 * k + 4.0)
+        cycles.append(Composed(ramp.cut(end).after(begin).shifted(-4.0 * k), curve.shifted(10.0 * k)))
+    alone = [cycle.peak_speed for cycle in cycles]
+    search, searched = Composed._peak_of, []
+
+    def noted(cycle: Composed, value: Callable[[float], float]) -> float:
+        searched.append(cycle)
+        return search(cycle, value)
+
+    monkeypatch.setattr(Composed, "_peak_of", noted)
+    assert Chain("cam", cycles).peak_speed == max(alone) == alone[-1]
+    assert 1 <= len(searched) <= 3
+
+
+def test_the_peaks_of_arcs_on_s_ramps_are_those_of_a_dense_grid() -> None:
+    choose = random.Random(5)
+    for case in range(60):
+        radius, sweep = choose.uniform(1.0, 50.0), choose.uniform(-6.0, 6.0)
+        length = radius * abs(sweep)
+        speed, accel, decel = (
+            choose.uniform(5.0, 100.0),
+            choose.uniform(20.0, 500.0),
+            choose.uniform(20.0, 500.0),
+        )
+        jerk = 10.0 ** choose.uniform(2.0, 4.0)
+        along = plan("scurve", 0.0, length, speed, accel, decel, accel_jerk=jerk)
+        arc = arc_over(length, 0.0, radius, choose.uniform(-3.0, 3.0), sweep, 0.0, case % 2 == 0)
+        made = travelled(along, arc)
+        speeds = np.abs(evaluate(made, np.linspace(0.0, made.duration * (1.0 - 1e-12), 20_001), 1))
+        # A grid of 1e-4 of the motion misses a summit by less than its curvature allows.
+        assert speeds.max() * (1.0 - 1e-12) <= made.peak_speed <= speeds.max() * (1.0 + 2e-5), case
+
+
+def test_a_full_circle_by_its_figures() -> None:
+    x = circle()
+    assert x.duration == pytest.approx(CIRCLE / 20.0 + 0.4)
+    assert x.extrema() == (-10.0, 10.0)
+    assert x.peak_speed == pytest.approx(20.0)
+    assert x.crossing(-10.0) == pytest.approx(x.duration / 2.0)
+    # a quarter of the circle: 4 while speeding up in 0.4 s, the rest at 20
+    assert x.crossing(0.0) == pytest.approx(0.4 + (CIRCLE / 4.0 - 4.0) / 20.0)
+    assert x.crossing(10.5) is None
+    assert [phase.name for phase in x.phases] == ["accel", "slew", "decel"]
+
+
+@quick
+@given(
+    st.floats(0.05, 12.0),
+    st.booleans(),
+    st.booleans(),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve"]),
+)
+def test_an_arc_stays_on_its_circle(sweep: float, back: bool, cut: bool, shape: str) -> None:
+    sweep = -sweep if back else sweep
+    x, y = circle(True, sweep, shape), circle(False, sweep, shape)
+    if cut:
+        x, y = x.after(0.3 * x.duration), y.cut(0.6 * y.duration).after(0.3 * y.duration)
+    times = np.linspace(0.0, min(x.duration, y.duration), 53)
+    for t in times.tolist():
+        assert math.hypot(x.position(t), y.position(t)) == pytest.approx(10.0, abs=1e-12)
+        assert x.position(t) * x.velocity(t) + y.position(t) * y.velocity(t) == pytest.approx(0.0, abs=1e-9)
+
+
+@quick
+@given(moves(), st.floats(0.1, 3.0), st.floats(0.0, 1.0))
+def test_velocity_and_acceleration_are_the_derivatives(move: Move, turns: float, share: float) -> None:
+    along = move.planned()
+    if along.duration == 0.0:
+        return
+    along = along.shifted(-along.extrema()[0])
+    length = along.extrema()[1]
+    if length == 0.0:
+        return
+    sweep = 2.0 * math.pi * turns
+    made = Composed(along, arc_over(length, 5.0, 3.0, 1.0, sweep, 5.0 + 3.0 * math.cos(1.0 + sweep), True))
+    t = share * along.duration
+    h = 1e-5 * along.duration
+    if any(abs(knot - t) < 2.0 * h for knot in along.knots) or not 2.0 * h < t < along.duration - 2.0 * h:
+        return
+    slope = (made.position(t + h) - made.position(t - h)) / (2.0 * h)
+    bend = (made.velocity(t + h) - made.velocity(t - h)) / (2.0 * h)
+    assert made.velocity(t) == pytest.approx(slope, abs=1e-4 * made.peak_speed + 1e-9)
+    assert made.acceleration(t) == pytest.approx(bend, abs=1e-3 * made.peak_acceleration + 1e-9)
+
+
+def all_kinds() -> list[Profile]:
+    arc = circle()
+    wave = plan("sinusoidal", 0.0, 7.0, 20.0, 50.0, 50.0)
+    tail = plan("sinusoidal", arc.end, 3.0, 20.0, 50.0, 50.0)
+    jog = plan_velocity("trapezoid", 0.0, 0.0, 5.0, 20.0, 20.0)
+    return [
+        arc,
+        Sum(arc, wave, "sum"),
+        arc.then(tail),
+        tail.then(Sum(arc, wave, "sum").shifted(-7.0)),
+        Sum(circle(False), jog, "sum"),
+        added(wave, plan("sinusoidal", 0.0, 9.0, 10.0, 50.0, 50.0), "sum"),
+    ]
+
+
+@pytest.mark.parametrize("index", range(6))
+def test_every_kind_answers_as_its_samples_say(index: int) -> None:
+    made = all_kinds()[index]
+    duration = min(made.duration, 6.0)
+    n = 4001
+    t = np.arange(n) * (duration / (n - 1))
+    by_hand = [
+        np.array([read(x) for x in t.tolist()]) for read in (made.position, made.velocity, made.acceleration)
+    ]
+    for order, column in enumerate(by_hand):
+        found = sample_profile(made, n, duration / (n - 1), order)
+        assert np.abs(found - column)[:-1].max() <= 1e-9
+    if made.duration < math.inf:
+        low, high = made.extrema()
+        assert low - 1e-9 <= by_hand[0].min() <= low + 1e-3
+        assert high - 1e-3 <= by_hand[0].max() <= high + 1e-9
+    assert np.abs(by_hand[1]).max() == pytest.approx(made.peak_speed, rel=1e-3)
+    for wanted in (0.1, 0.5, 0.9):
+        place = float(by_hand[0].min() + wanted * (by_hand[0].max() - by_hand[0].min()))
+        first = made.crossing(place)
+        assert first is not None
+        assert made.position(first) == pytest.approx(place, abs=1e-9)
+        signs = np.sign(by_hand[0] - place)
+        assert first == pytest.approx(t[np.flatnonzero(signs != signs[0])[0]], abs=2.0 * duration / n)
+
+
+@pytest.mark.parametrize("index", range(6))
+@pytest.mark.parametrize("share", [0.13, 0.5, 0.77])
+def test_cut_and_after_are_the_two_halves(index: int, share: float) -> None:
+    made = all_kinds()[index]
+    at = share * min(made.duration, 6.0)
+    head, tail = made.cut(at), made.after(at)
+    assert head.duration == pytest.approx(at)
+    for t in np.linspace(0.0, 6.0, 41).tolist():
+        half = head.position(t) if t <= at else tail.position(t - at)
+        assert half == pytest.approx(made.position(t), abs=1e-9)
+    whole = head.then(tail)
+    assert whole.position(at * 1.1) == pytest.approx(made.position(at * 1.1), abs=1e-9)
+    moved = made.scaled(100.0, -2.0)
+    assert moved.position(at) == pytest.approx(100.0 - 2.0 * (made.position(at) - made.start), abs=1e-9)
+
+
+@pytest.mark.parametrize("index", range(6))
+def test_the_pieces_to_draw_by_are_close(index: int) -> None:
+    made = all_kinds()[index]
+    size = max(abs(x) for x in made.cut(6.0).extrema())
+    knots = made.knots
+    for piece, begin, finish in zip(made.pieces, made.curve[0], made.curve[0][1:], strict=False):
+        x = 0.5 * (min(finish, begin + 1.0) - begin)
+        assert ((piece[3] * x + piece[2]) * x + piece[1]) * x + piece[0] == pytest.approx(
+            made.position(begin + x), abs=3e-9 * size
+        )
+    assert made.curve[0][-1] == knots[-1]
+
+
+def test_a_track_mixes_formulas_and_pieces() -> None:
+    arc = circle()
+    starts = [0.0, 2.0, 7.0]
+    profiles = [
+        arc,
+        plan_trapezoid(arc.position(2.0), 0.0, 10.0, 50.0, 50.0, arc.velocity(2.0)),
+        circle().shifted(-10.0),
+    ]
+    found = sample_track(starts, profiles, 0.0, 0.01, 1200, "position")
+    assert found[100] == arc.position(1.0)
+    assert found[300] == pytest.approx(profiles[1].position(1.0), abs=1e-12)
+    assert found[800] == pytest.approx(profiles[2].position(1.0), abs=1e-12)
+    assert found[1199] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_what_is_straight_stays_in_pieces() -> None:
+    along = plan_trapezoid(0.0, 50.0, 100.0, 1000.0, 1000.0)
+    made = travelled(along, line_over(50.0, 10.0, 40.0))
+    assert type(made) is Profile
+    assert (made.start, made.end, made.peak_speed) == (10.0, 40.0, 60.0)
+    assert isinstance(
+        travelled(along, arc_over(50.0, 0.0, 50.0, 0.0, 1.0, 50.0 * math.cos(1.0), True)), Composed
+    )
+
+
+def test_the_sum_of_pieces_is_pieces() -> None:
+    first, second = (
+        plan_trapezoid(5.0, 105.0, 50.0, 100.0, 100.0),
+        plan_trapezoid(0.0, 20.0, 20.0, 100.0, 200.0),
+    )
+    made = added(first, second, "offset")
+    assert type(made) is Profile
+    assert (made.start, made.end, made.duration) == (5.0, 125.0, first.duration)
+    assert made.peak_speed == pytest.approx(70.0)
+    late = added(first.after(1.0), second.after(1.0), "offset")
+    assert late.position(0.5) == pytest.approx(first.position(1.5) + second.position(1.5))
+    moving = added(first.after(0.25), second.after(0.1), "offset")
+    assert (moving.start_velocity, moving.end_velocity) == (25.0 + 10.0, 0.0)
+
+
+def test_a_chain_keeps_its_phases_or_has_one_of_its_own() -> None:
+    arc = circle()
+    row = arc.then(plan_trapezoid(10.0, 0.0, 10.0, 50.0, 50.0))
+    assert [phase.name for phase in row.phases] == ["accel", "slew", "decel"] * 2
+    (whole,) = Chain("follow", [arc, arc], "follow").phases
+    assert (whole.name, whole.duration, whole.distance) == ("follow", 2.0 * arc.duration, 0.0)
+
+
+def test_a_velocity_is_found_in_whichever_part_of_a_chain_runs_at_it_first() -> None:
+    out, back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0), plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
+    row = Chain("follow", [out, back], "follow")
+    assert row.velocity_crossing(5.0) == pytest.approx(0.05)
+    assert row.velocity_crossing(5.0, after=0.06) == pytest.approx(1.05)
+    assert row.velocity_crossing(-5.0) == pytest.approx(1.1 + 0.05)
+    assert row.velocity_crossing(11.0) is None
+    assert row.crossing(5.0, after=0.6) == pytest.approx(1.1 + 0.55)
+    assert row.velocity_crossing(0.0, after=9.0) == 9.0  # it stands after its end
+
+
+def test_a_velocity_at_the_end_of_a_part_is_found_although_the_next_part_begins_otherwise() -> None:
+    out = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0)
+    row = Chain("pvt", [out.cut(0.1), out.cut(0.05).shifted(0.5)], "pvt")
+    assert row.velocity_crossing(10.0) == pytest.approx(0.1)
+
+
+def test_every_time_at_a_place() -> None:
+    there_and_back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0).then(
+        plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
+    )
+    assert crossings(there_and_back, 5.0) == pytest.approx([0.55, 1.65])
+    assert crossings(there_and_back, 10.0) == pytest.approx([1.1])
+    assert crossings(there_and_back, 11.0) == []
+
+
+@pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90, 450])
+def test_quarter_turns_are_exact(degrees: float) -> None:
+    x, y = rotated(3.0, 4.0, degrees)
+    assert sorted((abs(x), abs(y))) == [3.0, 4.0]
+    assert rotated(*rotated(3.0, 4.0, degrees), -degrees) == (3.0, 4.0)
+
+
+@pytest.mark.parametrize("datum", [0.0, 0.0108, 0.3, 1e-7])
+def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else(datum: float) -> None:
+    """A cam of straight lines under a master that speeds up at 360: rounding decides which side of a bend a time is."""
+    rises = [0.0, 10.0, 40.0, 80.0, 100.0, 80.0, 40.0, 10.0]
+    places = [45.0 * n for n in range(9)]
+    cam = table_curve(places, [datum + sum(rises[:n]) for n in range(9)])
+    drawn = Composed(plan_trapezoid(0.0, 360.0, 1000.0, 360.0, 360.0), cam)
+    knots, pieces, _ = drawn.curve
+    for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
+        steepest = 360.0 * 100.0 / 45.0
+        assert abs(2.0 * piece[2]) <= steepest * 1.000001
+        assert abs(2.0 * piece[2] + 6.0 * piece[3] * (finish - begin)) <= steepest * 1.000001
+
+
+@pytest.mark.parametrize("off", [-1e-13, 0.0, 1e-13])
+def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side_rounding_puts_it(
+    off: float,
+) -> None:
+    """A slope from 0 to 2 over 10, run through at 3 while speeding up at 4: 0.2 * 3² + 2 * 4 = 9.8 at its end."""
+    piece = (0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0)
+    curve = from_curve("fly", 0.0, 10.0, ((0.0, 10.0), (piece,), (("fly", 0),)), 0.0, 2.0)
+    along = from_curve(
+        "trapezoid",
+        10.0 + off,
+        15.0,
+        ((0.0, 1.0), ((10.0 + off, 3.0, 2.0, 0.0, 0.0, 0.0, 0.0),), (("accel", 0),)),
+        3.0,
+        7.0,
+    )
+    made = Composed(along, curve)
+    assert made.at(0.0).acceleration == pytest.approx(9.8)
+    assert made.at(0.0).velocity == pytest.approx(6.0)
+    assert evaluate(made, np.array([0.0]), 2)[0] == pytest.approx(9.8)
+    assert made.at(0.5).acceleration == pytest.approx(8.0)
+    assert evaluate(made, np.array([0.5]), 2)[0] == pytest.approx(8.0)
+    # The beginning alike: bent 0.2 on either side of it, and straight, with a slope of 0, farther out.
+    back = Composed(along.shifted(-10.0), curve)
+    assert back.at(0.0).acceleration == pytest.approx(1.8)
+    assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)

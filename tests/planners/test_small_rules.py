@@ -1,0 +1,175 @@
+"""Small rules of the motion mathematics by their figures, each where nothing else would tell it from another."""
+
+from __future__ import annotations
+
+from math import exp, inf, nextafter
+
+import pytest
+
+from motionlang.notes import tn1069
+from motionlang.planners import Profile, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity
+from motionlang.planners.curve import from_curve
+from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
+from motionlang.planners.extrapolation import Ahead
+from motionlang.planners.feasibility import finish
+from motionlang.planners.jerk import jerk_ramps
+from motionlang.planners.jerk_limited import bent_approach
+from motionlang.planners.limits import LARGEST
+from motionlang.planners.lookahead import Pace, plan_course
+from motionlang.planners.pieces import position_in
+from motionlang.planners.pvt.fit import Rounding, fit_profile, fit_track
+from motionlang.planners.ramps import MOMENT
+from motionlang.planners.reach import remedies
+from motionlang.planners.reparametrised import places
+from motionlang.planners.segment_speed import between
+from motionlang.planners.solve import solve_move
+from motionlang.planners.stop import ramps_of
+from motionlang.planners.superposition import added
+from motionlang.planners.table_motion import table_curve
+from motionlang.planners.trapezoid import from_rest
+
+LIMITS = (200.0, 400.0, 400.0)
+MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)
+
+
+def test_a_load_slips_beyond_friction_times_gravity() -> None:
+    assert slip_acceleration(0.4, 9.81) == pytest.approx(3.924)
+
+
+def test_the_distances_of_ramps_go_by_the_square_of_the_speed() -> None:
+    assert trapezoid_times(1000.0, 200.0, 400.0).accel_distance == pytest.approx(50.0)
+    assert s_curve_times(1000.0, 200.0, 400.0).accel_distance == pytest.approx(100.0)
+
+
+@pytest.mark.parametrize("given", [{"time": 1.0}, {"time": 1.0, "distance": 200.0}, {"distance": 200.0}])
+def test_equal_ramps_need_the_speed_too(given: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match="equal ramps need distance, speed and time"):
+        solve_move("equal", **given)
+
+
+def test_a_speed_that_even_a_triangle_exceeds_has_the_two_ends_of_its_range() -> None:
+    assert remedies(None, {"distance": 100.0, "time": 1.0, "speed": 300.0}) == [
+        "speed above 100 and up to 200",
+        "time above 0.333333 and up to 0.666667",
+        "distance from 150 to below 300",
+    ]
+
+
+def test_the_motor_answers_the_first_step_from_nothing() -> None:
+    first, second = step_segments((1, -1), 2.0)
+    assert first.onset == pytest.approx(0.5)
+    assert second.onset == pytest.approx(-0.5 * (1.0 - exp(-0.5)))
+
+
+def test_what_is_too_fast_brakes_to_the_speed_and_holds_it() -> None:
+    ramps = ramps_of("trapezoid", 10.0, 10.0, 0.0, inf, inf)
+    _, rows = between(ramps, 100.0, 10.0, 20.0, 0.0, 5.0)
+    assert [row[1] for row in rows] == pytest.approx([1.0, (100.0 - 15.0 - 3.75) / 10.0, 0.5])
+    assert [row[0] for row in rows] == [20.0, 10.0, 10.0]
+
+
+def test_a_course_that_is_over_already_stands() -> None:
+    made = plan_course([(10.0, Pace("trapezoid", *LIMITS))], 10.0, 0.0)
+    assert made is not None
+    assert (made.duration, made.position(5.0), made.end_velocity) == (0.0, 10.0, 0.0)
+
+
+@pytest.mark.parametrize(("v0", "a0"), [(20.0, 100.0), (20.0, -100.0), (-20.0, -100.0), (20.0, 20.0)])
+@pytest.mark.parametrize("way", [30.0, 1000.0])
+def test_the_search_comes_to_the_plan_of_the_closed_form(v0: float, a0: float, way: float) -> None:
+    rates = (400.0, 300.0, 2000.0, 1500.0)
+    target = way if v0 > 0.0 else -way
+
+    def straight(here: float, velocity: float) -> Profile:
+        return plan_jerk(here, target, 200.0, *rates, velocity)
+
+    searched = bent_approach(jerk_ramps(*rates), 0.0, target, 200.0, v0, a0, straight)
+    closed = plan_jerk(0.0, target, 200.0, *rates, v0, a0)
+    assert searched is not None
+    assert (searched.duration, searched.end_velocity) == pytest.approx((closed.duration, 0.0))
+    for i in range(12):
+        time = closed.duration * i / 12
+        assert searched.position(time) == pytest.approx(closed.position(time), abs=1e-9 * way)
+        assert searched.velocity(time) == pytest.approx(closed.velocity(time), abs=1e-6)
+
+
+def test_a_scaled_profile_makes_its_pieces_when_the_first_one_has_them() -> None:
+    fresh = plan_trapezoid(0.0, 100.0, *LIMITS)
+    assert not hasattr(fresh.scaled(5.0, 2.0), "_curve")
+    knots = fresh.knots
+    assert fresh.scaled(5.0, 2.0).knots is knots
+
+
+def test_a_profile_of_ramps_too_short_to_count_stands_still() -> None:
+    time = 0.5 * MOMENT
+    made = Profile("trapezoid", 3.0, 3.0, time, (0.0, time, 0.0, 0.0))
+    assert made.knots == (0.0, time)
+    assert made.pieces == ((3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),)
+
+
+def test_a_ramp_that_never_ends_is_a_move_too_large() -> None:
+    with pytest.raises(ValueError, match="the move is too large"):
+        finish("trapezoid", 0.0, 1.0, (0.0, inf, 0.0, 1.0))
+
+
+def test_a_wave_is_added_to_one_without_height() -> None:
+    wave = plan_sinusoidal(0.0, 100.0, *LIMITS)
+    assert wave.pieces[0][4]
+    both = added(wave.scaled(0.0, 0.0), wave, "sum")
+    time = 0.3 * wave.knots[1]
+    assert both.position(time) == pytest.approx(wave.position(time), rel=1e-12)
+    assert both.position(time) != pytest.approx(wave.pieces[0][1] * time)
+
+
+def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
+    pieces = ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, -0.25, 0.0, 0.0, 0.0, 0.0))
+    curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would turn at 3
+    assert places(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
+
+
+def test_each_cubic_of_a_table_ends_where_the_next_one_begins() -> None:
+    made = table_curve([0.0, 1.0, 3.0, 4.0], [0.0, 5.0, 2.0, 8.0], "cubic")
+    ends = [
+        position_in(piece, b - a)
+        for piece, a, b in zip(made.pieces, made.knots, made.knots[1:], strict=False)
+    ]
+    assert ends == pytest.approx([5.0, 2.0, 8.0])
+
+
+def test_a_position_with_a_lead_is_that_of_later_at_constant_velocity() -> None:
+    ahead = Ahead(MOVE, 0.1)
+    middle = 0.5 * MOVE.duration
+    assert ahead.at(middle).position == pytest.approx(MOVE.position(middle) + 20.0)
+    assert ahead.position(0.2) == pytest.approx(200.0 * 0.2 * 0.2 + 0.1 * 80.0)
+
+
+def test_the_peaks_of_a_formula_that_runs_on_are_of_their_own_kind() -> None:
+    ahead = Ahead(plan_velocity("trapezoid", 0.0, 0.0, 100.0, 10.0, 10.0), 0.1)
+    assert ahead.peak_acceleration == pytest.approx(10.0)
+    assert ahead.peak_speed >= 100.0
+
+
+def test_a_fit_has_the_velocity_of_every_knot() -> None:
+    top = 1000.0  # counts/s in the middle of two milliseconds
+    motion = plan_trapezoid(0.0, top * 1e-3, top, top * 1e3, top * 1e3)
+    fit = fit_profile(motion, 1e-3, Rounding(1e-6, 1e-6))
+    assert [point.velocity for point in fit.points] == pytest.approx([0.0, top, 0.0], abs=1e-3)
+
+
+def test_a_fit_ends_after_it_begins() -> None:
+    with pytest.raises(ValueError, match="a motion of more than 0"):
+        fit_track([0.0], [MOVE], 1.0, 0.3, 0.2)
+
+
+def test_the_printed_slews_cover_their_distances() -> None:
+    a_cycle = tn1069.VELOCITY / tn1069.CYCLES
+    for way, time in zip(tn1069.PRINTED["S_V"], tn1069.PRINTED["T_V"], strict=True):
+        assert abs(way / a_cycle - time) < 0.5
+
+
+def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
+    """100 at rates of 100 never come to such a speed: a second up and a second down."""
+    found = from_rest(100.0, LARGEST, 100.0, 100.0)
+    assert found is not None
+    assert found[0] == 2.0
+    assert from_rest(100.0, nextafter(LARGEST, inf), 100.0, 100.0) is None

@@ -1,0 +1,92 @@
+"""AN00115: solving a move for what is missing."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Any
+
+import pytest
+
+from motionlang.planners.solve import NAMES, solve_move
+
+SHEET: dict[str, Any] = {
+    "distance": 200.0,
+    "time": 1.0,
+    "accel_time": 0.2,
+    "slew_time": 0.6,
+    "decel_time": 0.2,
+    "speed": 250.0,
+    "accel": 1250.0,
+    "decel": 1250.0,
+}
+
+
+def test_the_exercise() -> None:
+    assert solve_move(distance=200.0, time=1.0, accel_time=0.2, decel_time=0.2) == pytest.approx(SHEET)
+
+
+def test_third_and_quarter_rule() -> None:
+    third = solve_move("third", distance=20.0, time=0.6)
+    quarter = solve_move("quarter", distance=20.0, time=0.6)
+    assert (third["speed"], third["accel"]) == pytest.approx((50.0, 250.0))
+    assert (quarter["speed"], quarter["accel"]) == pytest.approx((400 / 9, 8000 / 27))
+
+
+def test_equal_ramps() -> None:
+    assert solve_move("equal", distance=200.0, time=1.0, speed=250.0) == pytest.approx(SHEET)
+
+
+def solvable(names: tuple[str, ...]) -> bool:
+    try:
+        solve_move(**{name: SHEET[name] for name in names})
+    except ValueError as problem:
+        if "not enough" in str(problem):
+            return False
+        raise
+    return True
+
+
+@pytest.mark.parametrize("count", range(1, 8))
+def test_whatever_is_given_it_is_the_same_move_or_not_enough(count: int) -> None:
+    for names in combinations(NAMES, count):
+        if solvable(names):
+            assert solve_move(**{name: SHEET[name] for name in names}) == pytest.approx(SHEET), names
+
+
+def test_four_figures_are_enough_unless_three_of_them_say_the_same() -> None:
+    for names in combinations(NAMES, 4):
+        says_the_same = any(set(relation) <= set(names) for relation in RELATIONS)
+        assert solvable(names) is not says_the_same, names
+
+
+RELATIONS = (
+    ("speed", "accel", "accel_time"),
+    ("speed", "decel", "decel_time"),
+    ("accel", "accel_time", "decel", "decel_time"),
+    ("distance", "time", "slew_time", "speed"),
+    ("time", "accel_time", "slew_time", "decel_time"),
+)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"distance": 20.0, "time": 0.6}, "not enough is known: accel time, slew time"),
+        ({"distance": 20.0, "time": 0.6, "speed": 10.0}, "contradiction: the distance does not fit"),
+        ({"speed": 8.0, "accel": 16.0, "decel": 16.0, "distance": 12.0, "time": 3.0}, "contradiction"),
+        ({"distance": 20.0, "time": 0.1, "accel": 10.0, "decel": 10.0}, "cannot be covered in the time"),
+        ({"speed": 10.0, "accel": 1.0, "accel_time": 2.0}, "not enough|contradiction"),
+        ({"speed": 0.0}, "speed must be greater than zero"),
+        ({"velocity": 1.0}, "no figure called velocity"),
+    ],
+)
+def test_what_cannot_be_solved(given: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        solve_move(**given)
+
+
+def test_an_unknown_rule() -> None:
+    with pytest.raises(ValueError, match="no rule called half"):
+        solve_move("half", distance=1.0, time=1.0)
+    with pytest.raises(ValueError, match="a rule splits the time"):
+        solve_move("third", distance=1.0)

@@ -1,0 +1,222 @@
+"""From any velocity and acceleration: nothing jumps, the limits are kept, and the end is the one asked for."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from random import Random
+
+import pytest
+
+from motionlang.planners import Profile, plan, plan_stop, plan_velocity
+from motionlang.planners.lookahead import Pace, plan_course
+from motionlang.planners.ramp_down import stop_under_way
+
+
+def judge(
+    made: Profile, v0: float, a0: float, accel: float, decel: float, jerks: tuple[float, float]
+) -> None:
+    """Piece by piece: continuous to the acceleration, rates and jerks within what holds for that direction."""
+    state = made.at(0.0)
+    assert (state.velocity, state.acceleration) == pytest.approx((v0, a0), rel=1e-9, abs=1e-9)
+    velocity, acceleration = v0, a0
+    top = 1.0 + max(abs(v0), made.peak_speed)
+    for begin, finish in pairwise(made.knots):
+        if finish - begin < 1e-9 or math.isinf(finish):
+            continue
+        first, last = made.at(begin), made.at(math.nextafter(finish, begin))
+        assert first.velocity == pytest.approx(velocity, rel=1e-7, abs=1e-7 * top), begin
+        assert first.acceleration == pytest.approx(acceleration, rel=1e-6, abs=1e-6 * (accel + decel)), begin
+        velocity, acceleration = last.velocity, last.acceleration
+        middle = made.at(0.5 * (begin + finish))
+        speeding = middle.acceleration * middle.velocity > 0.0
+        assert abs(middle.jerk) <= (jerks[0] if speeding else jerks[1]) * (1.0 + 1e-9)
+        if abs(a0) <= min(accel, decel):
+            assert abs(middle.acceleration) <= (accel if speeding else decel) * (1.0 + 1e-9)
+
+
+def limits(random: Random) -> tuple[float, float, float, tuple[float, float]]:
+    """Speed, acceleration, deceleration and jerks."""
+    return (
+        random.uniform(5, 100),
+        random.uniform(50, 500),
+        random.uniform(50, 500),
+        (random.uniform(500, 5000), random.uniform(500, 5000)),
+    )
+
+
+def state(random: Random, made: Profile) -> tuple[float, float, float]:
+    here = made.at(random.random() * min(made.duration, 20.0))
+    return here.position, here.velocity, here.acceleration
+
+
+def moved(seed: int) -> None:
+    """A move is given another target in its middle."""
+    random = Random(seed)
+    speed, accel, decel, jerks = limits(random)
+    first = plan("scurve", 0.0, random.uniform(-100, 100), speed, accel, decel, 0.0, 0.0, *jerks)
+    p, v, a = state(random, first)
+    target = random.choice([random.uniform(-150, 150), p + math.copysign(random.uniform(0, 5), v or 1.0)])
+    made = plan("scurve", p, target, speed, accel, decel, v, 0.0, *jerks, a)
+    judge(made, v, a, accel, decel, jerks)
+    assert (made.end, made.end_velocity) == (target, 0.0)
+    before = made.at(made.duration * (1.0 - 1e-12))
+    assert before.position == pytest.approx(target, abs=1e-6 * (1.0 + abs(target)))
+    assert made.peak_speed <= max(speed, abs(v)) * (1.0 + 1e-9) or abs(v) + abs(a) ** 2 / jerks[0] > speed
+
+
+def stopped(seed: int) -> None:
+    """A move is stopped in its middle, or a jog changes its speed."""
+    random = Random(seed)
+    speed, accel, decel, jerks = limits(random)
+    first = plan("scurve", 0.0, random.uniform(1, 100), speed, accel, decel, 0.0, 0.0, *jerks)
+    p, v, a = state(random, first)
+    made = plan_stop("scurve", p, v, decel, 0.0, jerks[1], a, jerks[0])
+    judge(made, v, a, accel, decel, jerks)
+    assert made.end <= first.end + 1e-9
+    v1 = random.uniform(-1.0, 1.0) * speed
+    jogged = plan_velocity("scurve", p, v, v1, accel, decel, 0.0, *jerks, a)
+    judge(jogged, v, a, accel, decel, jerks)
+    assert jogged.end_velocity == v1
+
+
+def coursed(seed: int) -> None:
+    """A course over several paces is planned anew from its middle."""
+    random = Random(seed)
+    _, accel, decel, jerks = limits(random)
+    stretches = [
+        (random.uniform(0.1, 40), Pace("scurve", random.uniform(5, 60), accel, decel, 0.0, *jerks))
+        for _ in range(random.randint(1, 8))
+    ]
+    end = sum(length for length, _ in stretches)
+    first = plan_course(stretches, 0.0, 0.0)
+    assert first is not None
+    judge(first, 0.0, 0.0, accel, decel, jerks)
+    assert first.end == pytest.approx(end, rel=1e-12)
+    p, v, a = state(random, first)
+    again = plan_course(stretches, p, v, a)
+    if again is None:
+        assert first.duration - first.crossing(p) < 2.0 * (decel / jerks[1] + v / decel)  # type: ignore[operator]
+        return
+    judge(again, v, a, accel, decel, jerks)
+    place = 0.0
+    for length, pace in stretches:
+        place += length
+        for made in (first, again):
+            time = made.crossing(0.5 * (2.0 * place - length)) if place - 0.5 * length > p else None
+            assert time is None or made.velocity(time) <= pace.speed * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("case", [moved, stopped, coursed])
+def test_changes_in_the_middle(case: object) -> None:
+    assert callable(case)
+    for seed in range(200):
+        case(seed)
+
+
+def test_rounding_leaves_no_stretch_of_less_than_no_time() -> None:
+    moved(12_566)  # its first stretch would take -2e-17 s
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("case", [moved, stopped, coursed])
+def test_many_changes_in_the_middle(case: object) -> None:
+    assert callable(case)
+    for seed in range(1000, 101_000):
+        case(seed)
+
+
+def test_a_stop_out_of_a_ramp_takes_each_side_back_at_its_own_jerk() -> None:
+    """From 0.08 s of a ramp at 4000: 25.6 after another 0.08 s, 2.048 in all, then twice 25.6 / 0.2613 s at 1500."""
+    made = plan_stop("scurve", 4000.0 * 0.08**3 / 6.0, 12.8, 250.0, 0.0, 1500.0, 320.0, 4000.0)
+    assert made.end == pytest.approx(2.048 + 25.6 * math.sqrt(25.6 / 1500.0), rel=1e-12)
+
+
+@pytest.mark.parametrize(("shape", "ramp"), [("sinusoidal", 0.0), ("scurve", 0.1), ("scurve", 0.35)])
+def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, ramp: float) -> None:
+    planned = plan(shape, 0.0, 500.0, 80.0, 400.0, 250.0, ramp=ramp)
+    for k in range(1, 200):
+        time = planned.duration * k / 200.0
+        made = stop_under_way(planned, time, shape, 250.0, ramp)
+        here = planned.at(time)
+        assert made.at(0.0).velocity == pytest.approx(here.velocity, rel=1e-9)
+        assert made.at(0.0).acceleration == pytest.approx(here.acceleration, rel=1e-9, abs=1e-6)
+        assert made.end <= 500.0
+        assert made.end_velocity == 0.0
+        bends = [made.at(made.duration * i / 2000.0).acceleration for i in range(2000)]
+        # an acceleration of 400 over the shortest flank there is here
+        assert max(abs(b - a) for a, b in pairwise(bends)) < 0.15 * 400.0
+
+
+def test_a_stop_late_in_the_last_ramp_changes_nothing() -> None:
+    for shape, ramp, jerk in (
+        ("sinusoidal", 0.0, math.inf),
+        ("scurve", 0.2, math.inf),
+        ("scurve", 0.0, 3000.0),
+    ):
+        planned = plan(shape, 0.0, 500.0, 80.0, 400.0, 250.0, 0.0, ramp, jerk, jerk)
+        made = stop_under_way(planned, planned.duration - 0.1, shape, 250.0, ramp, jerk, jerk)
+        assert made.end == pytest.approx(500.0, abs=1e-9)
+        assert made.duration == pytest.approx(0.1, abs=1e-9)
+
+
+def test_a_move_planned_anew_in_its_middle_takes_the_time_it_had_left() -> None:
+    """What is best from the beginning is best from every state on the way, ramps and slew alike."""
+    random = Random(3)
+    for _ in range(300):
+        speed, accel, decel, jerks = limits(random)
+        target = random.uniform(1, 200) * random.choice([-1.0, 1.0])
+        whole = plan("scurve", 0.0, target, speed, accel, decel, 0.0, 0.0, *jerks)
+        time = random.uniform(0.01, 0.99) * whole.duration
+        here = whole.at(time)
+        rest = plan(
+            "scurve",
+            here.position,
+            target,
+            speed,
+            accel,
+            decel,
+            here.velocity,
+            0.0,
+            *jerks,
+            here.acceleration,
+        )
+        assert rest.duration == pytest.approx(whole.duration - time, rel=1e-6, abs=1e-6)
+        assert rest.extrema()[1] <= max(0.0, target) + 1e-6
+
+
+def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
+    random = Random(2)
+
+    def size() -> float:
+        return float(10.0 ** random.choice([0.0, random.uniform(-12, 12), random.uniform(-300, 300)]))
+
+    for _ in range(1000):
+        bend = random.choice([0.0, size(), -size()])
+        shape = random.choice(["trapezoid", "scurve", "parabolic", "sinusoidal"])
+        stretches = [
+            (size(), Pace(shape, size(), size(), size(), 0.1, size(), size()))
+            for _ in range(random.randint(1, 4))
+        ]
+        try:
+            made = plan("scurve", 0.0, size(), size(), size(), size(), size(), 0.0, size(), size(), bend)
+            course = plan_course(stretches, 0.0, 0.0)
+        except ValueError:
+            continue
+        assert made.duration >= 0.0
+        assert course is not None
+        assert course.duration >= 0.0
+
+
+def test_a_stop_that_has_hardly_begun_takes_its_own_time_whatever_its_velocity() -> None:
+    """From v without an acceleration it takes 2 sqrt(v/j), and from a nanosecond later on a nanosecond less.
+
+    A velocity of 1e-9 is a trillionth of what a ramp to 100 000 passes in easing out, and was dropped as rounding.
+    """
+    for velocity in (1e-3, 1e-9, 1e-11):
+        whole = 2.0 * math.sqrt(velocity / 1e6)
+        begun = velocity - 0.5 * 1e6 * 1e-18
+        made = plan_stop("scurve", 0.0, begun, 1e5, 0.0, 1e6, -1e-3)
+        assert made.duration == pytest.approx(whole - 1e-9, rel=1e-6)
+        back = plan("scurve", 0.0, -1.0, 10.0, 1e5, 1e5, begun, 0.0, 1e6, 1e6, -1e-3)
+        assert back.phases[0].duration == pytest.approx(whole - 1e-9, rel=1e-6)

@@ -1,0 +1,114 @@
+"""Small rules of the simulated motors by their figures, each where nothing else would tell it from another."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from motionlang.notes.slip import _slid
+from motionlang.planners import hold, plan_trapezoid
+from motionlang.servo.ahead import SEEN
+from motionlang.servo.demand import SHORT, Generator, Track
+from motionlang.servo.discrete import discretise
+from motionlang.servo.lookahead import Sight, Window, next_other_side, next_side
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
+from motionlang.servo.response import _first_fall
+from motionlang.servo.servo import simulate
+from motionlang.servo.settings import make_loop
+from motionlang.servo.steps import MEMORY, initial_state, stepper
+
+
+@pytest.mark.parametrize(
+    ("error", "since"), [([9.0, 9.0, 0.0, 0.0, 0.0], 102.0), ([0.0, 0.0, 0.0], 100.0), ([0.0, 9.0], np.inf)]
+)
+def test_a_window_is_kept_since_the_sample_after_the_last_one_outside(
+    error: list[float], since: float
+) -> None:
+    rows = np.zeros((len(SEEN), len(error)))
+    rows[SEEN.index("error")] = error
+    window = Window(error=1.0)
+    window.pass_by(Sight(100, rows), 0.0, 100 + len(error))
+    assert window.since == since
+
+
+def test_the_first_sample_on_a_side_and_on_another_one() -> None:
+    assert next_side(np.array([0.0, 0.0, 5.0, 6.0]), 0.0, 0) == (2, 1)
+    assert next_side(np.array([0.0, -4.0]), 0.0, 0) == (1, -1)
+    assert next_other_side(np.array([1.0, 2.0, -1.0]), 0.0) == 2
+    assert next_other_side(np.array([1.0, 0.0, 1.0]), 0.0) == 1
+
+
+def test_the_current_of_a_motor_without_inductance() -> None:
+    """I = (gain u - K w)/R, w in radians a second."""
+    motor = Motor(
+        inductance=0.0, resistance=2.0, torque_constant=0.05, counts_per_rev=4000.0, amplifier_gain=2.4
+    )
+    row = discretise(motor, 1e-3).current
+    assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * math.pi / 4000.0, 1.2, 0.0))
+
+
+@pytest.mark.parametrize("load", [0.0, 0.01])
+@pytest.mark.parametrize("inductance", [0.0, 1e-3])
+def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: float, load: float) -> None:
+    """Through an inductance the output has no part in it yet; a load pulls in the negative direction."""
+    motor = Motor(inductance=inductance, viscous=0.0, load_torque=load)
+    moved = Track([0.01], [plan_trapezoid(0.0, 500.0, 8000.0, 90_000.0, 90_000.0)])
+    trace = simulate(moved, Loop(0.04, 2e-5, 0.9, integral_limit=5.0), motor, until=0.1)
+    assert trace.onset == pytest.approx((trace.torque - load) * motor.counts_per_radian / motor.inertia)
+    assert trace.peak_output > 0.1
+
+
+def test_the_sum_of_errors_of_an_lm628_has_24_bits() -> None:
+    """A count more at the top, and it would not yet be back below the last whole 256."""
+    loop = Loop(0, 1, 0, integral_limit=32767, arithmetic="lm628", dac_bits=12)
+    still = Drive(1e-6, 1.0)
+    column: tuple[list[float], ...] = ([],)
+    start = list(initial_state(discretise(still, loop.period), 0.0))
+    start[MEMORY.index("total") - len(MEMORY)] = 8_388_600.0
+    stepper(loop, still, ("integral",))([100.0, -256.0], (), tuple(start), column)
+    assert column[0][1] / column[0][0] == 32766.0 / 32767.0
+
+
+def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
+    assert _slid([0.0, -10.0, -10.0, -10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
+    assert _slid([0.0, 10.0, 10.0, 10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
+
+
+def test_an_override_holds_for_one_update_unless_it_says_so() -> None:
+    for options in ({}, {"override_hold": 1}):
+        made = make_loop({"override_steps": 5, "dac_bits": 12, **options}).override
+        assert made is not None
+        assert (made.steps, made.hold) == (5, 1)
+
+
+def test_a_gain_that_falls_at_once_is_looked_for_in_the_first_part() -> None:
+    grid = np.array([1.0, 2.0, 3.0, 4.0])
+    assert _first_fall(grid, 1.0 / grid, 0.7, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.7)
+    assert _first_fall(grid, 1.0 / grid, 0.3, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.3)
+
+
+def test_another_zero_at_a_sample_moves_no_motor() -> None:
+    """Whether the points are made one by one or at once, and to whichever side the time of a sample is rounded."""
+    for k in range(1, SHORT):
+        for time in (math.nextafter(k * 1e-3, 0.0), k * 1e-3, math.nextafter(k * 1e-3, 1.0)):
+            track = Track([0.0, time], [hold(0.0), hold(100.0)])
+            for count in (SHORT, SHORT + 1):
+                assert not np.any(Generator(track, 1e-3).points(0, count))
+
+
+@given(
+    starts=st.lists(st.integers(0, 60), min_size=1, max_size=40).map(sorted),
+    times=st.lists(st.integers(-2, 62), min_size=1, max_size=12),
+)
+def test_the_profile_in_force_is_found_from_wherever_one_was_found_before(
+    starts: list[int], times: list[int]
+) -> None:
+    generator = Generator(Track([float(start) for start in starts], [hold(0.0)] * len(starts)), 1e-3)
+    for time in times:
+        begun = sum(start <= time for start in starts)
+        assert generator.in_force_at(float(time)) == max(begun - 1, 0)

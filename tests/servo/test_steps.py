@@ -1,0 +1,43 @@
+"""The step of a loop and a motor: the matrix exponential that it is made of, and a loop that runs away."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from motionlang.servo import Loop, Motor
+from motionlang.servo.discrete import discretise, exponential
+from motionlang.servo.steps import initial_state
+from motionlang.servo.stretch import run_stretch
+
+ASKED = ("position", "velocity", "integral", "output")
+
+
+def test_the_matrix_exponential() -> None:
+    """exp of a rotation, a shear and a stiff decay, and exp(a) exp(-a) = 1."""
+    angle = 0.7
+    turned = exponential([[0.0, -angle], [angle, 0.0]])
+    assert turned[0][0] == pytest.approx(np.cos(angle), abs=1e-15)
+    assert turned[1][0] == pytest.approx(np.sin(angle), abs=1e-15)
+    assert exponential([[0.0, 1e-9], [0.0, 0.0]]) == [[1.0, 1e-9], [0.0, 1.0]]
+    assert exponential([[-50.0]])[0][0] == pytest.approx(np.exp(-50.0), rel=1e-12)
+    rng = np.random.default_rng(5)
+    for size in (2, 4, 6):
+        m = rng.normal(size=(size, size))
+        there, back = np.array(exponential(m.tolist())), np.array(exponential((-m).tolist()))
+        assert np.abs(there @ back - np.eye(size)).max() < 1e-11
+
+
+@pytest.mark.parametrize("derivative", [40.0, 400.0, 1e300])
+@pytest.mark.filterwarnings("error")
+def test_the_output_of_a_loop_that_runs_away_has_an_end(derivative: float) -> None:
+    """Nothing overflows, as the output stops at its limit."""
+    loop = Loop(0.04, 2e-5, derivative)
+    state = initial_state(discretise(Motor(), loop.period), 0.0)
+    i = np.arange(2002)
+    kicked = 50.0 * np.sin(i / 200.0) + 500.0 * ((i // 300) % 2)
+    ran, after = run_stretch(loop, Motor(), ASKED, kicked, 0, 8000, state)
+    columns = np.array([np.asarray(column) for column in ran.columns])
+    assert np.isfinite(columns).all()
+    assert np.isfinite(after[:3]).all()
+    assert np.abs(columns[3]).max() == loop.output_limit
