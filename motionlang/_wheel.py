@@ -34,7 +34,7 @@ class BuildWithGrammars(build_py):
 
 
 class DescribeWithoutLinks(egg_info):
-    """`egg_info` whose description, the README, names the files of the repository instead of linking to them.
+    """`egg_info` whose description, the README, names files of the repository instead of linking to them.
 
     An index shows the README where there is no such file, and the package knows no address of its repository.
     """
@@ -47,5 +47,7 @@ class DescribeWithoutLinks(egg_info):
 
 
 def without_links(text: str) -> str:
-    """Markdown in which a link to a place beside it is the name of that place."""
-    return re.sub(r"\[[^\]]*\]\((?![a-z]+:)([^)#]+)[^)]*\)", r"`\1`", text)
+    """Replace links to files of the repository by their text and path, and leave out pictures of it."""
+    text = re.sub(r"!\[[^\]]*\]\((?![a-z]+:)[^)]+\)\n*", "", text)
+    text = re.sub(r"\[([\w/.-]+)\]\(\1\)", r"`\1`", text)
+    return re.sub(r"\[([^\]]*)\]\((?![a-z]+:)([^)#]+)[^)]*\)", r"\1 (`\2`)", text)

@@ -89,7 +89,7 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
 def test_the_description_links_to_nothing_that_an_index_lacks(built: tuple[Path, Path]) -> None:
     with zipfile.ZipFile(built[1]) as wheel:
         metadata = wheel.read(next(n for n in wheel.namelist() if n.endswith("/METADATA"))).decode()
-    assert "* `docs/cli.md` — the command line" in metadata
+    assert "the command line (`docs/cli.md`)" in metadata
     assert "](docs" not in metadata
 
 
@@ -97,7 +97,8 @@ def test_the_description_links_to_nothing_that_an_index_lacks(built: tuple[Path,
     ("text", "shown"),
     [
         ("[docs/cli.md](docs/cli.md)", "`docs/cli.md`"),
-        ("[a page](docs/cli.md#run)", "`docs/cli.md`"),
+        ("[a page](docs/cli.md#run)", "a page (`docs/cli.md`)"),
+        ("![a move](docs/move.png)\n\nA move", "A move"),
         ("[there](https://example.org/a)", "[there](https://example.org/a)"),
     ],
 )
