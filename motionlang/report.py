@@ -9,7 +9,7 @@ from __future__ import annotations
 from itertools import islice
 from marshal import dumps
 
-from motionlang.controller.plain_moves import move_of
+from motionlang.log.plain_moves import move_of
 from motionlang.planners.packed import RAMPS, packed
 
 TYPE_CHECKING = False
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
-    from motionlang.controller.plain_moves import Row as PlainRow
     from motionlang.errors import Diagnostic
     from motionlang.log.history import Figures, MotorFigures
+    from motionlang.log.plain_moves import Row as PlainRow
     from motionlang.planners import Profile
     from motionlang.result import Run
 

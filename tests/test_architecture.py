@@ -78,7 +78,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "controller": (
         ("accelerators", "clock", "scale", "faults", "move", "watches", "listeners"),
-        ("plain_moves", "joined"),
+        ("joined",),
         ("axis",),
         ("triggers",),
         ("feedback",),

@@ -11,31 +11,33 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
+    from motionlang.controller.axis import Axis
+
 
 class Accelerators:
     """The accelerators of a machine, by the part of the engine that each replaces; None leaves that part as it is.
 
+    * `axes(numbers)`: the axes of a controller
     * `scheduler(…)`: the scheduler of a run, called as `Scheduler` is
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
-    * `loader(controller, axis, relative, command)`: loads a move about which nothing is special
     * `counted(counters, steps)`: how many iterations of a loop may be skipped in which variables count
     * `recurrence(machine, pace)`: finds the period of tasks that poll side by side
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called as `Ahead` is
     """
 
-    __slots__ = ("counted", "loader", "ranges", "recurrence", "scheduler", "servo")
+    __slots__ = ("axes", "counted", "ranges", "recurrence", "scheduler", "servo")
 
     def __init__(
         self,
         *,
+        axes: Callable[[Sequence[int]], Sequence[Axis]] | None = None,
         counted: Callable[[Sequence[float], Sequence[float]], float] | None = None,
-        loader: Callable[..., Callable[[float, int], bool]] | None = None,
         ranges: Callable[[Any], tuple[set[Any], dict[int, Any]]] | None = None,
         recurrence: Callable[..., Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
     ) -> None:
-        self.counted, self.loader, self.ranges = counted, loader, ranges
+        self.axes, self.counted, self.ranges = axes, counted, ranges
         self.recurrence, self.scheduler, self.servo = recurrence, scheduler, servo
 
 

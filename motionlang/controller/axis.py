@@ -3,9 +3,6 @@
 The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began; the
 last profile goes on for ever (it holds its end position, or keeps its end velocity), so position and velocity are
 known at any time, exactly. What lies far back is packed in the log (`log/log.py`).
-
-Moves that nobody looks at are rows of numbers (`plain_moves.py`). Whoever asks for the move, the buffer or the track
-of the axis is such a look, and finds them as if there were no other kind.
 """
 
 from __future__ import annotations
@@ -13,7 +10,6 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.plain_moves import NO_PLAN, entry_of, move_of, written
 from motionlang.controller.scale import Scale
 from motionlang.controller.watches import Watches
 from motionlang.planners import hold
@@ -24,12 +20,12 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
+    from motionlang.controller.core import Core
     from motionlang.controller.feedback import Feedback
     from motionlang.controller.move import Move
-    from motionlang.controller.plain_moves import Entry, Row
+    from motionlang.controller.readers import Loader
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
-    from motionlang.log.moves import Moves
     from motionlang.log.older_profiles import Profiles
     from motionlang.planners import Profile, State
 
@@ -70,18 +66,14 @@ class Axis:
 
     __slots__ = (
         "_accel_jerk",
-        "_arrival",
-        "_buffer",
         "_decel_jerk",
-        "_move",
-        "_profiles",
-        "_starts",
         "accel",
         "accel_jerk_time",
         "accel_time",
-        "bell",
+        "arrival",
         "blend_distance",
         "blend_mode",
+        "buffer",
         "buffer_low",
         "buffer_size",
         "contour_angle",
@@ -92,7 +84,6 @@ class Axis:
         "decel_jerk_time",
         "decel_time",
         "enabled",
-        "ends",
         "error_decel",
         "faults",
         "feedback",
@@ -108,32 +99,28 @@ class Axis:
         "last_id",
         "lent",
         "limits",
-        "loaded",
         "locks",
-        "logged",
         "max_accel",
         "max_decel",
         "max_speed",
+        "move",
         "move_id",
         "offset_status",
         "older",
         "override",
         "own_rates",
-        "plain",
-        "plan",
-        "plan_before",
         "present",
+        "profiles",
         "ramp",
         "s_ramp",
         "scale",
         "sequence",
         "shape",
         "speed",
+        "starts",
         "suspend_time",
         "target",
-        "under_way",
         "watches",
-        "writing",
     )
 
     def __init__(self, index: int) -> None:
@@ -179,34 +166,21 @@ class Axis:
         self.offset_status = 0  # bits, see `offset`
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free places above which the listeners are told; -1: never
-        self._buffer: list[Move] = []
+        self.buffer: list[Move] = []
         self.move_id = 0  # the mark of moves loaded from now on
         self.last_id = 0  # the mark of the last move that left the buffer
-        self._move: Move | None = None
+        self.move: Move | None = None
         # What has the axis to itself for several motions in a row; what the buffer holds waits for its end.
         self.sequence: Homing | None = None
-        self._arrival: Event | None = None
+        self.arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0
         # When it was last known to be exactly at a position, which, and on which profile.
         self.crossed: tuple[float, float, Profile] | None = None
-        self._starts = [0.0]
-        self._profiles: list[Profile] = [hold(0.0)]
-        # The plain moves since the track was last written: the one in the buffer, those that were started, whether the
-        # last of them is under way, until when it is or was, and the event of its end.
-        self.loaded: Entry | None = None
-        self.plain: list[Row] = []
-        self.plan = self.plan_before = (
-            NO_PLAN  # of the last move, and of the one before: cycles go there and back
-        )
-        self.under_way = False
-        self.ends = 0.0
-        self.bell: Event | None = None
-        # While those are written: how long the track was, the moves, and what is seen of the last one.
-        self.writing: tuple[int, list[Row], Move | None] | None = None
-        # The profile in force, where the track is written.
-        self.present: Profile | None = self._profiles[-1]
-        self.logged: Moves | None = None  # the log of moves, where the axis is one of a controller's
+        self.starts = [0.0]
+        self.profiles: list[Profile] = [hold(0.0)]
+        # The last of them, by which readers know what they have cached; None where it is not on the track yet.
+        self.present: Profile | None = self.profiles[-1]
         # What began before those, packed.
         self.older: Profiles | None = None
         self.watches = Watches()
@@ -221,21 +195,6 @@ class Axis:
         self.index_every = 0.0
         self.index_origin = 0.0  # one of the marks, in counts of the machine
 
-    # ------------------------------------------------------------------------------- what others look at
-
-    @property
-    def move(self) -> Move | None:
-        """The move in progress."""
-        if self.under_way:
-            self._write()
-        return self._move
-
-    @move.setter
-    def move(self, move: Move | None) -> None:
-        if self.under_way:
-            self._write()
-        self._move = move
-
     @property
     def entries(self) -> tuple[Move, ...]:
         """The entries of the log that may still change, the oldest first: several while paths are blended."""
@@ -245,87 +204,30 @@ class Axis:
         return move.action.entries(self, move)
 
     @property
-    def arrival(self) -> Event | None:
-        """The event of its end."""
-        if self.under_way:
-            self._write()
-        return self._arrival
-
-    @arrival.setter
-    def arrival(self, event: Event | None) -> None:
-        if self.under_way:
-            self._write()
-        self._arrival = event
-
-    @property
-    def buffer(self) -> list[Move]:
-        """The moves that wait, the next one first."""
-        if self.under_way:
-            self._write()
-        if self.loaded is not None:
-            entry, self.loaded = self.loaded, None
-            self._buffer.append(entry_of(self.index, entry))
-        return self._buffer
-
-    @buffer.setter
-    def buffer(self, entries: list[Move]) -> None:
-        self.loaded, self._buffer = None, entries
-
-    @property
-    def starts(self) -> list[float]:
-        """When each of `profiles` began."""
-        if self.plain:
-            self._write()
-        return self._starts
-
-    @property
-    def profiles(self) -> list[Profile]:
-        """The profiles of its track."""
-        if self.plain:
-            self._write()
-        return self._profiles
-
-    @property
     def moves(self) -> bool:
         """Whether a move is in progress, for who asks for no more."""
-        return self.under_way or self._move is not None
+        return self.move is not None
 
     def put_on(self, start: float, profile: Profile) -> None:
         """Have its track begin with a profile."""
-        self._starts[:], self._profiles[:], self.present = [start], [profile], profile
+        self.starts[:], self.profiles[:], self.present = [start], [profile], profile
 
-    def _write(self) -> None:
-        """Write the plain moves on the track; everybody sees the one that is under way."""
-        rows = self.plain[:]
-        self.writing = len(self._profiles), rows, move_of(rows[-1]) if self.under_way else None
-        self._go_on_writing()
+    def idle_reader(self) -> Callable[[], bool]:
+        """The function that answers whether no move is in progress."""
+        return lambda: self.move is None
 
-    def _go_on_writing(self) -> None:
-        """Do what `writing` says. Whoever is interrupted in it does it again, from its beginning."""
-        assert self.writing is not None
-        first, rows, move = self.writing
-        self._starts[first:], self._profiles[first:] = written(rows, move is not None)
-        self.plain.clear()
-        self.present = self._profiles[-1]
-        if move is not None:
-            assert self.logged is not None
-            move.profile = self.present
-            self._move = move
-            self._arrival, self.bell = self.bell or self._arrival, None
-            self.logged.show(rows[-1], move)
-            self.under_way = False
-        self.writing = None
+    # -------------------------------------------------------------------------------- where `fast/moves.py` hooks in
+
+    def loader(self, controller: Core, relative: bool, command: str) -> Loader:
+        """Load a move quickly, to a place or by a distance, user units, for a line; false where it cannot be."""
+        return lambda value, line: False
+
+    def start_loaded(self, controller: Core) -> bool:
+        """Start the move of `loader`; false where there is none."""
+        return False
 
     def keep_whole(self, now: float) -> None:
-        """As somebody ended the run, complete what was being written, and take back a move that nobody has logged."""
-        if self.writing is not None:
-            self._go_on_writing()
-        row = self.plain[-1] if self.plain else None
-        if row is not None and row[1] == now and self.logged is not None and not self.logged.has(row):
-            self.plain.pop()
-            self.under_way, self.loaded = False, row[-1]
-            self.ends = self.plain[-1][1] + self.plain[-1][4] if self.plain else now
-            self.present = None if self.plain else self._profiles[-1]
+        """Roll back or finish partial updates after an interrupt."""
 
     # ---------------------------------------------------------------------------------------- at a time
 
@@ -336,13 +238,9 @@ class Axis:
 
     def position(self, time: float) -> float:
         """The demanded position at `time`; without a simulated motor, the actual one too."""
-        if self.plain:
-            if not self.under_way and time > self.ends:
-                return self.plain[-1][3] + 0.0
-            self._write()
-        began = self._starts[-1]
+        began = self.starts[-1]
         if time >= began:
-            return self._profiles[-1].position(time - began)
+            return self.profiles[-1].position(time - began)
         start, profile = self.in_force(time)
         return profile.position(time - start)
 
@@ -359,8 +257,6 @@ class Axis:
 
     def velocity(self, time: float) -> float:
         """The demanded velocity at `time`, counts/s."""
-        if self.plain and not self.under_way and time > self.ends:
-            return 0.0
         began = self.starts[-1]
         if time >= began:
             return self.profiles[-1].velocity(time - began)
@@ -390,17 +286,17 @@ class Axis:
 
     def end_of_motion(self) -> float:
         """The time at which the present profile is done: infinite while jogging."""
-        if self.plain:
-            return self.ends
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
+
+    def end_of_move(self) -> float:
+        """The time at which it will be idle if nothing else happens; -1 where it is."""
+        return -1.0 if self.move is None else self.end_of_motion()
 
     @property
     def stands(self) -> bool:
         """Whether it is idle, or in a motion that rests as long as nobody else moves, such as following."""
-        if self.under_way:
-            return False
-        move = self._move
+        move = self.move
         return move is None or (move.action is not None and move.action.resting)
 
     @property

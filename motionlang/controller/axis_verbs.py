@@ -200,7 +200,7 @@ class AxisVerbs(Core):
     def room(self, axis: int) -> int:
         """How many moves the buffer can still take, the one being executed not counted."""
         a = self.axes[axis]
-        return a.buffer_size - len(a._buffer if a.loaded is None else a.buffer)
+        return a.buffer_size - len(a.buffer)
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Put a move to `position` into the move buffer."""
@@ -226,10 +226,9 @@ class AxisVerbs(Core):
 
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
-        now, all_axes = self.clock.now, self.axes
         for axis in axes:
-            a = all_axes[axis]
-            if a.loaded is not None and self.start_plain(a, now):
+            a = self.axes[axis]
+            if a.start_loaded(self):
                 continue
             a = self.movable(axis)
             if self.orders is not None:

@@ -46,8 +46,7 @@ class Controller(AxisVerbs):
         log: Log | None = None,
         accelerators: Accelerators = NO_ACCELERATORS,
     ) -> None:
-        self.accelerators = accelerators
-        super().__init__(axes, first, clock or Clock(), log or Log())
+        super().__init__(axes, first, clock or Clock(), log or Log(), accelerators)
         power_up(self.log, self.axes)
 
     # ----------------------------------------------------------------------------------- bound to an axis
@@ -64,9 +63,8 @@ class Controller(AxisVerbs):
         return readers.writer(self, name, axis, unit)
 
     def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """What loads a plain move to a place or by a distance, user units, for a line; false: it cannot."""
-        assert self.accelerators.loader is not None
-        return self.accelerators.loader(self, axis, relative, command)
+        """What loads a move quickly, to a place or by a distance, user units, for a line; false: it cannot."""
+        return self.axes[axis].loader(self, relative, command)
 
     # ------------------------------------------------------------------------------- hearing of an axis
 

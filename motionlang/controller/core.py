@@ -1,7 +1,7 @@
 """The life of a move, from the axis's buffer (or at once, `move_to`) to its end.
 
 `start_move` plans a `Profile` from the axis's state and settings, appends it to the axis's track and sets one event for
-its end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has released it.
+its end; `arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has released it.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.move import MOST_PIECES, Move
 from motionlang.controller.readings import Readings
 from motionlang.planners import hold
-from motionlang.planners.trapezoid import from_rest, plan_trapezoid
+from motionlang.planners.trapezoid import plan_trapezoid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.triggers.conditions import Together
@@ -135,7 +135,7 @@ class Core(Readings):
         if a.arrival is not None:
             a.arrival.cancel()
         end = self.clock.now + profile.duration
-        a.arrival = self.clock.at(end, lambda: self._arrive(a)) if end < INFINITY else None
+        a.arrival = self.clock.at(end, lambda: self.arrive(a)) if end < INFINITY else None
         self.extend_track(a, profile)
 
     def extend_track(self, a: Axis, profile: Profile) -> None:
@@ -150,7 +150,7 @@ class Core(Readings):
         log = self.log
         log.room -= 1
         if log.room < 0:
-            log.make_room((*self.axes.values(), *self.encoders.values()))
+            self.make_room()
         if a.feedback is not None:
             a.feedback.changed()
         else:
@@ -163,92 +163,9 @@ class Core(Readings):
         for limit in a.limits:
             limit.look()
 
-    def start_plain(self, a: Axis, now: float) -> bool:
-        """Start the plain move that the buffer holds; false where it is none, or the axis is not alone with it."""
-        entry = a.loaded
-        if entry is None or (
-            a._move is not None
-            or a.faults & a.locks
-            or not a.enabled
-            or a.index in self.braked
-            or a.held
-            or a.shape != "trapezoid"
-            or a.sequence is not None
-            or a.feedback is not None
-            or a.followers
-            or a.buffer_low >= 0
-        ):
-            return False
-        target, base, _, line, speed, mark = entry
-        if speed is None:
-            speed = a.speed
-        accel = a.accel if a.accel_time is None else speed / a.accel_time
-        decel = a.decel if a.decel_time is None else speed / a.decel_time
-        if speed > a.max_speed or accel > a.max_accel or decel > a.max_decel:
-            return False
-        plain = a.plain
-        if plain:
-            start = plain[-1][3]
-        else:
-            last = a._profiles[-1]
-            if last.shape != "hold":
-                return False
-            start = last.end
-        if base is not None and base != a.target:
-            target += a.target - base
-        watches = a.watches
-        if watches.all or a.limits:
-            low, high = watches.free or triggers.next_watches.free_way(a, start)
-            if not (low < start < high and low < target < high):
-                return False
-        way = target - start
-        plan = a.plan_before
-        if way == plan[0] and speed == plan[1] and accel == plan[2] and decel == plan[3]:
-            a.plan_before, a.plan = a.plan, plan
-        else:
-            ramps = from_rest(way, speed, accel, decel)
-            if ramps is None:
-                return False
-            a.plan_before, a.plan = a.plan, (way, speed, accel, decel, ramps)
-        duration, recipe = a.plan[4]
-        scale, log = a.scale, self.log
-        row = a.index, now, start, target, duration, recipe, speed, scale.counts, scale.zero, entry
-        plain.append(row)
-        a.loaded, a.target, a.last_id, a.under_way = None, target, mark, True
-        a.ends = end = now + duration
-        a.present = None
-        if a.bell is None:
-            a.bell = self.clock.at(end, self._arrival_of(a))
-        else:
-            self.clock.again(a.bell, end)
-        if self.orders is not None:
-            self.orders.add_plain(a, line)
-        log.moves.append(row)  # type: ignore[arg-type]
-        log.room -= 1
-        if log.room < 0:
-            log.make_room((*self.axes.values(), *self.encoders.values()))
-        return True
-
-    def _arrival_of(self, a: Axis) -> Callable[[], bool]:
-        """What is called at the end of each plain move of an axis; it answers whether that is no news."""
-        clock, log, listeners = self.clock, self.log, self.listeners
-
-        def arrive() -> bool:
-            if not a.under_way or clock.now != a.ends or a.followers:
-                self._arrive(a)
-                return False
-            a.under_way = False
-            if self.orders is not None:
-                self.orders.add(a)
-            log.room -= 1
-            if log.room < 0:
-                log.make_room((*self.axes.values(), *self.encoders.values()))
-            if listeners.of_rest:
-                self.tell("idle", a.index)
-                return False
-            return True
-
-        return arrive
+    def make_room(self) -> None:
+        """Pack old profiles of all tracks."""
+        self.log.make_room((*self.axes.values(), *self.encoders.values()))
 
     def keep_whole(self) -> None:
         """Take back or complete what was half done as somebody ended the run."""
@@ -261,7 +178,8 @@ class Core(Readings):
         if self.orders is not None:
             self.orders.keep_whole()
 
-    def _arrive(self, a: Axis) -> None:
+    def arrive(self, a: Axis) -> None:
+        """The profile of the move in progress is done."""
         a.arrival = None
         a.move = None
         self.extend_track(a, hold(a.profiles[-1].end))

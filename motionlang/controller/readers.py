@@ -171,7 +171,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
         if power is not None:
             rate, per_unit = factors[power]
             value = value * per_unit / rate
-        if live and (a.under_way or a._move is not None):
+        if live and a.moves:
             configure(axis, name, value)
             return
         if getattr(a, name) != value:
@@ -183,41 +183,6 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
             setattr(a, time, None)
 
     return write
-
-
-def loader(controller: AxisVerbs, axis: int, relative: bool, command: str) -> Loader:
-    """What loads a plain move to a place or by a distance, user units, for a line; it answers false where it cannot."""
-    a, braked = controller.axes[axis], controller.braked
-    scale = a.scale
-
-    def load(value: float, line: int) -> bool:
-        if (
-            a.under_way
-            or a._move is not None
-            or a.loaded is not None
-            or a._buffer
-            or a.own_rates is not None
-            or a.feedrate_mode > 1
-            or a.buffer_size < 1
-            or a.feedback is not None
-            or a.faults & a.locks
-            or not a.enabled
-            or axis in braked
-            or not -1e300 < value < 1e300
-        ):
-            return False
-        base = None
-        if relative:
-            base = a.target
-            if not -1e300 < base < 1e300:
-                return False
-            value = base + value * scale.counts
-        else:
-            value = scale.position_to_counts(value)
-        a.loaded = value, base, command, line, a.speed if a.feedrate_mode else None, a.move_id
-        return True
-
-    return load
 
 
 def _position(
@@ -299,7 +264,7 @@ def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[flo
 
 
 def _is_idle(controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until) -> Reader:
-    return lambda: not a.under_way and a._move is None
+    return a.idle_reader()
 
 
 _WRITTEN_OUT: dict[tuple[str, str], Callable[..., Reader]] = {

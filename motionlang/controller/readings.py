@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.controller.accelerators import Accelerators
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
     from motionlang.controller.triggers.conditions import Condition
@@ -30,9 +31,14 @@ class Readings:
     Positions are counts, velocities counts/s, times seconds of the clock; KeyError for an axis that there is not.
     """
 
-    def __init__(self, axes: int, first: int, clock: Clock, log: Log) -> None:
+    def __init__(self, axes: int, first: int, clock: Clock, log: Log, accelerators: Accelerators) -> None:
         self.clock = clock
-        self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
+        self.accelerators = accelerators
+        numbers = range(first, first + axes)
+        made = (
+            [Axis(number) for number in numbers] if accelerators.axes is None else accelerators.axes(numbers)
+        )
+        self.axes: dict[int, Axis] = dict(zip(numbers, made, strict=True))
         self.log = log
         self.inputs = Channels(clock, log.inputs)
         self.outputs = Channels(clock, log.outputs)
@@ -175,22 +181,8 @@ class Readings:
 
     def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
         """The reader of the time at which all of some axes will be idle; it answers -1 where they are."""
-        if len(axes) == 1:
-            a = self.axes[axes[0]]
-            return lambda: a.ends if a.under_way else -1.0 if a._move is None else a.end_of_motion()
-        each = [self.axes[axis] for axis in axes]
-
-        def end_of_all() -> float:
-            end = -1.0
-            for a in each:
-                if a.under_way:
-                    if a.ends > end:
-                        end = a.ends
-                elif a._move is not None:
-                    end = max(end, a.end_of_motion())
-            return end
-
-        return end_of_all
+        ends = [self.axes[axis].end_of_move for axis in axes]
+        return ends[0] if len(ends) == 1 else lambda: max([end() for end in ends], default=-1.0)
 
     def stands(self, axis: int) -> bool:
         """Whether the axis is idle, or follows what stands."""

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 def everything() -> Accelerators:
     """All accelerators; those that few programs need are imported when they are called."""
     return Accelerators(
+        axes=_axes,
         counted=_counted,
-        loader=_loader,
         ranges=_ranges,
         recurrence=_recurrence,
         scheduler=TimeSlices,
@@ -32,10 +32,10 @@ def _counted(*given: Any) -> float:
     return counted(*given)
 
 
-def _loader(*given: Any) -> Any:
-    from motionlang.controller.readers import loader
+def _axes(numbers: Any) -> Any:
+    from motionlang.fast.moves import FastAxis
 
-    return loader(*given)
+    return [FastAxis(number) for number in numbers]
 
 
 def _ranges(function: Any) -> Any:

@@ -6,7 +6,7 @@ from marshal import dumps, loads
 
 from motionlang import log as record
 from motionlang.controller.move import Move
-from motionlang.controller.plain_moves import move_of
+from motionlang.log.plain_moves import move_of
 from motionlang.log.stream import Stream
 
 TYPE_CHECKING = False
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.controller.axis import Axis
-    from motionlang.controller.plain_moves import Row
     from motionlang.log.log import Log
     from motionlang.log.older_profiles import Profiles
+    from motionlang.log.plain_moves import Row
     from motionlang.log.stream import Place, Store
     from motionlang.planners import Profile
 
@@ -156,8 +156,6 @@ def power_up(log: Log, axes: Mapping[int, Axis]) -> None:
     """A controller with these axes begins to write into a log."""
     log.moves.axes = log.dropped.axes = axes
     log.older = _older_profiles
-    for a in axes.values():
-        a.logged = log.moves
 
 
 def _older_profiles(store: Store) -> Profiles:

@@ -108,10 +108,8 @@ class Orders:
             if move is not None and not self.is_full:
                 self.begun[a.index].add(move.start_time)
 
-    def add_plain(self, a: Axis, line: int) -> None:
-        """An axis begins a plain move, the last of its rows."""
-        own = a.plain[-1][-1][4]
-        speed = a.speed if own is None else own
+    def add_plain(self, a: Axis, line: int, speed: float) -> None:
+        """An axis begins a move from rest to rest at a speed."""
         self._append(a, Order("move", line, speed, a.rates(speed), ENDLESS, a.shape, ramp=a.ramp))
         if not self.is_full:
             self.begun[a.index].add(self._controller.clock.now)

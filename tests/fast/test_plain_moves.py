@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from motionlang import run
-from motionlang.controller import readers
+from motionlang.controller.axis import Axis
 from motionlang.controller.move import Move
+from motionlang.fast.moves import FastAxis
 from motionlang.log.track import WholeTrack
 from motionlang.report import text
 from motionlang.result import Run
@@ -108,7 +109,7 @@ def held_apart(text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, ob
     source = Source("a.mnt", text)
     first = run(source, cache=False, until=6.0, machine=machine, prove=True)
     with monkeypatch.context() as patch:
-        patch.setattr(readers, "loader", lambda *_: lambda value, line: False)
+        patch.setattr(FastAxis, "loader", Axis.loader)
         second = run(source, cache=False, until=6.0, machine=machine, prove=True)
     return [first, second]
 

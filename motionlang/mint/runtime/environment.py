@@ -206,14 +206,10 @@ class Environment(Waits):
             return self._on_axes(how, row, details[1], repeated)
         operation = binding.bind(self, how, row)
         if how == "load":
-            return self.operations.loading(operation, self._plain(operation))
+            return self.operations.loading(operation, getattr(operation, "plain", None))
         if repeated:
             return self.operations.repeated(operation, binding.held(self, row))
         return operation if how == "read" else self.operations.timed(operation)
-
-    def _plain(self, load: object) -> object:
-        """What loads a move about which nothing is special, by axis; None where that is loaded like any other."""
-        return getattr(load, "plain", None) if self.machine.accelerators.loader is not None else None
 
     def _on_axes(self, how: str, row: Keyword, axis: object, repeated: bool) -> object:
         """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
@@ -222,7 +218,7 @@ class Environment(Waits):
 
         if how == "load":
             load = binding.bind(self, how, row)
-            return self.operations.loading(with_first(load, axis), self._plain(load), axis)
+            return self.operations.loading(with_first(load, axis), getattr(load, "plain", None), axis)
         if isinstance(axis, tuple):
             do = with_first(binding.bind(self, how, row), axis)
             return (
