@@ -189,17 +189,24 @@ class Core(Readings):
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
         if a.sequence is not None:
             a.sequence.at_rest()
-        while True:
-            try:
-                self.start_next(a)
-                break
-            except Refusal as refusal:
-                self.mishap(refusal)
+        self.start_waiting(a)
         if a.move is None:
             self.tell("idle", a.index)
 
+    def start_waiting(self, a: Axis) -> None:
+        """Like `start_next`, while no statement waits for it: each entry that is refused is a run-time fault."""
+        while True:
+            try:
+                self.start_next(a)
+                return
+            except Refusal as refusal:
+                self.mishap(refusal)
+
     def start_next(self, a: Axis) -> None:
-        """Start what the buffer holds next, as far as it is released."""
+        """Start what the buffer holds next, as far as it is released.
+
+        Refusal for an entry that cannot begin: it is left out, and those behind it start once this has been handled.
+        """
         while a.move is None and a.sequence is None and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
             if move.action is not None and not (
@@ -215,6 +222,10 @@ class Core(Readings):
                     move.action.begin(self, a, move)
             except Refusal as refusal:
                 refusal.line = refusal.line or move.line
+                for each in (a,) if move.action is None else move.action.together_with(a):
+                    if self.orders is not None:
+                        self.orders.refuse(each)
+                    self._begin_waiting(each)
                 raise
 
     def take_entry(self, a: Axis, place: int = 0) -> None:

@@ -49,6 +49,7 @@ class Orders:
     `offsets` has, by axis and time, the line and the distance of an OFFSET.
     `begun` has, by axis, when its motions began that have an entry of their own.
     `stops` has, by axis, the times at which its motion was told to come to rest or to stand, with the word for it.
+    `refused` has, by axis, when an entry of its buffer was last refused as it was to begin.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -66,6 +67,7 @@ class Orders:
         self.begun: dict[int, set[float]] = {number: set() for number in axes}
         self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         self.prompts: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
+        self.refused: dict[int, float] = {}
         # When each axis was first stopped with each word.
         self._first_stops: dict[tuple[int, str], float] = {}
         # The number of each path among those that its master began at one moment.
@@ -151,6 +153,7 @@ class Orders:
             self.stops,
             self._first_stops,
             self.prompts,
+            self.refused,
             self._scales,
         ):
             more.clear()
@@ -232,6 +235,8 @@ class Orders:
         assert planned.path is not None
         path = order.path._replace(most_accel=planned.path.most_accel, most_decel=planned.path.most_decel)
         order = order._replace(rates=planned.rates, jerks=planned.jerks, path=path)
+        if not _own_speed(action.axes[0], action.moves[0]) > 0.0:  # it is refused, and the plan stays
+            order = order._replace(speed=planned.speed)
         return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def _is_planned_now(self, action: PathMove) -> bool:
@@ -279,17 +284,20 @@ class Orders:
         if isinstance(action, PathMove):
             a = action.axes[0]
             began = self._entries.get(action.moves[0])
-            if action.guide is not None or began is None:
-                return
-            wanted = _path(action, action.moves[0], self._nth[action], began[1])
+            leader = action.moves[0]
+            if action.guide is not None or began is None or not _own_speed(a, leader) > 0.0:
+                return  # while a speed is not above zero every plan is refused
+            wanted = _path(action, leader, self._nth[action], began[1])
             assert wanted.path is not None
             wanted = wanted._replace(path=wanted.path._replace(ahead=_ahead(action)))
         elif isinstance(action, Stopping) or self.of[a.index][-1].kind == "step":
             return
-        else:
+        elif action is not None or _own_speed(a, move) > 0.0:
             wanted = _order(a)
             if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
                 wanted = wanted._replace(rates=self.of[a.index][-1].rates)
+        else:
+            return
         key = a.index, self._controller.clock.now
         if wanted.asks == self.of[a.index][-1].asks:
             self.unheeded.pop(key, None)
@@ -314,6 +322,10 @@ class Orders:
         """What may have begun a blend of an axis from one time to another."""
         prompts = self.prompts[axis]
         return prompts[bisect_left(prompts, first, key=_TIME) : bisect_right(prompts, last, key=_TIME)]
+
+    def refuse(self, a: Axis) -> None:
+        """Note that an entry of the buffer of an axis is refused as it begins."""
+        self.refused[a.index] = self._controller.clock.now
 
     def gears(self, a: Axis, ratio: float) -> None:
         """A ratio of a slave to its master was ordered: note it if the axis follows at another one."""
@@ -453,8 +465,12 @@ def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[floa
     return _speed(a, move), (accel, decel), _jerks(a)
 
 
+def _own_speed(a: Axis, move: Move) -> float:
+    return a.speed if move.speed is None else move.speed
+
+
 def _speed(a: Axis, move: Move) -> float:
-    speed = a.speed if move.speed is None else move.speed
+    speed = _own_speed(a, move)
     return speed * a.override if move.overridden else speed
 
 

@@ -499,3 +499,53 @@ def test_the_play_of_an_axis_is_looked_up_once_for_a_rest(monkeypatch: pytest.Mo
     monkeypatch.setattr(Takeup, "_stretch", noted)
     jog = "BACKLASH(0) = 1 : BACKLASHMODE(0) = 1\nJOG(0) = 1\nWAIT = 5\nSUSPEND(0) = 1\nWAIT = 1000\n"
     assert proved(f"{jog}PRINT ENCODER(0) > 0\nCANCEL(0)\n").output == ["1"]
+
+
+HANDLER = "End\nEvent ONERROR\nERRORCLEAR(_egALL, 0)\nEnd Event\n"
+BUFFERS = "MOVEBUFFERSIZE(0, 1) = 9; :\n"
+
+
+def test_a_move_behind_a_refused_path_starts() -> None:
+    """The path is refused for the SPEED of axis 1; the 8 of axis 0 take 8/20 + 20/100 s."""
+    entries = "VECTORR(1, 0) = 5, 5 : MOVER(0) = 8 : SPEED(1) = 0\nGO(0, 1)\nPAUSE IDLE(0)\n"
+    result = proved(f"{RATES}{entries}{HANDLER}")
+    assert places(result, 0, 1) == [8.0, 0.0]
+    assert result.time == pytest.approx(8.0 / 20.0 + 0.2)
+
+
+def test_a_move_that_is_refused_as_a_path_ends_calls_onerror() -> None:
+    """The path takes hypot(30, 40)/20 + 0.2 s; axis 0 stays there, axis 1 goes on by 8 in 8/20 + 20/100 s."""
+    entries = "VECTORR(0, 1) = 30, 40 : MOVER(0) = 1 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 100\nSPEED(0) = 0\n"
+    result = proved(f"{RATES}{BUFFERS}{entries}PAUSE IDLE(0) And IDLE(1)\n{HANDLER}")
+    assert places(result, 0, 1) == [30.0, 48.0]
+    assert result.time == pytest.approx(2.7 + 0.6)
+    assert [each.kind for each in result.controller.log.events] == ["handler"] * 2
+
+
+def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> None:
+    """The one before it takes 30/20 + 0.2 s; the blend would begin at 25, after 0.1 + 25/20 s. Axis 1 goes on by 8."""
+    blend = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+    entries = (
+        "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 500\nSPEED(0) = 0\n"
+    )
+    result = proved(f"{RATES}{BUFFERS}{blend}{entries}PAUSE IDLE(0) And IDLE(1)\n{HANDLER}")
+    assert places(result, 0, 1) == [30.0, 8.0]
+    assert result.time == pytest.approx(1.7 + 0.6)
+    assert [each.time for each in result.controller.log.events] == pytest.approx([0.5, 1.35])
+
+
+def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
+    """SPEED 0 is refused in motion, whatever is written then: 60 at 20 with 100 take 60/20 + 20/100 s."""
+    paths = "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : GO(0)\nWAIT = 500\nSPEED(0) = 0\n"
+    program = f"{RATES}{CONTOUR}{paths}FEEDRATEOVERRIDE(0) = 50\nPAUSE IDLE(0)\n{HANDLER}"
+    result = proved(program)
+    assert places(result, 0, 1) == [30.0, 30.0]
+    assert result.time == pytest.approx(3.2)
+
+
+def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None:
+    """Nothing moves, and the proof takes the second move for one that the end has come before."""
+    program = "SPEED(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
+    result = run(Source("found.mnt", program), machine={}, cache=False, prove=True)
+    assert [each.code for each in result.diagnostics] == ["zero-speed"]
+    assert [each.message for each in result.proof().violations] == []

@@ -224,16 +224,24 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
 
 
 def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
-    """No move that was released waits as the run ends, unless another one is under way."""
+    """No move that was released waits as the run ends, unless another one is under way or an error ends the run."""
     offsets = run.offsets.get(a.index)
     follows = run.orders.of[a.index][-1].tie is not None
     found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
     if follows and (offsets is None or not offsets.moves_at(run.until)):
         found += [move for move in a.waiting if move.action is not None and move.action.lies_on_top]
     for move in found:
-        if not move.released:
+        if not move.released or _is_refused(run, a):
             continue
         proof.breaks(move.line, f"axis {a.index}: its move waits as the run ends, and nothing is under way")
+
+
+def _is_refused(run: Run, a: WholeTrack) -> bool:
+    """Whether the next move of an axis was refused as the run ended, or was due when that of another axis was."""
+    times = [run.orders.refused.get(a.index, -1.0)]
+    if a.starts[-1] == run.until:
+        times += run.orders.refused.values()
+    return run.until in times
 
 
 def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> None:

@@ -362,7 +362,7 @@ class PathRun:
             a.target = move.target = end
             controller.extend_track(a, hold(end))
         for a in self.axes:
-            controller.start_next(a)
+            controller.start_waiting(a)
         for a in self.axes:
             if a.move is None:
                 controller.tell("idle", a.index)
@@ -414,7 +414,14 @@ class PathRun:
         self._cancel_blend()
         self._wanted, self._is_late = None, False
         course = Course(controller, following, newest.segment.ends)
-        _prepare(course, begins=True)
+        try:
+            _prepare(course, begins=True)
+        except Refusal as refusal:  # the entry is left out, and the one behind it may be blended into
+            for a, move in zip(self.axes, following.moves, strict=True):
+                reach(controller, a, move)
+            controller.mishap(refusal)
+            self._plan_blend()
+            return
         for a, move in zip(self.axes, following.moves, strict=True):
             a.move = None
             reach(controller, a, move)
