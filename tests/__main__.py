@@ -1,22 +1,34 @@
-"""The whole check in one command: format, lint, types, tests. Further arguments go to pytest."""
+"""The whole check in one command: format, lint, types, tests. Further arguments go to pytest.
+
+`--quick [COMMIT]` runs of the tests only those that reach what changed since a commit (HEAD), within seconds;
+`--record` finds out which these are (`tests/quick.py`).
+"""
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 
-STEPS = (
+STATIC = (
     ("format", ("ruff", "format", "--check", "--quiet", ".")),
     ("lint", ("ruff", "check", "--quiet", ".")),
     ("types", ("mypy", "--no-error-summary")),
-    ("tests", ("pytest", "-n", "auto", *sys.argv[1:])),
 )
 
 
-def main() -> int:
+def main(arguments: list[str]) -> int:
     """Run every step, also after one has failed; 1 if any did."""
+    if arguments[:1] == ["--record"]:
+        from tests.quick import record
+
+        return record(os.cpu_count() or 1)
+    if arguments[:1] == ["--quick"]:
+        from tests.quick import main as quick
+
+        return quick(STATIC, *(arguments[1:] or ["HEAD"]))
     failed = []
-    for name, command in STEPS:
+    for name, command in (*STATIC, ("tests", ("pytest", "-n", "auto", "--prove", *arguments))):
         print(f"== {name}", flush=True)
         if subprocess.run([sys.executable, "-m", *command], check=False).returncode:
             failed.append(name)
@@ -25,4 +37,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from motionlang.result import Run
 from tests.built import distributions
 
 TYPE_CHECKING = False
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
 
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
+    from motionlang.result import Run
 
 # A shell starts what runs behind it with Ctrl-C switched off, and every process of a test would inherit that.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
@@ -37,11 +37,8 @@ settings.load_profile("motionlang")
 
 
 def _prove_every_run() -> None:
-    """Every run of the suite is proved, whether its test asks for that or not."""
+    """Prove every run, also of tests that do not ask for it. The proof is imported by the first run."""
     from motionlang import execution
-    from motionlang.analysis.proof.prove import prove
-    from motionlang.log.orders import Orders
-    from motionlang.log.track import Recorded
 
     execute = execution._execute
 
@@ -52,6 +49,10 @@ def _prove_every_run() -> None:
         pace: Callable[[float], None] | None,
         outside: Outside | None,
     ) -> None:
+        from motionlang.analysis.proof.prove import prove
+        from motionlang.log.orders import Orders
+        from motionlang.log.track import Recorded
+
         orders = Orders(result.controller) if result.orders is None else None
         execute(result, compiled, until, pace, outside)
         if orders is not None and not orders.is_full:
@@ -61,13 +62,17 @@ def _prove_every_run() -> None:
     execution._execute = proved
 
 
-def pytest_configure() -> None:
-    """Before any test."""
-    _prove_every_run()
+def pytest_configure(config: pytest.Config) -> None:
+    """The whole suite proves every run; named tests do with `--prove`."""
+    if config.args_source is pytest.Config.ArgsSource.TESTPATHS:
+        config.option.prove = True
+    if config.option.prove:
+        _prove_every_run()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update", action="store_true", help="write golden files and transcripts anew")
+    parser.addoption("--prove", action="store_true", help="prove every run; always on in the whole suite")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

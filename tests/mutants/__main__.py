@@ -22,7 +22,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -41,7 +41,7 @@ from tests.mutants.forks import (
     merged,
     within_budget,
 )
-from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, woven
+from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, files, woven
 from tests.mutants.recorder import ACTIVE
 
 # Tests that cannot judge mutants: they test the tests, the wheel, other interpreters, or run for weeks.
@@ -76,14 +76,14 @@ def judges() -> list[str]:
     )
 
 
-def copied(folder: Path, mutants: list[Mutant]) -> Path:
-    """A copy of the project with the mutants woven into it, by their numbers."""
+def copied(folder: Path, mutants: list[Mutant], recorded: Iterable[Path] = ()) -> Path:
+    """A copy of the project with the mutants woven into it, by their numbers; `recorded` files report their calls."""
     tree = folder / "motionlang"
     left_out = shutil.ignore_patterns(
         ".git", ".venv", "__pycache__", ".*_cache", "*.egg-info", "node_modules"
     )
     shutil.copytree(ROOT, tree, ignore=left_out)
-    for path in {mutant.path for mutant in mutants}:
+    for path in {*recorded, *(mutant.path for mutant in mutants)}:
         numbers = {mutant.place: number for number, mutant in enumerate(mutants) if mutant.path == path}
         (tree / path.relative_to(ROOT)).write_text(woven(path, numbers), encoding="utf-8")
     with open(tree / PACKAGE.name / "__init__.py", "a", encoding="utf-8") as package:
@@ -91,12 +91,13 @@ def copied(folder: Path, mutants: list[Mutant]) -> Path:
     return tree
 
 
-def pytest(tree: Path, tests: list[str], **environment: str) -> subprocess.Popen[bytes]:
+def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> subprocess.Popen[bytes]:
     """Start pytest on the copy, with the plugin; its output goes to a log."""
     command = [sys.executable, "-m", "pytest", "-p", "tests.mutants.forks", "-p", "no:cacheprovider"]
     # Beside the copy, as some tests copy the project.
     temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
     command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
+    command += ["--prove"] * prove
     given = {
         "MOTIONLANG_NO_CACHE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
@@ -107,6 +108,16 @@ def pytest(tree: Path, tests: list[str], **environment: str) -> subprocess.Popen
         return subprocess.Popen(command, cwd=tree, env=os.environ | given, stdout=log, stderr=log, stdin=log)
 
 
+def coverage(jobs: int) -> dict[str, dict[str, Any]]:
+    """The files of the package that each test reaches, and its CPU seconds, without the proof of every run."""
+    with tempfile.TemporaryDirectory() as folder:
+        tree = copied(Path(folder), [], files())
+        for _ in verdicts(tree, [], judges(), jobs):
+            raise AssertionError
+        found: dict[str, dict[str, Any]] = merged(jobs, tree)["tests"]
+        return found
+
+
 def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> Iterator[tuple[Mutant, str]]:
     """Each mutant, and the test that fails with it; "" if none does."""
     tasks = [
@@ -115,7 +126,9 @@ def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> 
     ]
     (tree / TASKS).write_text(json.dumps(tasks))
     os.mkfifo(tree / VERDICTS)
-    workers = [pytest(tree, tests, **{WORKER: str(each), WORKERS: str(jobs)}) for each in range(jobs)]
+    workers = [
+        pytest(tree, tests, bool(mutants), **{WORKER: str(each), WORKERS: str(jobs)}) for each in range(jobs)
+    ]
     alone: list[int] = []
     with open(tree / VERDICTS, encoding="utf-8") as lines:
         for line in lines:
@@ -155,7 +168,7 @@ def failing(tree: Path, number: int, durations: dict[str, float], active: int | 
     failed.write_text("")
     tests = sorted({name.partition("::")[0] for name in durations})
     files = {ALONE: str(alone), FAILED: str(failed)}
-    process = pytest(tree, tests, **{ACTIVE: str(number if active is None else active)}, **files)
+    process = pytest(tree, tests, True, **{ACTIVE: str(number if active is None else active)}, **files)
     try:
         status = process.wait(MAX_ALONE)
     except subprocess.TimeoutExpired:

@@ -7,7 +7,6 @@ from math import hypot, inf, sqrt
 from random import Random
 
 import pytest
-from scipy.optimize import linprog  # type: ignore[import-untyped]
 
 from motionlang.planners import Profile
 from motionlang.planners.lookahead import Pace, plan_course
@@ -32,6 +31,8 @@ def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
     No square can be larger in any course without all that depend on it being able to be: the largest sum has each of
     them at its largest.
     """
+    from scipy.optimize import linprog  # type: ignore[import-untyped]  # 0.3 s
+
     n = len(ways)
     rows, bounds = [], []
     for i, (length, _, accel, decel) in enumerate(ways):

@@ -13,7 +13,6 @@ from random import Random
 import numpy as np
 import pytest
 
-from motionlang.analysis.proof.segments import spans
 from motionlang.planners import Profile, plan
 from tests.planners.many import BATCH, drawn, integrated
 
@@ -48,6 +47,8 @@ class State:
 
     def shares(self, made: Profile) -> dict[str, float]:
         """How much of each bound is used, and the gaps as parts of the largest figures."""
+        from motionlang.analysis.proof.segments import spans  # collecting the tests does not load the proof
+
         smooth = self.shape == "scurve"
         came = abs(self.v0) + (
             0.5 * self.a0**2 / self.jerks[0] if self.a0 * self.v0 >= 0.0 and smooth else 0.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import replace
+from functools import cache
 from math import pi
 from typing import TYPE_CHECKING
 
@@ -23,10 +24,6 @@ from motionlang.servo.response import (
 )
 from motionlang.servo.tuning import suggest
 
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore")
-    control = pytest.importorskip("control")
-
 if TYPE_CHECKING:
     from typing import Any
 
@@ -40,22 +37,30 @@ PAIRS: dict[str, tuple[Loop, Motor | Drive]] = {
 }
 
 
+@cache
+def control() -> Any:
+    """The library, which takes a second to import."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return pytest.importorskip("control")
+
+
 def plant_of(plant: Motor | Drive, period: float) -> Any:
     """The plant as `control` would discretise it, from the textbook's equations."""
     if isinstance(plant, Drive):
         a = [[0, 1], [0, -1 / plant.time_constant]]
         b = [[0], [plant.speed_per_volt / plant.time_constant]]
-        return control.c2d(control.ss(a, b, [[1, 0]], [[0]]), period, "zoh")
+        return control().c2d(control().ss(a, b, [[1, 0]], [[0]]), period, "zoh")
     k, j = plant.counts_per_radian, plant.total_inertia
     if plant.amplifier == "current":
         a = [[0, 1], [0, -plant.viscous / j]]
         b = [[0], [k * plant.torque_constant * plant.amplifier_gain / j]]
-        return control.c2d(control.ss(a, b, [[1, 0]], [[0]]), period, "zoh")
+        return control().c2d(control().ss(a, b, [[1, 0]], [[0]]), period, "zoh")
     electric = [-plant.torque_constant / k / plant.inductance, -plant.resistance / plant.inductance]
     drive = plant.amplifier_gain / plant.inductance
     if not plant.resonance:
         a = [[0, 1, 0], [0, -plant.viscous / j, k * plant.torque_constant / j], [0, *electric]]
-        return control.c2d(control.ss(a, [[0], [0], [drive]], [[1, 0, 0]], [[0]]), period, "zoh")
+        return control().c2d(control().ss(a, [[0], [0], [drive]], [[1, 0, 0]], [[0]]), period, "zoh")
     jm, jl = plant.inertia, plant.load_inertia
     omega, together = 2 * pi * plant.resonance, jm * jl / (jm + jl)
     s, d = omega**2 * together, 2 * plant.resonance_damping * omega * together
@@ -66,19 +71,21 @@ def plant_of(plant: Motor | Drive, period: float) -> Any:
         [0, 0, 0, 0, 1],
         [s / jl, d / jl, 0, -s / jl, -d / jl],
     ]
-    return control.c2d(control.ss(a, [[0], [0], [drive], [0], [0]], [[1, 0, 0, 0, 0]], [[0]]), period, "zoh")
+    return control().c2d(
+        control().ss(a, [[0], [0], [drive], [0], [0]], [[1, 0, 0, 0, 0]], [[0]]), period, "zoh"
+    )
 
 
 def closed_by_control(loop: Loop, plant: Motor | Drive) -> tuple[Any, Any]:
     """Open and closed loop; velocity feedback is an inner loop of a difference."""
     h = loop.period
     made = plant_of(plant, h)
-    change = control.tf([1, -1], [1, 0], h)
+    change = control().tf([1, -1], [1, 0], h)
     if loop.velocity_feedback:
-        made = control.feedback(made, control.ss(loop.velocity_feedback * change))
-    pid = loop.proportional + loop.integral * control.tf([1, 0], [1, -1], h) + loop.derivative * change
-    opened = made * control.ss(pid) if not isinstance(pid, float) else made * pid
-    return opened, control.feedback(opened, 1)
+        made = control().feedback(made, control().ss(loop.velocity_feedback * change))
+    pid = loop.proportional + loop.integral * control().tf([1, 0], [1, -1], h) + loop.derivative * change
+    opened = made * control().ss(pid) if not isinstance(pid, float) else made * pid
+    return opened, control().feedback(opened, 1)
 
 
 @pytest.mark.parametrize("name", PAIRS)
@@ -86,7 +93,7 @@ def test_step_response_is_controls(name: str) -> None:
     loop, plant = PAIRS[name]
     _, closed = closed_by_control(loop, plant)
     trace = step_response(loop, plant, 1.0, 1.0)
-    _, expected = control.step_response(closed, T=np.arange(len(trace)) * loop.period)
+    _, expected = control().step_response(closed, T=np.arange(len(trace)) * loop.period)
     assert np.abs(trace.position - expected).max() < 1e-8
 
 
@@ -96,7 +103,7 @@ def test_step_figures_are_controls(name: str) -> None:
     _, closed = closed_by_control(loop, plant)
     trace = step_response(loop, plant, 1.0, 2.0)
     ours = step_figures(trace, 1.0)
-    theirs = control.step_info(closed, T=np.arange(len(trace)) * loop.period)
+    theirs = control().step_info(closed, T=np.arange(len(trace)) * loop.period)
     assert ours.overshoot * 100.0 == pytest.approx(theirs["Overshoot"], abs=1e-6)
     assert ours.peak_time == pytest.approx(theirs["PeakTime"])
     assert ours.settling == pytest.approx(theirs["SettlingTime"], abs=1.5 * loop.period)
@@ -109,13 +116,15 @@ def test_bandwidth_and_margins_are_controls(name: str) -> None:
     opened, closed = closed_by_control(loop, plant)
     figures = loop_figures(loop, plant)
     at = np.array([figures.bandwidth]) * 2 * pi
-    assert abs(control.frequency_response(closed, at).complex[0]) == pytest.approx(10 ** (-3 / 20), abs=1e-6)
+    assert abs(control().frequency_response(closed, at).complex[0]) == pytest.approx(
+        10 ** (-3 / 20), abs=1e-6
+    )
     if loop.velocity_feedback:
         return  # control opens the loop outside the velocity feedback, we at the position: other margins
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        gains, _, _, _, _, _ = control.stability_margins(opened, returnall=True)
-        _, phase, _, crossover = control.margin(opened)
+        gains, _, _, _, _, _ = control().stability_margins(opened, returnall=True)
+        _, phase, _, crossover = control().margin(opened)
     assert figures.phase_margin == pytest.approx(float(phase), abs=1e-4)
     assert figures.crossover == pytest.approx(float(crossover) / 2 / pi, rel=1e-6)
     assert figures.gain_margin == pytest.approx(min(gains[gains > 1.0], default=np.inf), rel=1e-5)
@@ -147,7 +156,7 @@ def test_a_suggestion_has_the_bandwidth_that_was_asked_for(
 ) -> None:
     made = suggest(plant, hz, integral=integral)
     _, closed = closed_by_control(made.loop, plant)
-    gain = abs(control.frequency_response(closed, np.array([hz]) * 2 * pi).complex[0])
+    gain = abs(control().frequency_response(closed, np.array([hz]) * 2 * pi).complex[0])
     assert gain == pytest.approx(10 ** (-3 / 20), abs=1e-4)
     assert np.abs(closed.poles()).max() < 1.0
     assert made.figures.phase_margin > 40.0
