@@ -290,14 +290,15 @@ class Orders:
             wanted = _path(action, leader, self._nth[action], began[1])
             assert wanted.path is not None
             wanted = wanted._replace(path=wanted.path._replace(ahead=_ahead(action)))
+            move = leader
         elif isinstance(action, Stopping) or self.of[a.index][-1].kind == "step":
             return
         elif action is not None or _own_speed(a, move) > 0.0:
             wanted = _order(a)
-            if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
-                wanted = wanted._replace(rates=self.of[a.index][-1].rates)
         else:
             return
+        if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
+            wanted = wanted._replace(rates=self.of[a.index][-1].rates)
         key = a.index, self._controller.clock.now
         if wanted.asks == self.of[a.index][-1].asks:
             self.unheeded.pop(key, None)

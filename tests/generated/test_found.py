@@ -549,3 +549,31 @@ def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None
     result = run(Source("found.mnt", program), machine={}, cache=False, prove=True)
     assert [each.code for each in result.diagnostics] == ["zero-speed"]
     assert [each.message for each in result.proof().violations] == []
+
+
+BLEND = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+
+
+@pytest.mark.parametrize("between", ["MOVER(1) = 0", "VECTORR(1, 2) = 0, 0"])
+def test_paths_are_not_blended_over_an_entry_of_one_of_their_axes(between: str) -> None:
+    """Each 30 at 20 with 100: 30/20 + 20/100 s, and what is between them takes no time."""
+    paths = f"VECTORR(0, 1) = 30, 0\n{between}\nVECTORR(0, 1) = 0, 30\nGO(0, 1)\nPAUSE IDLE(0)\n"
+    result = proved(RATES + BLEND + paths)
+    assert places(result, 0, 1) == [30.0, 30.0]
+    assert result.time == pytest.approx(2 * 1.7)
+
+
+def test_paths_that_are_joined_are_not_blended_if_blendmode_is_switched_on_meanwhile() -> None:
+    """All three were planned as one when they began: 90 at 20 with 100."""
+    paths = "VECTORR(0, 1) = 30, 0\nVECTORR(0, 1) = 0, 30\nVECTORR(0, 1) = 30, 0\nGO(0)\nWAIT = 100\n"
+    change = "CONTOURMODE(0) = 0 : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\nPAUSE IDLE(0)\n"
+    result = proved(RATES + CONTOUR + paths + change)
+    assert places(result, 0, 1) == [60.0, 30.0]
+    assert result.time == pytest.approx(90.0 / 20.0 + 0.2)
+
+
+def test_a_path_that_keeps_its_speed_keeps_its_rates() -> None:
+    """Bit 0 of FEEDRATEMODE: DECELTIME counts for moves that are loaded later; 50 at 20 with 100."""
+    path = "FEEDRATEMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 100\nDECELTIME(0) = 2000\nPAUSE IDLE(0)\n"
+    result = proved(RATES + path)
+    assert result.time == pytest.approx(50.0 / 20.0 + 0.2)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.proof.checker import Proof, Run
     from motionlang.controller.move import Move
-    from motionlang.log.order import Order
+    from motionlang.log.order import Order, PathOrder
     from motionlang.log.track import WholeTrack
     from motionlang.planners import Profile
 
@@ -69,6 +69,10 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     moves, late = run.members(earlier), ROUNDED * (1.0 + begin)
     if len(moves) != len(path.members) or (not path.tails and (moves[0].ended or not path.blend)):
         return
+    if not path.tails and any(
+        run.path_before(each) is not before for each, before in _pairs(run, path, moves)
+    ):
+        return  # another path of one of its axes has come between them
     way = Way(earlier, [move.profile.start for move in moves if move.profile is not None])
     profiles = [(move.profile, begin - move.start_time) for move in moves if move.profile is not None]
     left, speed = _left(way, profiles)
@@ -77,9 +81,9 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     prompts = [
         each
         for number in path.members
-        for each in run.orders.prompted(number, moves[0].start_time + late, begin + late)
+        for each in run.orders.prompted(number, _planned(run, moves[0]) + late, begin + late)
     ]
-    # A blend that is planned by then keeps the distance that was in force.
+    # A blend that is planned by then keeps the distance that was in force, and paths that are joined stay so.
     if left is None or any(word in ("blend_mode", "blend_distance") for _, word in prompts):
         return
     where = f"path from {begin:.6f} s"
@@ -92,6 +96,22 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     ):
         words = f"it begins {left:g} before the end of the one before it, ordered are {due:g}"
         proof.breaks(order.line, f"{where}: {words}")
+
+
+def _pairs(run: Run, path: PathOrder, moves: Sequence[Move]) -> Iterator[tuple[Move, Move]]:
+    """The entries of a path, each with that of the path before it."""
+    return zip(run.members(path), moves, strict=False)
+
+
+def _planned(run: Run, move: Move) -> float:
+    """When the run of joined paths to which an entry belongs began: it has been planned as one from then on."""
+    while (before := run.path_before(move)) is not None and before.profile is not None:
+        end = before.start_time + before.profile.duration
+        stands = not before.profile.velocity(before.profile.duration)
+        if stands or abs(move.start_time - end) > ROUNDED * (1.0 + end):
+            break
+        move = before
+    return move.start_time
 
 
 def _left(way: Way, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:

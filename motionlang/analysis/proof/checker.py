@@ -149,6 +149,8 @@ class Run:
         self.paths: dict[int, list[Move]] = {}
         # Of each entry of a path its number in that row; and by axis the latest end of any entry up to each.
         self._numbers: dict[int, int] = {}
+        # Of each entry of a path the number in the log of the entry before it on its axis, whatever that is.
+        self._previous: dict[int, int] = {}
         self._ends: dict[int, list[float]] = {}
         self.offsets: dict[int, Offsets] = {}
         # By axis the last offset that was judged, and how far it is to go.
@@ -162,16 +164,19 @@ class Run:
             for order in records
             if order.path is not None
         }
+        last: dict[int, int] = {}
         for number, move in enumerate(moves):
             if move.overlaid:
                 self._kept[number] = move
                 self.offsets.setdefault(move.axis, Offsets()).add(move)
                 continue
+            previous, last[move.axis] = last.get(move.axis, -1), number
             order = ordered.get(number)
             if order is not None and order.path is not None:
                 self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
                 self._add_path(move)
                 self._order_of[id(move)] = order
+                self._previous[id(move)] = previous
 
     def _add_path(self, move: Move) -> None:
         """Put an entry of a path into the row of its axis."""
@@ -225,6 +230,10 @@ class Run:
         """The entries of a path."""
         found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
         return [entry for entry in found if entry is not None and entry.profile is not None]
+
+    def path_before(self, move: Move) -> Move | None:
+        """The entry before that of a path on its axis, None if it is not that of a path."""
+        return self._kept.get(self._previous[id(move)])
 
     def is_blended(self, a: WholeTrack, time: float) -> bool:
         """Whether an axis is on two paths at once."""
