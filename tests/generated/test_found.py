@@ -577,3 +577,19 @@ def test_a_path_that_keeps_its_speed_keeps_its_rates() -> None:
     path = "FEEDRATEMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 100\nDECELTIME(0) = 2000\nPAUSE IDLE(0)\n"
     result = proved(RATES + path)
     assert result.time == pytest.approx(50.0 / 20.0 + 0.2)
+
+
+@pytest.mark.parametrize("ways", [(1.0,), (0.95, 0.05)])
+def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: tuple[float, ...]) -> None:
+    """At a jerk of 400 a ramp from 20 to 16 takes 0.2 s and 3.6, one from 16 to rest 0.4 s and 3.2, one to 20 4.4721.
+
+    With 6.8 left at 20, after 2.4 s, SPEED 15 would need 3.913 and 2.905. One path or two that are joined: 3 s.
+    """
+    length = 20.0 * 2.4 - 20.0 * sqrt(20.0 / 400.0) + 6.8
+    smooth = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
+    paths = "".join(f"VECTORR(0, 1) = {way * length!r}, 0\n" for way in ways)
+    program = f"{RATES}{CONTOUR}{smooth}{paths}GO(0)\nWAIT = 2400\nSPEED(0) = 15\nPAUSE IDLE(0)\n"
+    result = proved(program)
+    assert places(result, 0) == pytest.approx([length])
+    assert result.time == pytest.approx(3.0, abs=1e-5)
+    assert result.controller.axes[0].at(2.6).velocity == pytest.approx(16.0, abs=1e-4)

@@ -235,6 +235,12 @@ class Run:
         """The entry before that of a path on its axis, None if it is not that of a path."""
         return self._kept.get(self._previous[id(move)])
 
+    def path_after(self, move: Move) -> Move | None:
+        """The entry behind that of a path on its axis, None if it is not that of a path."""
+        entries, k = self.paths[move.axis], self._numbers[id(move)] + 1
+        after = entries[k] if k < len(entries) else None
+        return after if after is not None and self.path_before(after) is move else None
+
     def is_blended(self, a: WholeTrack, time: float) -> bool:
         """Whether an axis is on two paths at once."""
         return a.profiles[a.place(time)].shape == "blend"

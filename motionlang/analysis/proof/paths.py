@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.analysis.proof.checker import SLACK, Uses
 from motionlang.analysis.proof.segments import combined, rotation, spans
 from motionlang.analysis.proof.slowing import slowing
-from motionlang.analysis.proof.time_bounds import law, lead, move_time, move_times, ramp, rounding
+from motionlang.analysis.proof.time_bounds import law, lead, move_time, move_times, ramp, rounding, top_speed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -161,7 +161,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
-        _judge_along(proof, order, way, along, where, fresh)
+        _judge_along(proof, order, way, along, where, fresh, _beyond(run, moves[0]))
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # what was planned counts, also where something else has come before its end
             planned = min(profile.duration - time for profile, time in tracks)
@@ -240,21 +240,45 @@ def _judge_way(
                 return
 
 
+def _beyond(run: Run, move: Move) -> float:
+    """The length of the paths that are run through behind one before the axes come to rest, user units."""
+    length = 0.0
+    while (after := run.path_after(move)) is not None and move.profile is not None:
+        assert after.profile is not None
+        end = move.start_time + move.profile.duration
+        if not after.profile.velocity(0.0) or abs(after.start_time - end) > ROUNDED * (1.0 + end):
+            break
+        path = run.order_of(after).path
+        assert path is not None
+        starts = [each.profile.start for each in run.members(path) if each.profile is not None]
+        if len(starts) != len(path.members):
+            break
+        length += Way(path, starts).length
+        move = after
+    return length
+
+
 def _judge_along(
-    proof: Proof, order: Order, way: Way, along: list[Span], where: str, fresh: bool = False
+    proof: Proof,
+    order: Order,
+    way: Way,
+    along: list[Span],
+    where: str,
+    fresh: bool = False,
+    beyond: float = 0.0,
 ) -> None:
-    """The bounds along a path; a `fresh` one may not begin above them."""
+    """The bounds along a path, `beyond` which the axes go so far; a `fresh` one may not begin above them."""
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
-    _, v0, a0, _ = along[0].at(0.0)
-    slow = _slowing(order, way, v0, a0)
+    gone, v0, a0, _ = along[0].at(0.0)
+    slow = _slowing(order, way, v0, a0, way.length - gone + beyond)
     speed, rates = order.speed, order.rates
     if way.unit is None:
         speed, by = _least(order, way)
         rates = by.rates
     if fresh:
-        slow = slow._replace(speed=order.speed, came=0.0, until=0.0, eased=0.0, stretches=())
+        slow = slow._replace(speed=speed, came=0.0, until=0.0, eased=0.0, stretches=())
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
@@ -268,7 +292,7 @@ def _judge_along(
         excused = middle < max(slow.until, slow.eased)
         came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
         eased = bent if middle < slow.eased else 0.0
-        fastest, peak = 0.0 if path.rests else speed, span.peak(1)
+        fastest, peak = 0.0 if path.rests else max(speed, slow.speed), span.peak(1)
         if peak > SLACK or not path.rests:  # at rest but for rounding
             uses.look("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
@@ -308,8 +332,11 @@ def _judge_along(
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
 
 
-def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
-    """How a path that begins too fast, for its speed or for one of its axes, comes to its speed."""
+def _slowing(order: Order, way: Way, v0: float, a0: float, left: float) -> Slowing:
+    """How a path that begins too fast, for its speed or for one of its axes, comes to its speed.
+
+    Without the room to do so and to stop, to a higher one: two S-ramps need more of what is `left` than one.
+    """
     assert order.path is not None
     speed, by = _least(order, way)
     extra = 0.0
@@ -319,6 +346,8 @@ def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
         extra = ramp(0.0, max(speed, v0), by)[0]
     if order.path.rests:
         speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
+    elif by.smooth:
+        speed = max(speed, top_speed(v0, a0, left, speed, by))
     return slowing(v0, a0, speed, by, extra)
 
 
