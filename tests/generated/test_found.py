@@ -593,3 +593,14 @@ def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: 
     assert places(result, 0) == pytest.approx([length])
     assert result.time == pytest.approx(3.0, abs=1e-5)
     assert result.controller.axes[0].at(2.6).velocity == pytest.approx(16.0, abs=1e-4)
+
+
+def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_suspension() -> None:
+    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2; a DECEL of 50 would need 4.
+
+    The other 0.6 from rest, with 100 and 50, reach v² / 200 + v² / 100 = 0.6, and take v / 100 + v / 50.
+    """
+    path = "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 2470\nSUSPEND(0) = 1\nDECEL(0) = 50\nSUSPEND(0) = 0\n"
+    result = proved(f"{RATES}{path}PAUSE IDLE(0)\n")
+    assert places(result, 0, 1) == pytest.approx([30.0, 40.0])
+    assert result.time == pytest.approx(2.47 + 0.2 + 0.03 * sqrt(40.0), abs=1e-6)

@@ -161,7 +161,13 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
-        _judge_along(proof, order, way, along, where, fresh, _beyond(run, moves[0]))
+        beyond, rest = _beyond(run, moves[0]), along
+        before = run.orders.of[master.index][i - 1] if i else order
+        if _keeps_stop(before, order, way, along, beyond):
+            stop, rest = _until_rest(along)
+            _judge_along(proof, before, way, stop, where)
+        if rest:
+            _judge_along(proof, order, way, rest, where, fresh, beyond)
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # what was planned counts, also where something else has come before its end
             planned = min(profile.duration - time for profile, time in tracks)
@@ -238,6 +244,26 @@ def _judge_way(
             if beside > slack * max(map(abs, way.path.scales)):
                 proof.breaks(order.line, f"{where}: {gone:g} along it lie {beside:g} counts elsewhere")
                 return
+
+
+def _keeps_stop(before: Order, order: Order, way: Way, along: list[Span], beyond: float) -> bool:
+    """Whether a path that is resumed comes to rest first: by the rates of now it would stop behind its end."""
+    path, earlier = order.path, before.path
+    assert path is not None
+    if earlier is None or earlier.entry != path.entry or not earlier.rests or path.rests:
+        return False
+    gone, v0, a0, _ = along[0].at(0.0)
+    by = _least(order, way)[1]
+    left = way.length - gone + beyond
+    return by.rates[1] > 0.0 and lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > left * (1.0 + SLACK)
+
+
+def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
+    """The spans up to the first rest, and those behind it."""
+    for k, span in enumerate(along):
+        if abs(span.at(span.length)[1]) <= SLACK * max(1.0, along[0].at(0.0)[1]):
+            return along[: k + 1], along[k + 1 :]
+    return along, []
 
 
 def _beyond(run: Run, move: Move) -> float:
