@@ -50,6 +50,7 @@ LEVELS: dict[str, int] = {
     "files": 0,
     "errors": 0,
     "source": 0,
+    "record": 0,
     "": 0,
     "_wheel": 0,
 }

@@ -19,6 +19,7 @@ from motionlang.planners.pieces import (
     still_points,
     velocity_in,
 )
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,13 +30,12 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
 
+@record
 class Extreme:
     """A figure in user units, with the machine time at which it was reached; of a magnitude, the largest."""
 
-    __slots__ = ("time", "value")
-
-    def __init__(self, value: float, time: float) -> None:
-        self.value, self.time = value, time
+    value: float
+    time: float
 
     def __repr__(self) -> str:
         return f"Extreme({self.value:g}, {self.time:g})"

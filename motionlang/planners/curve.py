@@ -18,6 +18,7 @@ from motionlang.planners.pieces import (
     velocity_in,
 )
 from motionlang.planners.ramps import expand, named_ramps
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,34 +34,28 @@ if TYPE_CHECKING:
 _AT_REST = (0.0, 0.0)
 
 
+@record
 class State:
     """Position, velocity, acceleration and jerk at one moment (the profile's length unit, seconds)."""
 
-    __slots__ = ("acceleration", "jerk", "position", "velocity")
-
-    def __init__(self, position: float, velocity: float, acceleration: float, jerk: float) -> None:
-        self.position = position
-        self.velocity = velocity
-        self.acceleration = acceleration
-        self.jerk = jerk
+    position: float
+    velocity: float
+    acceleration: float
+    jerk: float
 
     def __repr__(self) -> str:
         return f"State({self.position!r}, {self.velocity!r}, {self.acceleration!r}, {self.jerk!r})"
 
 
+@record
 class Phase:
     """A stretch of a profile that an engineer has a word for: accel, slew, decel, stop, hold or segment."""
 
-    __slots__ = ("distance", "duration", "end_velocity", "name", "start_velocity")
-
-    def __init__(
-        self, name: str, duration: float, distance: float, start_velocity: float, end_velocity: float
-    ) -> None:
-        self.name = name
-        self.duration = duration
-        self.distance = distance
-        self.start_velocity = start_velocity
-        self.end_velocity = end_velocity
+    name: str
+    duration: float
+    distance: float
+    start_velocity: float
+    end_velocity: float
 
     def __repr__(self) -> str:
         return f"Phase({self.name!r}, duration={self.duration!r}, distance={self.distance!r})"

@@ -12,6 +12,7 @@ from motionlang.planners.curve import Profile
 from motionlang.planners.limits import STILL, check_finite, too_large
 from motionlang.planners.ramps import ramp_distance
 from motionlang.planners.total import total
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 _COARSE = 1e-11
 
 
+@record
 class Ramps:
     """One shape with its limits: `up` and `down` from speed to speed, `peak` from (speed, distance).
 
@@ -35,23 +37,12 @@ class Ramps:
     speeding up and of slowing down. `bounds` belongs to ramps whose acceleration is bounded in its slope as well.
     """
 
-    __slots__ = ("bounds", "down", "peak", "shape", "squares", "up")
-
-    def __init__(
-        self,
-        shape: str,
-        up: Ramp,
-        down: Ramp,
-        peak: Peak,
-        squares: tuple[float, float] | None = None,
-        bounds: Bounds | None = None,
-    ) -> None:
-        self.shape = shape
-        self.up = up
-        self.down = down
-        self.peak = peak
-        self.squares = squares
-        self.bounds = bounds
+    shape: str
+    up: Ramp
+    down: Ramp
+    peak: Peak
+    squares: tuple[float, float] | None = None
+    bounds: Bounds | None = None
 
 
 def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:

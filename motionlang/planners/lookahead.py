@@ -17,6 +17,7 @@ from motionlang.planners.segment_speed import between, entry_speed, exit_speed, 
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.total import total
 from motionlang.planners.transition import faded
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,23 +31,17 @@ if TYPE_CHECKING:
 _SLACK = 1e-9
 
 
+@record
 class Pace:
     """How fast a path may be run: `shape`, speed, rates, and what the S-curves need beside."""
 
-    __slots__ = ("accel", "accel_jerk", "decel", "decel_jerk", "ramp", "shape", "speed")
-
-    def __init__(
-        self,
-        shape: str,
-        speed: float,
-        accel: float,
-        decel: float,
-        ramp: float = 0.1,
-        accel_jerk: float = inf,
-        decel_jerk: float = inf,
-    ) -> None:
-        self.shape, self.speed, self.accel, self.decel = shape, speed, accel, decel
-        self.ramp, self.accel_jerk, self.decel_jerk = ramp, accel_jerk, decel_jerk
+    shape: str
+    speed: float
+    accel: float
+    decel: float
+    ramp: float = 0.1
+    accel_jerk: float = inf
+    decel_jerk: float = inf
 
     def key(self) -> tuple[object, ...]:
         """What two stretches must share to be run through as one."""

@@ -14,19 +14,20 @@ from motionlang.planners.curve import Profile, far_end, relabelled
 from motionlang.planners.jerk import ease
 from motionlang.planners.limits import STILL, check_finite, check_positive, too_large
 from motionlang.planners.ramps import FALLING, RISING, ramp_distance
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.ramps import Recipe
 
 
+@record
 class Slope:
     """A rate, and the seconds in which it builds up and fades."""
 
-    __slots__ = ("begin", "end", "rate")
-
-    def __init__(self, rate: float, begin: float = 0.0, end: float = 0.0) -> None:
-        self.rate, self.begin, self.end = rate, begin, end
+    rate: float
+    begin: float = 0.0
+    end: float = 0.0
 
     def key(self) -> tuple[float, float, float]:
         """What two slopes share that are the same."""

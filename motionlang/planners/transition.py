@@ -10,6 +10,7 @@ from __future__ import annotations
 from math import sqrt
 
 from motionlang.planners.curve import Profile, from_curve
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,13 +24,14 @@ if TYPE_CHECKING:
 NOTHING, HARDLY = 1e-12, 0.5
 
 
+@record
 class Bounds:
     """Limits of a jerk-limited ramp, of speeding up and of slowing down."""
 
-    __slots__ = ("accel", "accel_jerk", "decel", "decel_jerk")
-
-    def __init__(self, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> None:
-        self.accel, self.decel, self.accel_jerk, self.decel_jerk = accel, decel, accel_jerk, decel_jerk
+    accel: float
+    decel: float
+    accel_jerk: float
+    decel_jerk: float
 
 
 def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
