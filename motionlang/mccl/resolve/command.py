@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
@@ -11,6 +13,7 @@ if TYPE_CHECKING:
 NONE, NUMBER, REGISTER, TEXT = range(4)
 
 
+@record
 class Command:
     """`text` as it was written; `axis` 0 where none, or 0, was given; `value` the number, register or text.
 
@@ -18,21 +21,14 @@ class Command:
     command out; in a command that could not be understood it raises the fault.
     """
 
-    __slots__ = ("action", "axis", "kind", "name", "pure", "row", "text", "value")
-
-    def __init__(
-        self,
-        text: str,
-        name: str,
-        row: Keyword | None,
-        axis: int,
-        kind: int,
-        value: float | int | str,
-        action: Action,
-        pure: bool,
-    ) -> None:
-        self.text, self.name, self.row, self.axis = text, name, row, axis
-        self.kind, self.value, self.action, self.pure = kind, value, action, pure
+    text: str
+    name: str
+    row: Keyword | None
+    axis: int
+    kind: int
+    value: float | int | str
+    action: Action
+    pure: bool
 
     def __repr__(self) -> str:
         return f"Command({self.text!r})"

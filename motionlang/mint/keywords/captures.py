@@ -14,6 +14,7 @@ from motionlang.mint.keywords.captures_levels import watch
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.runtime.binding import of, of_word
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,13 +32,13 @@ IDLE, WAITING, CAPTURING, DONE = 0, 1, 2, 3
 NEVER, RISING, FALLING, EITHER = 0, 1, 2, 3
 
 
+@record
 class Channel:
     """What one channel records; the axis of a quantity of axes, the parameter is the channel of any other."""
 
-    __slots__ = ("axis", "mode", "parameter")
-
-    def __init__(self, mode: int = quantities.OFF, axis: int = 0, parameter: int = 0) -> None:
-        self.mode, self.axis, self.parameter = mode, axis, parameter
+    mode: int = quantities.OFF
+    axis: int = 0
+    parameter: int = 0
 
     @property
     def where(self) -> int:

@@ -11,6 +11,7 @@ from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.runtime.binding import axis_of
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,14 +31,15 @@ DEFAULTS = {
 }
 
 
+@record
 class Master:
     """An axis or an encoder that others follow: its track, its number for the controller, counts per unit."""
 
-    __slots__ = ("encoder", "number", "per_unit", "track", "zero")
-
-    def __init__(self, track: Axis, number: int, encoder: bool, per_unit: float, zero: float = 0.0) -> None:
-        self.track, self.number, self.encoder = track, number, encoder
-        self.per_unit, self.zero = per_unit, zero
+    track: Axis
+    number: int
+    encoder: bool
+    per_unit: float
+    zero: float = 0.0
 
     def refuse(self, environment: Environment, axis: int) -> None:
         """Refuse to be the master of itself."""

@@ -6,6 +6,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.homing import Homes
 from motionlang.mint.keywords.limits_resetting import StopModes, stop
 from motionlang.mint.keywords.torque import TorqueReferences
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,13 +19,14 @@ if TYPE_CHECKING:
 COMMAND = "PRESETMOVE"
 
 
+@record
 class Preset:
     """One preset on one axis, with its values in counts and seconds."""
 
-    __slots__ = ("axis", "line", "number", "presets")
-
-    def __init__(self, presets: Presets, axis: int, number: int, line: int) -> None:
-        self.presets, self.axis, self.number, self.line = presets, axis, number, line
+    presets: Presets
+    axis: int
+    number: int
+    line: int
 
     def value(self, name: str) -> float:
         return self.presets.entry(name, self.number)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.resolve.flowgraph import Graph
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,13 +17,13 @@ TYPES = {name.lower(): name for name in (INTEGER, FLOAT, STRING, TIME, SEMAPHORE
 NUMERIC = frozenset((INTEGER, FLOAT, TIME))
 
 
+@record
 class Type:
     """`name` is one of the words above; `size` of a String (None: any), `record` of a user type."""
 
-    __slots__ = ("name", "record", "size")
-
-    def __init__(self, name: str, size: int | None = None, record: Record | None = None) -> None:
-        self.name, self.size, self.record = name, size, record
+    name: str
+    size: int | None = None
+    record: Record | None = None
 
     def __str__(self) -> str:
         return self.record.name if self.record is not None else self.name

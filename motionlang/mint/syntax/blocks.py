@@ -5,6 +5,8 @@ The grammar says the same; here it is said for a reader of messages. A test hold
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.parsing.linked_stack import Cell
@@ -69,13 +71,13 @@ PLAIN = {
 }
 
 
+@record
 class Block:
     """A block that is open: its kind, its opener's token, and whether it is an If of one line."""
 
-    __slots__ = ("at", "inline", "kind")
-
-    def __init__(self, kind: str, at: int, inline: bool) -> None:
-        self.kind, self.at, self.inline = kind, at, inline
+    kind: str
+    at: int
+    inline: bool
 
     @property
     def closing(self) -> tuple[str, ...]:

@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 from motionlang.mint.syntax.node import Node
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.syntax.nodes import Expr
 
 
+@record
 class Link(Node):
     """A further operand of a `Chain`, with the operator before it; it stands at its operand."""
 
-    __slots__ = ("op", "value")
-
-    def __init__(self, at: int, op: str, value: Expr) -> None:
-        self.at, self.op, self.value = at, op, value
+    op: str
+    value: Expr
 
 
+@record
 class Chain(Node):
     """A long left-associative run of operations, `a + b - c …`: a `Binary` of each would be nested thousands deep."""
 
-    __slots__ = ("first", "links")
-
-    def __init__(self, at: int, first: Expr, links: list[Link]) -> None:
-        self.at, self.first, self.links = at, first, links
+    first: Expr
+    links: list[Link]

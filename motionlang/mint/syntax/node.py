@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Self
+    from typing import ClassVar, Self
 
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.resolve.symbols import Symbol
     from motionlang.mint.syntax.nodes import Expr
 
 
+@record
 class Node:
     """A piece of a program that starts at token number `at`."""
 
-    __slots__ = ("at",)
+    if TYPE_CHECKING:
+        __slots__: ClassVar[tuple[str, ...]]  # the fields of the class itself
 
     at: int
 
