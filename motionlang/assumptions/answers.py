@@ -11,6 +11,7 @@ from motionlang.assumptions.reading import REFUSED
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
+from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.assumptions.reading import Probe, Reading
@@ -27,15 +28,17 @@ _FILLED = re.compile(r"\\\{\w+\\\}")
 HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
 
 
+@record
 class Verdict:
     """What an answer says of a reading: it `holds`, an `other` alternative does (`what`, and the `value` that sets
     it), or it is `unknown`, as the answer fits nothing that is known.
     """
 
-    __slots__ = ("answer", "reading", "status", "value", "what")
-
-    def __init__(self, reading: Reading, answer: str, status: str, what: str, value: object = None) -> None:
-        self.reading, self.answer, self.status, self.what, self.value = reading, answer, status, what, value
+    reading: Reading
+    answer: str
+    status: str
+    what: str
+    value: object = None
 
     @property
     def can_be_set(self) -> bool:

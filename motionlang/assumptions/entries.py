@@ -13,6 +13,7 @@ from motionlang.assumptions.rules import default_probe, other_defaults
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, with_default
+from motionlang.record import record
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -46,22 +47,22 @@ A setting of an axis that no program has written yet. Each can be given another 
 `[readings]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
 
 
+@record
 class Section:
     """Readings about one matter, behind what there is to say of all of them; `title` "" for a chapter's only one."""
 
-    __slots__ = ("readings", "text", "title")
+    title: str
+    text: str
+    readings: Sequence[Reading]
 
-    def __init__(self, title: str, text: str, readings: Sequence[Reading]) -> None:
-        self.title, self.text, self.readings = title, text, readings
 
-
+@record
 class Chapter:
     """One file of evidence."""
 
-    __slots__ = ("sections", "text", "title")
-
-    def __init__(self, title: str, text: str, sections: Sequence[Section]) -> None:
-        self.title, self.text, self.sections = title, text, sections
+    title: str
+    text: str
+    sections: Sequence[Section]
 
 
 @cache

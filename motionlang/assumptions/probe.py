@@ -15,6 +15,7 @@ from zlib import crc32
 
 from motionlang.assumptions.entries import ROOT, readings
 from motionlang.assumptions.reading import REFUSED
+from motionlang.record import record
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Sequence
@@ -48,13 +49,12 @@ PLAIN = (
 STEPS = 4
 
 
+@record
 class Motion:
     """What the owner allows: `distance` in user units, over which an axis may move to and fro."""
 
-    __slots__ = ("axis", "distance")
-
-    def __init__(self, axis: int, distance: float) -> None:
-        self.axis, self.distance = axis, distance
+    axis: int
+    distance: float
 
     @property
     def step(self) -> float:

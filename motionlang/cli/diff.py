@@ -20,6 +20,7 @@ from motionlang.cli.run_options import machine_time
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.lang.machine.file import read_machine
+from motionlang.record import as_dict
 from motionlang.report import build
 from motionlang.source import Source
 
@@ -247,16 +248,16 @@ def _data(found: Any, parted: Any, charges: Sequence[Charge]) -> dict[str, Any]:
         "schema": "motionlang.diff/1",
         "same": found.same,
         "time": found.time,
-        "charged": [{name: getattr(each, name) for name in each.__slots__} for each in charges],
+        "charged": [as_dict(each) for each in charges],
         "status": found.status,
-        "lines": [{name: getattr(each, name) for name in each.__slots__} for each in found.lines],
+        "lines": [as_dict(each) for each in found.lines],
         "gone": found.gone,
         "new": found.new,
         "prints": [dict(zip(("old", "new", "was", "is"), each, strict=True)) for each in found.prints],
         "events": [dict(zip(("was", "is", "later"), each, strict=True)) for each in found.events],
         "errors": [{"how": how, "what": what} for how, what in found.errors],
         "others": found.others,
-        "parting": None if parted is None else {name: getattr(parted, name) for name in parted.__slots__},
+        "parting": None if parted is None else as_dict(parted),
     }
 
 

@@ -17,6 +17,7 @@ from motionlang.analysis.cycle.polls import Polls
 from motionlang.analysis.cycle.tasks import ended_at, kept_waits, parent_of
 from motionlang.lang.asked import MOVING
 from motionlang.planners.total import exact_terms
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -58,26 +59,20 @@ UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
 UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
 
 
+@record
 class Link:
     """One stretch of the chain: `cause` as a person would say it, the axes that move in it (none else).
 
     `waited` is the line at which the task waited meanwhile, 0 where it computed.
     """
 
-    __slots__ = ("axes", "begin", "cause", "end", "place", "task", "waited")
-
-    def __init__(
-        self,
-        begin: float,
-        end: float,
-        cause: str,
-        place: Place,
-        task: str,
-        axes: tuple[int, ...],
-        waited: int = 0,
-    ) -> None:
-        self.begin, self.end, self.cause, self.place = begin, end, cause, place
-        self.task, self.axes, self.waited = task, axes, waited
+    begin: float
+    end: float
+    cause: str
+    place: Place
+    task: str
+    axes: tuple[int, ...]
+    waited: int = 0
 
     @property
     def duration(self) -> float:

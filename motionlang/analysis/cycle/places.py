@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -9,13 +11,13 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 
+@record
 class Place:
     """A line, the sub it stands in ("" outside of all), and the lines of the calls that led there, outermost first."""
 
-    __slots__ = ("callers", "line", "sub")
-
-    def __init__(self, line: int, sub: str, callers: tuple[int, ...]) -> None:
-        self.line, self.sub, self.callers = line, sub, callers
+    line: int
+    sub: str
+    callers: tuple[int, ...]
 
 
 class Places:

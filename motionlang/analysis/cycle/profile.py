@@ -10,6 +10,7 @@ from motionlang.analysis.cycle.chain import Chain, Link, alike
 from motionlang.analysis.cycle.slacks import Slack, slacks
 from motionlang.analysis.cycle.tasks import TaskTime, parent_of, task_times, told
 from motionlang.planners.total import exact_terms
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,14 +26,15 @@ SCHEMA = "motionlang.cycle/1"
 PROGRAM = "the program"
 
 
+@record
 class Share:
     """Seconds of the chain that belong together: of a line, a sub or an axis; `total` has what it called, too."""
 
-    __slots__ = ("causes", "line", "name", "seconds", "total")
-
-    def __init__(self, name: str, line: int, seconds: float, total: float, causes: dict[str, float]) -> None:
-        self.name, self.line = name, line
-        self.seconds, self.total, self.causes = seconds, total, causes
+    name: str
+    line: int
+    seconds: float
+    total: float
+    causes: dict[str, float]
 
 
 class TimeProfile:

@@ -7,6 +7,8 @@ from itertools import compress
 from math import fsum
 from operator import eq, sub
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -20,13 +22,13 @@ if TYPE_CHECKING:
     Group = tuple[tuple[int, ...], list[list[float]]]
 
 
+@record
 class Slack:
     """`axis` had ended its move and stood while `other` still moved: the seconds that it could have been slower."""
 
-    __slots__ = ("axis", "other", "seconds")
-
-    def __init__(self, axis: int, other: int, seconds: float) -> None:
-        self.axis, self.other, self.seconds = axis, other, seconds
+    axis: int
+    other: int
+    seconds: float
 
 
 def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]:

@@ -14,6 +14,7 @@ from operator import itemgetter
 
 from motionlang.lang.asked import MOVING
 from motionlang.log.written_waits import whole
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,16 +26,16 @@ if TYPE_CHECKING:
     Wait = Whole
 
 
+@record
 class TaskTime:
     """Seconds of one task from `begin` to `end`: `waiting` by cause, `computing`, and `ready` while others computed."""
 
-    __slots__ = ("begin", "computing", "end", "name", "ready", "waiting")
-
-    def __init__(
-        self, name: str, begin: float, end: float, waiting: dict[str, float], computing: float, ready: float
-    ) -> None:
-        self.name, self.begin, self.end = name, begin, end
-        self.waiting, self.computing, self.ready = waiting, computing, ready
+    name: str
+    begin: float
+    end: float
+    waiting: dict[str, float]
+    computing: float
+    ready: float
 
     @property
     def life(self) -> float:

@@ -12,6 +12,7 @@ from typing import Any
 
 from motionlang.analysis.diff.reports import Difference, LineChange, end_of
 from motionlang.analysis.diff.timeline import Timeline
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,13 +21,12 @@ if TYPE_CHECKING:
     from motionlang.analysis.diff.reports import Move, Pair, Report
 
 
+@record
 class Change:
     """One change: what `kind` it is, and which of them, as `Difference` has it."""
 
-    __slots__ = ("kind", "what")
-
-    def __init__(self, kind: str, what: Any) -> None:
-        self.kind, self.what = kind, what
+    kind: str
+    what: Any
 
     @property
     def key(self) -> tuple[str, object]:

@@ -6,6 +6,7 @@ import re
 
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.diff.align import aligned
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,16 +17,16 @@ _FIGURES = re.compile(r"\d[\d.]*")
 NOTHING = 1e-9
 
 
+@record
 class Charge:
     """By how many `seconds` more a run waited for a line, by its number in the `old` and the `new` program.
 
     None where only one of them has it; 0 for what stands on no line.
     """
 
-    __slots__ = ("new", "old", "seconds")
-
-    def __init__(self, old: int | None, new: int | None, seconds: float) -> None:
-        self.old, self.new, self.seconds = old, new, seconds
+    old: int | None
+    new: int | None
+    seconds: float
 
 
 def _words(line: object) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 
 from motionlang.log.track import WholeTrack
 from motionlang.planners.sample import PieceTable, piece_values
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,13 +29,14 @@ ROUNDING, TABLE = 1e-9, 1e-11
 TOGETHER = 50_000
 
 
+@record
 class Parting:
     """The machine `time` at which `axis` is first elsewhere, and the largest distance, user units, with its time."""
 
-    __slots__ = ("axis", "largest", "largest_at", "time")
-
-    def __init__(self, axis: int, time: float, largest: float, largest_at: float) -> None:
-        self.axis, self.time, self.largest, self.largest_at = axis, time, largest, largest_at
+    axis: int
+    time: float
+    largest: float
+    largest_at: float
 
 
 def parting(old: Run, new: Run, tolerance: float = 0.0) -> Parting | None:

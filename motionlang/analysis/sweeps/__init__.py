@@ -11,6 +11,7 @@ from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.analysis.sweeps.space import Space, space_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_beside
+from motionlang.record import record
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -26,18 +27,17 @@ if TYPE_CHECKING:
 KEEP = ("time",)
 
 
+@record
 class Row:
     """One variant: its number, its `values` and what was `kept`, by name; `problem` is its first error, or None.
 
     `row["time"]` and `row["accel"]` are both: what was kept, and what was varied.
     """
 
-    __slots__ = ("index", "kept", "problem", "values")
-
-    def __init__(
-        self, index: int, values: dict[str, Value], kept: dict[str, Kept], problem: Problem | None
-    ) -> None:
-        self.index, self.values, self.kept, self.problem = index, values, kept, problem
+    index: int
+    values: dict[str, Value]
+    kept: dict[str, Kept]
+    problem: Problem | None
 
     def __getitem__(self, name: str) -> object:
         return self.kept[name] if name in self.kept else self.values[name]

@@ -11,6 +11,7 @@ from time import perf_counter
 
 from motionlang.analysis.sweeps.job import told, work, worker_of
 from motionlang.errors import Diagnostic
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,11 +31,10 @@ MOST_AHEAD, AHEAD = 512, 3
 TRIES, WHOLE_TRIES = 5, 2
 
 
+@record
 class _Chunk:
-    __slots__ = ("tries", "variants")
-
-    def __init__(self, variants: Sequence[Variant], tries: int = 0) -> None:
-        self.variants, self.tries = variants, tries
+    variants: Sequence[Variant]
+    tries: int = 0
 
 
 class Hand:

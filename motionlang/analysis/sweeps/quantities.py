@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -20,13 +22,14 @@ if TYPE_CHECKING:
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
+@record
 class Quantity:
     """One row of the table: `name` is `time`, or `peak.N` with the number that belongs to it."""
 
-    __slots__ = ("help", "name", "read", "unit")
-
-    def __init__(self, name: str, unit: str, help: str, read: Reader) -> None:
-        self.name, self.unit, self.help, self.read = name, unit, help, read
+    name: str
+    unit: str
+    help: str
+    read: Reader
 
 
 def _printed(run: Run, line: int) -> str | None:
