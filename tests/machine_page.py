@@ -12,38 +12,39 @@ from motionlang.servo.settings import Key
 PAGE = Path(__file__).parent.parent / "docs" / "machine-file.md"
 FROM = "## Keys\n"
 SENTENCES = {
-    "input": "Digital inputs: by time, by the position of an axis, or behind an output. One entry is one way in "
-    "which the channel is set; several may speak of the same one.",
-    "analogue": "Analogue inputs, likewise.",
-    "remote": "Remote nodes on a bus: their inputs, encoders and comms arrays, the objects of their dictionaries, and "
-    "whether they live. A node that no entry speaks of lives and holds zeros.",
-    "bus": "What becomes of a bus, for `BUSEVENT` and `BUSSTATE`; while it is off no node answers.",
-    "pdo": "Process data that nodes send, for `REMOTEPDOIN`.",
-    "modbus.server": "Modbus servers that the program reaches as a client, with `MODBUSTCP16` and its like. Where the "
-    "file names none, every server exists and holds zeros; the report says so.",
-    "modbus.register": "What changes in their registers. Of two registers the lower one has the lower half.",
-    "coil": "What a Modbus client writes into the coils of the controller.",
-    "encoder": "Encoders that something outside of the controller turns, such as the conveyor that a program follows.",
+    "input": "Digital inputs: set by time, by the position of an axis, or by an output. Several entries may set the "
+    "same channel.",
+    "analogue": "Analogue inputs: set by time or by the position of an axis.",
+    "remote": "Remote nodes on a bus: their inputs, encoders, comms arrays, dictionary objects and state. A node "
+    "without an entry is live and holds zeros.",
+    "bus": "The state of a bus, for `BUSEVENT` and `BUSSTATE`. While it is off, no node answers.",
+    "pdo": "Process data from nodes, for `REMOTEPDOIN`.",
+    "modbus.server": "Modbus servers that the program uses as a client, with keywords such as `MODBUSTCP16`. If the "
+    "file names none, every server exists and holds zeros, and the report says so.",
+    "modbus.register": "Changes of registers of a Modbus server. Of two registers, the lower one has the lower half.",
+    "coil": "Coils of the controller that a Modbus client writes.",
+    "encoder": "Encoders that something outside the controller turns, such as a conveyor that a program follows.",
     "fault": "Faults of an axis, of its drive or of the controller: at a time, at a position, or when the program "
-    "comes to a line for the first time. What the axis then does is the program's choice (`FOLERRORMODE`, "
-    "`ERRORINPUTMODE`, `LIMITMODE`); a drive goes off.",
+    "reaches a line for the first time. The program chooses how the axis reacts (`FOLERRORMODE`, `ERRORINPUTMODE`, "
+    "`LIMITMODE`); a drive that faults switches off.",
     "key": "Keys that the operator presses.",
     "answer": "Lines that the operator types, one for each `INPUT`.",
-    "serial": "What comes in at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
-    "comms": "What the host writes into the comms array of a Mint controller; it raises the events of the elements.",
-    "dpr": "The same for the dual-port RAM of a controller on a PC's bus; it raises nothing.",
-    "netdata": "The same for NetData.",
-    "expect": "What `motionlang verify` expects of the run, in the machine file and in scenarios "
-    "([scenarios.md](scenarios.md)); each entry expects one thing.",
+    "serial": "Characters received at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
+    "comms": "Values that the host writes into the comms array of a Mint controller; they raise the events of the "
+    "elements.",
+    "dpr": "Values that the host writes into the dual-port RAM of a controller on a PC's bus; they raise no event.",
+    "netdata": "Values that the host writes into NetData; they raise the events of the elements.",
+    "expect": "Expectations that `motionlang verify` checks after the run, in the machine file and in scenarios "
+    "([scenarios.md](scenarios.md)). Each entry expects one thing.",
 }
 
 SERVO = {
     "plant": (
-        "The motor of an axis. With one key of it the axis is where its motor is: "
+        "The motor of an axis. With any key of this section, the position of the axis is that of its motor: "
         "[servo.md](servo.md#a-run-with-motors).",
         PLANT_KEYS,
     ),
-    "servo": ("The loop of that motor, as far as the program's own gains do not say otherwise.", SERVO_KEYS),
+    "servo": ("The servo loop of that motor. Gains that the program sets take precedence.", SERVO_KEYS),
 }
 
 
@@ -51,12 +52,12 @@ def written() -> str:
     """The page as it must be: what was written by hand, and the tables."""
     text = PAGE.read_text(encoding="utf-8")
     parts = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
-    parts.append("`N` is the number of an axis, as the language numbers them.\n")
+    parts.append("`N` is the number of an axis as the language numbers it.\n")
     for section, (sentence, keys) in SERVO.items():
         parts.append(f"## `[axis.N.{section}]`\n\n{sentence}\n\n{_servo_table(keys)}")
     for name, rows in TABLES.items():
         needed = REQUIRED[name]
-        shown = {key: help + (" Needed." if key in needed else "") for key, (_, help) in rows.items()}
+        shown = {key: help + (" Required." if key in needed else "") for key, (_, help) in rows.items()}
         parts.append(f"## `[[{name}]]`\n\n{SENTENCES[name]}\n\n{_table(shown)}")
     return "\n".join(parts)
 

@@ -47,15 +47,15 @@ def _not_negative(default: float, text: str) -> Key:
 _MOTOR, _DRIVE, _LOOP = Motor(), Drive(), Loop()
 PLANT: dict[str, Key] = {
     "kind": Key(
-        "text", "dc", "dc or brushless motor, or a drive with its own velocity loop.", choices=PLANT_KINDS
+        "text", "dc", "A dc or brushless motor, or a drive with its own velocity loop.", choices=PLANT_KINDS
     ),
     "resistance": _positive(_MOTOR.resistance, "Winding resistance, ohm (terminal to terminal)."),
-    "inductance": _not_negative(_MOTOR.inductance, "Winding inductance, H; 0: the current is immediate."),
+    "inductance": _not_negative(_MOTOR.inductance, "Winding inductance, H; 0: the current follows at once."),
     "torque_constant": _positive(
         _MOTOR.torque_constant, "Torque per current, N m/A; also the back-EMF, V s/rad."
     ),
     "inertia": _positive(_MOTOR.inertia, "Inertia of the motor, kg m²."),
-    "load_inertia": _not_negative(_MOTOR.load_inertia, "Inertia of the load as the motor sees it, kg m²."),
+    "load_inertia": _not_negative(_MOTOR.load_inertia, "Inertia of the load reflected to the motor, kg m²."),
     "viscous": _not_negative(_MOTOR.viscous, "Viscous friction, N m s/rad."),
     "coulomb": _not_negative(_MOTOR.coulomb, "Coulomb friction, N m."),
     "breakaway": _not_negative(
@@ -64,50 +64,69 @@ PLANT: dict[str, Key] = {
     "load_torque": Key(
         "number", _MOTOR.load_torque, "Constant torque in the negative direction (gravity), N m."
     ),
-    "resonance": _not_negative(_MOTOR.resonance, "Frequency of motor against load, Hz; 0: they are one."),
+    "resonance": _not_negative(_MOTOR.resonance, "Frequency of motor against load, Hz; 0: a rigid coupling."),
     "resonance_damping": _not_negative(_MOTOR.resonance_damping, "Damping ratio of the resonance."),
-    "backlash": _not_negative(_MOTOR.backlash, "Free play between motor and load, counts."),
+    "backlash": _not_negative(_MOTOR.backlash, "Backlash between motor and load, counts."),
     "counts_per_rev": _positive(_MOTOR.counts_per_rev, "Encoder counts in one revolution of the motor."),
-    "quantised": Key("flag", _MOTOR.quantised, "Whether the encoder gives whole counts."),
-    "encoder": Key("text", _MOTOR.encoder, "The side the encoder is on.", choices=ENCODER_SIDES),
+    "quantised": Key("flag", _MOTOR.quantised, "true: the encoder gives whole counts."),
+    "encoder": Key("text", _MOTOR.encoder, "The side of the encoder: motor or load.", choices=ENCODER_SIDES),
     "amplifier": Key(
-        "text", _MOTOR.amplifier, "What the output commands: voltage or current.", choices=AMPLIFIERS
+        "text",
+        _MOTOR.amplifier,
+        "The quantity that the output commands: voltage or current.",
+        choices=AMPLIFIERS,
     ),
-    "amplifier_gain": _positive(_MOTOR.amplifier_gain, "V/V or A/V of the controller's output."),
-    "speed_per_volt": _positive(_DRIVE.speed_per_volt, "Of a drive: counts/s for each volt."),
-    "time_constant": _positive(_DRIVE.time_constant, "Of a drive: how it lags behind its command, s."),
+    "amplifier_gain": _positive(
+        _MOTOR.amplifier_gain, "Gain of the amplifier: V or A for each volt of the controller's output."
+    ),
+    "speed_per_volt": _positive(_DRIVE.speed_per_volt, "For a drive: counts/s for each volt."),
+    "time_constant": _positive(_DRIVE.time_constant, "For a drive: time constant of its response, s."),
 }
 SERVO: dict[str, Key] = {
     "proportional": Key("number", 0.0, "V per count of following error; a program's own gains win."),
     "integral": Key("number", 0.0, "V per count and servo sample."),
     "derivative": Key("number", 0.0, "V per count and derivative sample."),
-    "velocity_feedback": Key("number", 0.0, "V per count and servo sample of measured speed."),
-    "velocity_ff": Key("number", 0.0, "V per count/s of demanded speed."),
-    "accel_ff": Key("number", 0.0, "V per count/s² of demanded acceleration."),
-    "decel_ff": Key("number", 0.0, "V per count/s² of demanded deceleration."),
+    "velocity_feedback": Key("number", 0.0, "V per count per servo sample of measured speed."),
+    "velocity_ff": Key("number", 0.0, "V per count/s of commanded speed."),
+    "accel_ff": Key("number", 0.0, "V per count/s² of commanded acceleration."),
+    "decel_ff": Key("number", 0.0, "V per count/s² of commanded deceleration."),
     "integral_limit": _not_negative(
-        10.0, "The most that the integral contributes, V (integer forms: before /16)."
+        10.0, "Limit of the integral contribution, V (integer arithmetic: before /16)."
     ),
-    "limit_style": Key("text", "sum", "sum: the sum stops there; term: it winds up.", choices=LIMIT_STYLES),
-    "integral_mode": Key("text", "always", "When the integral acts.", choices=tuple(INTEGRAL_MODES)),
-    "derivative_every": Key("count", 1, "Servo samples to one derivative sample.", 1, 100_000),
-    "output_limit": Key("number", _LOOP.output_limit, "The most that goes out, V.", 0.0, 10.0),
+    "limit_style": Key(
+        "text",
+        "sum",
+        "sum: the sum stops at the limit; term: the sum winds up beyond it.",
+        choices=LIMIT_STYLES,
+    ),
+    "integral_mode": Key(
+        "text",
+        "always",
+        f"When the integral acts: {', '.join(INTEGRAL_MODES)}.",
+        choices=tuple(INTEGRAL_MODES),
+    ),
+    "derivative_every": Key("count", 1, "Servo samples for each derivative sample.", 1, 100_000),
+    "output_limit": Key("number", _LOOP.output_limit, "The greatest output, V.", 0.0, 10.0),
     "output_offset": Key("number", 0.0, "Added to every output, V.", -10.0, 10.0),
-    "output_deadband": Key("number", 0.0, "An output smaller than this is none, V.", 0.0, 10.0),
-    "reversed": Key("flag", False, "Whether the output is reversed."),
-    "arithmetic": Key("text", "real", "How the loop computes.", choices=ARITHMETICS),
-    "dac_bits": Key("count", 0, "Bits of the DAC; 0: any voltage.", 0, 16),
+    "output_deadband": Key("number", 0.0, "A smaller output counts as 0, V.", 0.0, 10.0),
+    "reversed": Key("flag", False, "true: the output is reversed."),
+    "arithmetic": Key(
+        "text", "real", f"The arithmetic of the loop: {', '.join(ARITHMETICS)}.", choices=ARITHMETICS
+    ),
+    "dac_bits": Key("count", 0, "Bits of the DAC; 0: no quantisation.", 0, 16),
     "bandwidth": _positive(
         50.0,
-        "The bandwidth, Hz, of gains that are suggested where neither this section nor the program has any.",
+        "The bandwidth of suggested gains, Hz; they apply if neither this section nor the program has gains.",
     ),
     "servo_rate": Key(
-        "number", _LOOP.servo_rate, "Servo samples a second, a multiple of the next.", 1.0, 1e6
+        "number", _LOOP.servo_rate, "Servo samples per second, a multiple of trajectory_rate.", 1.0, 1e6
     ),
-    "trajectory_rate": Key("number", _LOOP.trajectory_rate, "Trajectory points a second.", 1.0, 1e6),
-    "override_steps": Key("count", 0, "DAC override: steps from the actual velocity; 0: none.", 0, 32768),
-    "override_hold": Key("count", 1, "DAC override: updates for which the DAC is held.", 1, 100_000),
-    "override_speed": _positive(100_000.0, "DAC override: counts/s at full scale."),
+    "trajectory_rate": Key("number", _LOOP.trajectory_rate, "Trajectory points per second.", 1.0, 1e6),
+    "override_steps": Key(
+        "count", 0, "DAC override: the most DAC steps from the actual velocity; 0: no override.", 0, 32768
+    ),
+    "override_hold": Key("count", 1, "DAC override: the number of updates that the DAC is held.", 1, 100_000),
+    "override_speed": _positive(100_000.0, "DAC override: speed at full scale, counts/s."),
 }
 KEYS: dict[str, Key] = {
     **{f"axis.N.plant.{name}": key for name, key in PLANT.items()},

@@ -40,7 +40,7 @@ error[machine-file]: axis.3.servo.limit_style must be "sum" or "term", not 'soft
   |
 2 | limit_style = "soft"
   | ^^^^^^^^^^^
-  hint: sum: the sum stops there; term: it winds up.
+  hint: sum: the sum stops at the limit; term: the sum winds up beyond it.
 """,
     ),
     (

@@ -191,5 +191,5 @@ times = 100000
          "give for, how long it lasts, or between, two positions of an axis"),
         (20, 1, again, f"{more} 10"),
         (21, 1, "times of [[input]] must be a whole number from 1 to 10000, not 100000",
-         "How often it happens then, the first time included, 1 to 10000."),
+         "How many times it happens in total, 1 to 10000."),
     ]  # fmt: skip
