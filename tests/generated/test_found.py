@@ -604,3 +604,15 @@ def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_susp
     result = proved(f"{RATES}{path}PAUSE IDLE(0)\n")
     assert places(result, 0, 1) == pytest.approx([30.0, 40.0])
     assert result.time == pytest.approx(2.47 + 0.2 + 0.03 * sqrt(40.0), abs=1e-6)
+
+
+def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_time() -> None:
+    """1000 at 20 with a jerk of 400 take 1000/20 + 2 * sqrt(20/400) s: 0.2 ms and 6e-10 are left after 50.447 s.
+
+    The distance that is left is rounded as the 1000 are, which changes the time of a motion of its own by 2 ns.
+    """
+    smooth = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
+    move = "MOVER(0) = 1000 : GO(0)\nWAIT = 50447\nPOS(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(f"{RATES}{smooth}{move}", until=100.0)
+    assert result.time == pytest.approx(50.0 + 2.0 * sqrt(20.0 / 400.0), abs=1e-6)
+    assert places(result, 0) == pytest.approx([0.0], abs=1e-6)

@@ -41,14 +41,16 @@ def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
     profile = a.profiles[i]
     entry = profile.at(0.0)
     v, bent = entry.velocity, entry.acceleration
-    if order.jerks[0] < inf:
-        return Begin(v, bent, 0.0, 0.0, abs(v), bent, None)
-    if order.shape == "trapezoid" or not bent or not i or not a.profiles[i - 1].pieced:
-        return Begin(v, 0.0, 0.0, 0.0, abs(v), 0.0, None)
-    before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
     left = None
-    if shifted or (order.kind == "stop" and bent * v < 0.0):
-        left = max(0.0, last_change(before) - elapsed)
+    stops = order.kind == "stop" and bent * v < 0.0
+    if i and a.profiles[i - 1].pieced and (v or bent) and (shifted or stops):
+        left = max(0.0, last_change(a.profiles[i - 1]) - (a.starts[i] - a.starts[i - 1]))
+    own = left if shifted else None  # what is left of a plan is rounded as the whole of it is
+    if order.jerks[0] < inf:
+        return Begin(v, bent, 0.0, 0.0, abs(v), bent, own)
+    if order.shape == "trapezoid" or not bent or not i or not a.profiles[i - 1].pieced:
+        return Begin(v, 0.0, 0.0, 0.0, abs(v), 0.0, own)
+    before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
     flank = _flank(before, elapsed) if order.shape != "parabolic" else None
     if flank is None:
         return Begin(v, 0.0, 0.0, 0.0, abs(v), bent, left)
