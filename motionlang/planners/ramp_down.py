@@ -10,6 +10,7 @@ from math import cos, inf, pi
 from motionlang.planners.curve import Profile, from_curve, relabelled
 from motionlang.planners.pieces import acceleration_in, position_in, recentred, velocity_in
 from motionlang.planners.stop import plan_stop
+from motionlang.planners.transition import NOTHING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,6 +40,8 @@ def relief(profile: Profile, time: float) -> Profile | None:
     curve = ((0.0, duration), (falling,), ((name, 0),))
     end = position_in(falling, duration)
     last = velocity_in(falling, duration)
+    if abs(last) <= NOTHING * abs(velocity):  # it leads to rest, and rounding leaves no ramp behind it
+        last = 0.0
     return from_curve(profile.shape, position_in(piece, 0.0), end, curve, velocity, last)
 
 

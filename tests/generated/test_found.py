@@ -616,3 +616,15 @@ def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_
     result = proved(f"{RATES}{smooth}{move}", until=100.0)
     assert result.time == pytest.approx(50.0 + 2.0 * sqrt(20.0 / 400.0), abs=1e-6)
     assert places(result, 0) == pytest.approx([0.0], abs=1e-6)
+
+
+def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
+    """The flank brings the axis to rest, but for rounding, which is no ramp of its own; 1951/(10000 * 0.55) s follow."""
+    settings = "1MN,2MN,3MN\n1SV1951,1SA10000,1DS5267\n1PS0.45\n"
+    source = Source("found.mcl", f"MD1,2PP,1MA-5\n{settings}MC1\n2ST,2WS0.05\n1VM,1DI0,1GO\n")
+    result = run(source, machine={"controller.instruction_time": 1e-3}, cache=False, prove=True, until=2.0)
+    assert [each.message for each in result.proof().violations] == []
+    profile = result.controller.log.moves[-1].profile
+    assert profile is not None
+    assert [each.name for each in profile.phases] == ["decel", "accel", "slew"]
+    assert profile.phases[1].duration == pytest.approx(1951.0 / 5500.0)
