@@ -252,7 +252,7 @@ class AxisVerbs(Core):
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Let the move in progress end `distance` further on; an axis at rest starts at once."""
-        self.retarget_to(axis, self.axes[axis].target + distance, command, line)
+        self.retarget_to(axis, self.movable(axis).target + distance, command, line)
 
     def jog(
         self,

@@ -36,7 +36,7 @@ class Core(Readings):
 
     def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Move by `distance` from the present target now, from where the axis is where it has none."""
-        a = self.axes[axis]
+        a = self.movable(axis)
         base = a.target if abs(a.target) < INFINITY else a.position(self.clock.now)
         self.move_to(axis, base + distance, command, line)
 

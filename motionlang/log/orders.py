@@ -356,7 +356,8 @@ class Orders:
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
         self.stands[a.index, self._controller.clock.now] = ended
-        self._stop(a, ended)
+        if a.move is not None:
+            self._stop(a, ended)
 
     def _stop(self, a: Axis, ended: str) -> None:
         now = self._controller.clock.now

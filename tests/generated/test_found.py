@@ -619,7 +619,7 @@ def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_
 
 
 def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
-    """The flank brings the axis to rest, but for rounding, which is no ramp of its own; 1951/(10000 * 0.55) s follow."""
+    """The flank brings the axis to rest but for rounding, which is no ramp of its own; 1951/(10000 * 0.55) s follow."""
     settings = "1MN,2MN,3MN\n1SV1951,1SA10000,1DS5267\n1PS0.45\n"
     source = Source("found.mcl", f"MD1,2PP,1MA-5\n{settings}MC1\n2ST,2WS0.05\n1VM,1DI0,1GO\n")
     result = run(source, machine={"controller.instruction_time": 1e-3}, cache=False, prove=True, until=2.0)
@@ -628,3 +628,39 @@ def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
     assert profile is not None
     assert [each.name for each in profile.phases] == ["decel", "accel", "slew"]
     assert profile.phases[1].duration == pytest.approx(1951.0 / 5500.0)
+
+
+MOTOR = {
+    "axis.{}.plant.amplifier_gain": 6.0,
+    "axis.{}.plant.inertia": 3e-5,
+    "axis.{}.plant.torque_constant": 0.06,
+}
+
+
+def with_motor(program: str, suffix: str, axis: int) -> Run:
+    """A run whose `axis` has a motor that an output of its own turns."""
+    machine = {name.format(axis): value for name, value in MOTOR.items()}
+    result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=1.0)
+    assert [each.message for each in result.proof().violations] == []
+    return result
+
+
+def test_contour_mode_ends_torque_mode() -> None:
+    """The centre lies 100 before the place where the motor has come to: the first axis goes 200 back, and returns."""
+    result = with_motor("1MN,2MN,1SQ1,1QM,WA0.1,1CM1,2CM1,1CP3,1CR-100,2CR0\n1WS,2WS\n", "mcl", 1)
+    first, second = result.controller.log.moves
+    assert first.profile is not None
+    assert second.profile is not None
+    assert first.profile.start > 1.0
+    assert first.profile.extrema() == pytest.approx((first.profile.start - 200.0, first.profile.start))
+    assert second.profile.extrema() == pytest.approx((-100.0, 100.0))
+
+
+def test_incr_counts_from_where_a_motor_under_a_torque_is() -> None:
+    """The loop is closed there, and the target is 5 further on."""
+    program = "TORQUEREF(0) = 2\nWAIT = 100\nINCR(0) = 5\nPRINT POSTARGET(0)\n"
+    result = with_motor(program, "mnt", 0)
+    (move,) = result.controller.log.moves
+    assert move.profile is not None
+    assert move.profile.start > 1.0
+    assert float(result.output[0]) == pytest.approx(move.profile.start + 5.0, abs=1e-4)

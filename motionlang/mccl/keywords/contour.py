@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl import codes
+from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import CONTOUR
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.modes_gearing import check_unslaved
@@ -30,7 +31,8 @@ def contour_mode(task: CommandTask, command: Command) -> None:
             f"{axis.number}PM frees it",
             "axis",
         )
-    axis.mode, axis.controlling = CONTOUR, number
+    before, axis.mode, axis.controlling = axis.mode, CONTOUR, number
+    motor.changed_mode(task.board, axis, before)
 
 
 def path(task: CommandTask, command: Command) -> None:
