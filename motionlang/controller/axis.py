@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from motionlang.controller.feedback import Feedback
     from motionlang.controller.move import Move
     from motionlang.controller.readers import Loader
-    from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
     from motionlang.log.older_profiles import Profiles
     from motionlang.planners import Profile, State
@@ -78,7 +77,6 @@ class Axis:
         "buffer_size",
         "contour_angle",
         "contour_mode",
-        "crossed",
         "datum",
         "decel",
         "decel_jerk_time",
@@ -91,13 +89,10 @@ class Axis:
         "followers",
         "gains",
         "held",
-        "held_with",
-        "home",
         "index",
         "index_every",
         "index_origin",
         "last_id",
-        "lent",
         "limits",
         "locks",
         "max_accel",
@@ -105,7 +100,6 @@ class Axis:
         "max_speed",
         "move",
         "move_id",
-        "offset_status",
         "older",
         "override",
         "own_rates",
@@ -114,7 +108,6 @@ class Axis:
         "ramp",
         "s_ramp",
         "scale",
-        "sequence",
         "shape",
         "speed",
         "starts",
@@ -150,10 +143,7 @@ class Axis:
         self.override = 1.0
         # Speed, acceleration and deceleration that moves loaded from now on keep, None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
-        # Its own rates, and the times for them, while others are lent to it.
-        self.lent: dict[str, float | None] = {}
         self.held = 0  # the reasons for which it is suspended, `BY_WORD`, `BY_INPUT` or both
-        self.held_with: tuple[Axis, ...] = ()  # the axes that one word has suspended with it
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
@@ -163,20 +153,15 @@ class Axis:
         # Whether a path begins while the one before it still has a distance to go, user units.
         self.blend_mode = False
         self.blend_distance = 0.0
-        self.offset_status = 0  # bits, see `offset`
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free places above which the listeners are told; -1: never
         self.buffer: list[Move] = []
         self.move_id = 0  # the mark of moves loaded from now on
         self.last_id = 0  # the mark of the last move that left the buffer
         self.move: Move | None = None
-        # What has the axis to itself for several motions in a row; what the buffer holds waits for its end.
-        self.sequence: Homing | None = None
         self.arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0
-        # When it was last known to be exactly at a position, which, and on which profile.
-        self.crossed: tuple[float, float, Profile] | None = None
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
         # The last of them, by which readers know what they have cached; None where it is not on the track yet.
@@ -190,8 +175,7 @@ class Axis:
         # Its motor, where one is simulated, and the gains that the program has set, by their words.
         self.feedback: Feedback | None = None
         self.gains: dict[str, tuple[float, str]] = {}
-        # The home switch, and the distance between the encoder's index marks in user units (0: it has none).
-        self.home = False
+        # The distance between the encoder's index marks in user units (0: it has none).
         self.index_every = 0.0
         self.index_origin = 0.0  # one of the marks, in counts of the machine
 
@@ -246,11 +230,11 @@ class Axis:
 
     def cross(self, now: float, position: float) -> None:
         """Note that the axis is at exactly `position` now; the time of a crossing is rounded, and so is its profile."""
-        self.crossed = now, position, self.profiles[-1]
+        self.watches.crossed = now, position, self.profiles[-1]
 
     def here(self, now: float) -> float:
         """The demanded position now: exactly that of the watch that the axis crosses, if it crosses one."""
-        crossed = self.crossed
+        crossed = self.watches.crossed
         if crossed is not None and crossed[0] == now and crossed[2] is self.profiles[-1]:
             return crossed[1]
         return self.position(now)

@@ -105,27 +105,27 @@ class AxisVerbs(Core):
         """Set the seconds in the unit of time."""
         self.axes[axis].scale.set_rate(seconds)
 
-    def lend_rates(self, axis: int, accel: float | None, decel: float | None) -> None:
-        """Other rates than the axis's own, None for those, until `return_rates`."""
+    def lend_rates(self, axis: int, accel: float | None, decel: float | None) -> dict[str, float | None]:
+        """Other rates than the axis's own, None for those; `return_rates` takes what this answers, its own."""
         a = self.axes[axis]
+        own: dict[str, float | None] = {}
         for name, rate in (("accel", accel), ("decel", decel)):
             if rate is not None:
                 for each in (name, f"{name}_time"):
-                    a.lent.setdefault(each, getattr(a, each))
+                    own[each] = getattr(a, each)
                 self.configure(axis, name, rate)
+        return own
 
-    def return_rates(self, axis: int) -> None:
+    def return_rates(self, axis: int, own: Mapping[str, float | None]) -> None:
         """The axis's own rates are in force again, for what begins from now on."""
-        a = self.axes[axis]
-        for name, value in a.lent.items():
-            setattr(a, name, value)
-        a.lent.clear()
+        for name, value in own.items():
+            setattr(self.axes[axis], name, value)
 
     # ------------------------------------------------------------------------------ switches and limits
 
     def set_home_switch(self, axis: int, on: bool) -> None:
         """Somebody closes or opens the home switch of an axis."""
-        self.axes[axis].home = on
+        (self.at_home.add if on else self.at_home.discard)(axis)
         self.tell("home", axis)
 
     def set_limit_action(self, axis: int, bit: int, action: str) -> None:
@@ -312,9 +312,9 @@ class AxisVerbs(Core):
         if self.orders is not None:
             self.orders.stop(a, ended)
         self._hold(a)
-        freed = triggers.conditions.release(a)
-        if a.sequence is not None:
-            a.sequence.cancel()
+        freed = triggers.conditions.release(self, a)
+        if axis in self.homings:
+            self.homings[axis].cancel()
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
             motion.halt.stop(self, a, ended, hard)

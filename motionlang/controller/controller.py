@@ -365,7 +365,7 @@ class Controller(AxisVerbs):
 
     def offset_status(self, axis: int) -> int:
         """How the last offset went, as the bits of OFFSETSTATUS."""
-        return self.axes[axis].offset_status
+        return self.offset_statuses.get(axis, 0)
 
     def master_of(self, axis: int) -> int | None:
         """The axis or encoder channel that an axis follows; None while it follows none."""

@@ -187,8 +187,8 @@ class Core(Readings):
 
     def go_on(self, a: Axis) -> None:
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
-        if a.sequence is not None:
-            a.sequence.at_rest()
+        if a.index in self.homings:
+            self.homings[a.index].at_rest()
         self.start_waiting(a)
         if a.move is None:
             self.tell("idle", a.index)
@@ -207,7 +207,7 @@ class Core(Readings):
 
         Refusal for an entry that cannot begin: it is left out, and those behind it start once this has been handled.
         """
-        while a.move is None and a.sequence is None and a.buffer and a.buffer[0].released:
+        while a.move is None and a.index not in self.homings and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
             if move.action is not None and not (
                 move.action.ready(self, a, move) and (move.action.can_stand or not a.suspended)
@@ -254,7 +254,7 @@ class Core(Readings):
         """Start what the buffer of an axis at rest then holds, once all is done that happens at this moment."""
 
         def begin() -> None:
-            if a.move is None and a.sequence is None and a.buffer and not a.suspended:
+            if a.move is None and a.index not in self.homings and a.buffer and not a.suspended:
                 self.go_on(a)
 
         self.clock.at(self.clock.now, begin)
@@ -313,9 +313,9 @@ class Core(Readings):
         """Stand still at once where the axis is."""
         if self.orders is not None:
             self.orders.freeze(a, ended)
-        triggers.conditions.release(a)
-        if a.sequence is not None:
-            a.sequence.cancel()
+        triggers.conditions.release(self, a)
+        if a.index in self.homings:
+            self.homings[a.index].cancel()
         self.empty(a, ended)
         if a.arrival is not None:
             a.arrival.cancel()

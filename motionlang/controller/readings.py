@@ -49,12 +49,17 @@ class Readings:
         # Encoder channels that the world turns, such as that of a conveyor; they have tracks like axes.
         self.encoders: dict[int, Axis] = {}
         self.latches: dict[int, Latch] = {}
-        # The homings in progress by axis.
+        # The homings in progress by axis: such an axis is theirs alone, and what its buffer holds waits for their end.
         self.homings: dict[int, Homing] = {}
         # The inputs without which the drives of axes cannot be enabled.
         self.interlocks: dict[int, int] = {}
-        # The axes whose brakes somebody has set by hand.
+        # The axes whose brakes somebody has set by hand, and those whose home switches are closed.
         self.braked: set[int] = set()
+        self.at_home: set[int] = set()
+        # The axes that one word has suspended together, by each of them.
+        self.suspended_with: dict[int, tuple[Axis, ...]] = {}
+        # How the last offset of an axis went, bits (`motion/offset.py`).
+        self.offset_statuses: dict[int, int] = {}
         self.listeners = Listeners()
         # The conditions to be looked at when all axes of a motion have it; None where they are at once.
         self.looks_later: list[Condition] | None = None
@@ -170,6 +175,9 @@ class Readings:
 
     def is_idle(self, axis: int) -> bool:
         return not self.axes[axis].moves
+
+    def is_on_home_switch(self, axis: int) -> bool:
+        return axis in self.at_home
 
     def faults(self, axis: int) -> int:
         return self.axes[axis].faults

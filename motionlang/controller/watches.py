@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from motionlang.controller.triggers.watch import Watch
+    from motionlang.planners import Profile
 
     # Position and order of a watch: what those of an axis are sorted by.
     Key = tuple[float, int, Watch]
@@ -21,7 +22,7 @@ class Watches:
     count, at which the sides of all others were right. `count` is how many were ever set.
     """
 
-    __slots__ = ("all", "count", "free", "loose", "machine", "program", "seen")
+    __slots__ = ("all", "count", "crossed", "free", "loose", "machine", "program", "seen")
 
     def __init__(self) -> None:
         self.all: dict[Watch, None] = {}
@@ -32,6 +33,8 @@ class Watches:
         self.count = 0
         # From where to where the axis may go and pass none, nor meet a limit; None where that is not known.
         self.free: tuple[float, float] | None = None
+        # When the axis was last known to be exactly at a position, which, and on which profile.
+        self.crossed: tuple[float, float, Profile] | None = None
 
     def __iter__(self) -> Iterator[Watch]:
         return iter(self.all)

@@ -261,7 +261,7 @@ class FastAxis(Axis):
             or self.index in controller.braked
             or self.held
             or self.shape != "trapezoid"
-            or self.sequence is not None
+            or self.index in controller.homings
             or self.feedback is not None
             or self.followers
             or self.buffer_low >= 0

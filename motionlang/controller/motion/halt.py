@@ -93,14 +93,15 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
     for each in sharing if reason == BY_WORD else (a,):
         each.held |= reason
         if reason == BY_WORD:
-            each.held_with = tuple(dict.fromkeys((*each.held_with, *sharing)))
+            before = controller.suspended_with.get(each.index, ())
+            controller.suspended_with[each.index] = tuple(dict.fromkeys((*before, *sharing)))
     if not fresh or move is None:
         return
     try:
         held = move.action is not None and move.action.suspend(controller, a)
     except Refusal as refusal:
         if reason == BY_WORD:
-            release(a)
+            release(controller, a)
             raise
         controller.mishap(refusal)
         return
@@ -114,7 +115,7 @@ def resume(controller: Core, a: Axis, reason: int) -> None:
     if reason == BY_WORD:
         if not any(each.held & reason for each in sharing):
             return
-        freed = [other for each in sharing for other in release(each)]
+        freed = [other for each in sharing for other in release(controller, each)]
         for each in dict.fromkeys(freed):
             if each not in sharing and not each.suspended and each.move is None:
                 controller.start_next(each)

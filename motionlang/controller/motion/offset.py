@@ -39,7 +39,7 @@ def offset(
     Modes 2 and 3 spread it over `over` counts of the master.
     """
     tie = tie_of(a)
-    a.offset_status = 0
+    controller.offset_statuses[a.index] = 0
     if tie is None:
         controller.move_by(a.index, distance, command, line)
         return
@@ -85,45 +85,46 @@ def _limits(
     slower = base * distance < 0.0
     most = abs(base) if slower else a.max_speed - abs(base)
     if most <= 0.0:
-        a.offset_status |= MIN_SPEED if slower else MAX_SPEED
+        controller.offset_statuses[a.index] |= MIN_SPEED if slower else MAX_SPEED
         return None
     if mode == SPEED_LIMIT:
-        return _clipped(a, a.speed, most, slower), accel, decel
+        return _clipped(controller, a, a.speed, most, slower), accel, decel
     pace = abs(tie.master.velocity(controller.clock.now))
     if not pace or not over:
-        a.offset_status |= PROFILE_ERROR
+        controller.offset_statuses[a.index] |= PROFILE_ERROR
         return None
     time = abs(over) / pace
     if mode == ACCEL_MODE:
-        return _triangle(a, abs(distance), time, most, slower)
+        return _triangle(controller, a, abs(distance), time, most, slower)
     share = 0.5 / accel + 0.5 / decel
     root = time * time - 4.0 * share * abs(distance)
     if root < 0.0:
-        a.offset_status |= MAX_ACCEL | MAX_DECEL
+        controller.offset_statuses[a.index] |= MAX_ACCEL | MAX_DECEL
         return None
     speed = 2.0 * abs(distance) / (time + sqrt(root))
-    return _clipped(a, speed, most, slower), accel, decel
+    return _clipped(controller, a, speed, most, slower), accel, decel
 
 
 def _triangle(
-    a: Axis, distance: float, time: float, most: float, slower: bool
+    controller: Core, a: Axis, distance: float, time: float, most: float, slower: bool
 ) -> tuple[float, float, float] | None:
     """Half the time speeding up, half slowing down; where that is too fast a plateau at what is allowed."""
     peak = 2.0 * distance / time
-    speed = _clipped(a, peak, most, slower)
+    speed = _clipped(controller, a, peak, most, slower)
     ramp = time - distance / speed
     if ramp <= 0.0:
-        a.offset_status |= PROFILE_ERROR
+        controller.offset_statuses[a.index] |= PROFILE_ERROR
         return None
     rate = speed / ramp
     if rate > a.max_accel or rate > a.max_decel:
-        a.offset_status |= (MAX_ACCEL if rate > a.max_accel else 0) | (MAX_DECEL if rate > a.max_decel else 0)
+        too_steep = (MAX_ACCEL if rate > a.max_accel else 0) | (MAX_DECEL if rate > a.max_decel else 0)
+        controller.offset_statuses[a.index] |= too_steep
         return None
     return speed, rate, rate
 
 
-def _clipped(a: Axis, speed: float, most: float, slower: bool) -> float:
+def _clipped(controller: Core, a: Axis, speed: float, most: float, slower: bool) -> float:
     if speed < most:
         return speed
-    a.offset_status |= MIN_SPEED if slower else MAX_SPEED
+    controller.offset_statuses[a.index] |= MIN_SPEED if slower else MAX_SPEED
     return most

@@ -134,7 +134,7 @@ class PathRun:
         Whichever axis is stopped, the rates are the first one's: DECEL as the path has it, ERRORDECEL for a hard stop.
         """
         for each in self.axes:
-            release(each)
+            release(self._controller, each)
         self._controller.empty(a, ended)
         for course in self._live:
             course.is_stopping = True

@@ -158,12 +158,12 @@ class Together:
                 condition.look()
 
 
-def release(a: Axis) -> tuple[Axis, ...]:
+def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
     """Take the word off that suspends an axis, and off those that it has suspended with it; the axes concerned."""
-    freed = (a, *(each for each in a.held_with if each is not a))
+    freed = (a, *(each for each in controller.suspended_with.get(a.index, ()) if each is not a))
     for each in freed:
         each.held &= ~BY_WORD
-        each.held_with = ()
+        controller.suspended_with.pop(each.index, None)
     return freed
 
 

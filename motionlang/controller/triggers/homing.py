@@ -98,9 +98,8 @@ class Homing:
         self.before = 0.0
         self.state = "done"
         # Asked first whenever the axis comes to rest: others never see it at rest in between.
-        self._axis.sequence = self
-        controller.listeners.put_first(self._heard)
         controller.homings[axis] = self
+        controller.listeners.put_first(self._heard)
         self._allow_limit(False)
         if switch == INDEX:
             self._seek_index(direction, speed)
@@ -118,7 +117,6 @@ class Homing:
             return
         self._controller.listeners.remove(self._heard)
         self._controller.homings.pop(self.axis, None)
-        self._axis.sequence = None
         self._allow_limit(True)
         self._unwatch()
         if self._ended is not None:
@@ -202,7 +200,7 @@ class Homing:
 
     def _on_switch(self) -> bool:
         if self._switch == HOME:
-            return self._axis.home
+            return self._controller.is_on_home_switch(self.axis)
         return any(limit.active for limit in self._limits())
 
     def _allow_limit(self, allowed: bool) -> None:

@@ -39,7 +39,7 @@ def channel_of(axis: int, name: str) -> int:
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
     """Whether the input is on, in terms of logic; an input that nothing drives is off whatever its polarity."""
     a = board.controller.axes[axis.number]
-    if name == "home" and a.home:
+    if name == "home" and board.controller.is_on_home_switch(axis.number):
         return True
     bit = SWITCHES.get(name)
     if bit is not None and any(each.bit == bit and each.physical and each.passed for each in a.limits):

@@ -28,6 +28,8 @@ class Homes(Settings):
         self.found: dict[int, bool] = {}
         # Where the datum was found, as the axis counted until then.
         self._before: dict[int, float] = {}
+        # The rates of the axes that home at those of HOMEACCEL and HOMEDECEL.
+        self._own_rates: dict[int, dict[str, float | None]] = {}
 
     def setting(self, name: str, axis: int) -> float:
         """A setting, or what stands for it while it has not been written."""
@@ -87,10 +89,11 @@ class Homes(Settings):
     def _borrow(self, axis: int) -> None:
         """HOMEACCEL and HOMEDECEL stand in for ACCEL and DECEL for as long as the homing lasts."""
         accel, decel = (self._settings.get((name, axis)) for name in ("HOMEACCEL", "HOMEDECEL"))
-        self.controller.lend_rates(axis, accel, decel)
+        own = self.controller.lend_rates(axis, accel, decel)
+        self._own_rates[axis] = own | self._own_rates.get(axis, {})
 
     def _give_back(self, axis: int) -> None:
-        self.controller.return_rates(axis)
+        self.controller.return_rates(axis, self._own_rates.pop(axis))
 
     def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
         """Whether the machine has all that is looked for; says beforehand what it lacks."""

@@ -76,7 +76,7 @@ def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) 
     """What STOP changes of its axes beside their motion, of which the clock tells."""
     controller = environment.controller
     return [
-        (controller.room(axis), controller.is_suspended(axis), controller.axes[axis].sequence)
+        (controller.room(axis), controller.is_suspended(axis), controller.homings.get(axis))
         for axis in numbers
         if axis in controller.axes
     ]

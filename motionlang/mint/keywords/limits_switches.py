@@ -110,7 +110,7 @@ SWITCH_INPUT = Actions(read=reading(Switches), write=writing(Switches))
 _SWITCH = Actions(
     read=of_word(Switches, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
 )
-HOME_SWITCH = Actions(read=of(Environment, lambda e, axis: int(e.controller.axes[axis].home)))
+HOME_SWITCH = Actions(read=of(Environment, lambda e, axis: int(e.controller.is_on_home_switch(axis))))
 
 
 def _input(name: str, short: str, help: str) -> Keyword:

@@ -65,12 +65,12 @@ def test_travel_limits_stop_the_axis_and_show_on_their_inputs() -> None:
 
 def test_the_home_switch() -> None:
     c = machine(axis__0__home_switch=[-4.0, -3.0], axis__0__home_input=2, axis__0__start=-3.5)
-    assert c.axes[0].home
+    assert c.is_on_home_switch(0)
     c.move_to(0, 8.0)
     c.clock.advance(0.1)
-    assert c.axes[0].home
+    assert c.is_on_home_switch(0)
     c.clock.advance(5.0)
-    assert not c.axes[0].home
+    assert not c.is_on_home_switch(0)
     assert changes(c) == [(0.0, 2, 1), (0.25, 2, 0)]
 
 

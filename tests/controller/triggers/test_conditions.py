@@ -153,8 +153,7 @@ def _home(c: Controller) -> None:
 
 
 def _switch_home(c: Controller) -> None:
-    c.axes[0].home = True
-    c.tell("home", 0)
+    c.set_home_switch(0, True)
 
 
 def _speed(c: Controller, velocity: float) -> None:
