@@ -46,7 +46,6 @@ LAZY = {
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
     "planners/curve.py": "sequence",
-    "planners/formula.py": "sequence",
     # What few programs, or few commands, come to.
     "client/client.py": "virtual",
     "log/stream.py": "records",

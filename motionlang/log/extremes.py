@@ -8,16 +8,12 @@ from __future__ import annotations
 from math import ceil, inf, pi
 
 from motionlang.log.track import WholeTrack
-from motionlang.planners.curve import State
+from motionlang.planners.curve import State, state_in
 from motionlang.planners.formula import summit
 from motionlang.planners.pieces import (
-    acceleration_in,
     crest_points,
     even_points,
-    jerk_in,
-    position_in,
     still_points,
-    velocity_in,
 )
 from motionlang.record import record
 
@@ -120,15 +116,11 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, St
             turns: set[float] = set()
             for where in (still_points, even_points, crest_points, _flat_points):
                 turns.update(where(piece, span))
-            yield [(begin + x, _state(piece, x)) for x in (0.0, *sorted(turns), span)]
+            yield [(begin + x, state_in(piece, x)) for x in (0.0, *sorted(turns), span)]
         else:
             yield _searched(profile, begin, begin + span)
     if within < length:
         yield [(time, profile.at(time)) for time in (within, length)]
-
-
-def _state(piece: Piece, x: float) -> State:
-    return State(position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x))
 
 
 def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:

@@ -15,7 +15,8 @@ import numpy as np
 from motionlang.log.history import Reader
 from motionlang.log.track import WholeTrack
 from motionlang.log.trajectory_points import AT_ONCE, Points
-from motionlang.planners.sample import ORDERS, PieceTable, piece_values
+from motionlang.planners.evaluate import piece_values
+from motionlang.planners.sample import ORDERS, PieceTable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

@@ -164,10 +164,11 @@ class Profile:
             return State(self._beyond(time), self.end_velocity, 0.0, 0.0)
         if time < 0.0:
             return State(self.start, self.start_velocity, 0.0, 0.0)
-        piece, x = self._locate(time)
-        return State(
-            position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x)
-        )
+        return self.state(time)
+
+    def state(self, time: float) -> State:
+        """The state at a time from 0 up to the duration."""
+        return state_in(*self._locate(time))
 
     def position(self, time: float) -> float:
         """Position at `time`."""
@@ -281,7 +282,7 @@ class Profile:
 
     def then(self, other: Profile) -> Profile:
         """This profile followed by `other`, which must begin where this one ends."""
-        if not other.pieced:
+        if not (self.pieced and other.pieced):
             from motionlang.planners.sequence import chained
 
             return chained(self, other)
@@ -348,6 +349,11 @@ class Profile:
             for x in (0.0, *turns(piece, span), span):
                 peak = max(peak, abs(value(piece, x)))
         return peak
+
+
+def state_in(piece: Piece, x: float) -> State:
+    """The state at local time x of a piece."""
+    return State(position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x))
 
 
 def from_curve(

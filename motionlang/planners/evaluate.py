@@ -1,4 +1,4 @@
-"""Any profile at many times at once, as NumPy arrays: what `sample` does for pieces, for formulas too."""
+"""Any profile, or a column of pieces, at many times at once, as NumPy arrays."""
 
 from __future__ import annotations
 
@@ -93,14 +93,20 @@ def _inside(profile: Profile, times: Array, order: int) -> Array:
 def _pieces(profile: Profile, times: Array, order: int) -> Array:
     knots = np.array(profile.knots)
     which = np.clip(np.searchsorted(knots, times, "right") - 1, 0, len(profile.pieces) - 1)
-    x = times - knots[which]
-    c0, c1, c2, c3, amplitude, omega, phase = np.array(profile.pieces).T[:, which]
-    wave = amplitude * omega**order * np.sin(omega * x + phase + 0.5 * np.pi * order)
-    if order == 0:
-        return np.asarray(((c3 * x + c2) * x + c1) * x + c0 + wave)
-    if order == 1:
-        return np.asarray((3.0 * c3 * x + 2.0 * c2) * x + c1 + wave)
-    return np.asarray((6.0 * c3 * x + 2.0 * c2 if order == 2 else 6.0 * c3) + wave)
+    return piece_values(np.array(profile.pieces).T[:, which], times - knots[which], order)
+
+
+def piece_values(columns: Array, x: Array, order: int) -> Array:
+    """Derivative `order` of p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f), a column of `columns` an x."""
+    c0, c1, c2, c3, amplitude, omega, phase = columns
+    cubic = [
+        lambda: ((c3 * x + c2) * x + c1) * x + c0,
+        lambda: (3.0 * c3 * x + 2.0 * c2) * x + c1,
+        lambda: 6.0 * c3 * x + 2.0 * c2,
+        lambda: 6.0 * c3,
+    ][order]()
+    wave: Array = amplitude * omega**order * np.sin(omega * x + phase + order * np.pi / 2.0)
+    return np.asarray(cubic + wave, dtype=np.float64)
 
 
 def _composed(profile: Composed, times: Array, order: int) -> Array:

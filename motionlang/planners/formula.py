@@ -93,14 +93,6 @@ class Formula(Profile):
 
     # -- at a time
 
-    def at(self, time: float) -> State:
-        """The state at `time`; at rest before 0 and after the end, or running on at the end velocity."""
-        if time >= self.duration:
-            return State(self._beyond(time), self.end_velocity, 0.0, 0.0)
-        if time < 0.0:
-            return State(self.start, self.start_velocity, 0.0, 0.0)
-        return self.state(time)
-
     def position(self, time: float) -> float:
         """Position at `time`."""
         if time >= self.duration:
@@ -150,18 +142,6 @@ class Formula(Profile):
                 yield low, self.position(high) - self.position(low)
         if self.duration == inf:
             yield max(after, self.knots[-2]), self.end_velocity * inf if self.end_velocity else 0.0
-
-    # -- other profiles made from this one
-
-    def then(self, other: Profile) -> Profile:
-        """This profile followed by `other`, which must begin where this one ends."""
-        from motionlang.planners.sequence import chained
-
-        return chained(self, other)
-
-    def shifted(self, offset: float) -> Profile:
-        """The same motion `offset` further along."""
-        return self.scaled(self.start + offset, 1.0)
 
     # -- inside
 

@@ -124,15 +124,26 @@ def plan_jerk(
             return Profile("scurve", start, target, duration, recipe)
     if not abs(start) + abs(target) + abs(v0) + abs(a0) <= LARGEST:  # nor numbers at all
         check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
-    rates = accel, decel, accel_jerk, decel_jerk
+    return _in_motion(start, target, speed, (accel, decel, accel_jerk, decel_jerk), v0, a0)
+
+
+def _in_motion(
+    start: float,
+    target: float,
+    speed: float,
+    rates: tuple[float, float, float, float],
+    v0: float,
+    a0: float,
+) -> Profile:
+    """The plan where two ramps and a slew do not do; `rates` are the four rates of `plan_jerk`."""
     far_apart = max(rates) > _FAR_APART * min(rates)
     direct = None if far_apart or not (v0 or a0) else _directly(start, target, speed, rates, v0, a0)
     if direct is not None:
         return direct
+    ramps = jerk_ramps(*rates)
     if a0 == 0.0:
         # also where a move from rest with figures too large ends: `approach` says so
-        return approach(jerk_ramps(accel, decel, accel_jerk, decel_jerk), start, target, speed, v0)
-    ramps = jerk_ramps(accel, decel, accel_jerk, decel_jerk)
+        return approach(ramps, start, target, speed, v0)
 
     def straight(here: float, velocity: float) -> Profile:
         return plan_jerk(here, target, speed, *rates, velocity)
@@ -140,7 +151,7 @@ def plan_jerk(
     made = bent_approach(ramps, start, target, speed, v0, a0, straight)
     if made is not None and not (far_apart and _is_astray(made)):
         return made
-    eased = ease(start, v0, a0, accel_jerk if a0 * v0 >= 0.0 else decel_jerk)
+    eased = ease(start, v0, a0, rates[2] if a0 * v0 >= 0.0 else rates[3])
     made = eased.then(approach(ramps, eased.end, target, speed, eased.end_velocity))
     if _is_astray(made):
         raise too_large()

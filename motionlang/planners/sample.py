@@ -134,19 +134,6 @@ def _derivative(columns: Array, order: int) -> Array:
     return columns
 
 
-def piece_values(columns: Array, x: Array, order: int) -> Array:
-    """Derivative `order` of p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f), a column of `columns` an x."""
-    c0, c1, c2, c3, amplitude, omega, phase = columns
-    cubic = [
-        lambda: ((c3 * x + c2) * x + c1) * x + c0,
-        lambda: (3.0 * c3 * x + 2.0 * c2) * x + c1,
-        lambda: 6.0 * c3 * x + 2.0 * c2,
-        lambda: 6.0 * c3,
-    ][order]()
-    wave: Array = amplitude * omega**order * np.sin(omega * x + phase + order * np.pi / 2.0)
-    return np.asarray(cubic + wave, dtype=np.float64)
-
-
 def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Begin and end of every run of True."""
     padded = np.concatenate(([False], mask, [False]))

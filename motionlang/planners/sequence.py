@@ -10,7 +10,7 @@ from motionlang.planners.formula import Formula
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from motionlang.planners.curve import State
 
@@ -77,22 +77,21 @@ class Chain(Formula):
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """The first time >= `after` at which the profile is at `position`, or None if it never is."""
-        after = max(after, 0.0)
-        last = len(self.parts) - 1
-        for i in range(self._part(after), last + 1):
-            part, begin = self.parts[i], self.begins[i]
-            found = part.crossing(position, max(after - begin, 0.0))
-            if found is not None and (i == last or found <= part.duration):
-                return begin + found
-        return None
+        return self._first_in_parts(lambda part, low: part.crossing(position, low), after)
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
         """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
+        return self._first_in_parts(lambda part, low: part.velocity_crossing(velocity, low), after)
+
+    def _first_in_parts(
+        self, crossing: Callable[[Profile, float], float | None], after: float
+    ) -> float | None:
+        """The first time >= `after` that `crossing` finds in a part, before the next part begins."""
         after = max(after, 0.0)
         last = len(self.parts) - 1
         for i in range(self._part(after), last + 1):
             part, begin = self.parts[i], self.begins[i]
-            found = part.velocity_crossing(velocity, max(after - begin, 0.0))
+            found = crossing(part, max(after - begin, 0.0))
             if found is not None and (i == last or found <= part.duration):
                 return begin + found
         return None

@@ -49,7 +49,7 @@ class Sum(Formula):
         """The first `time` seconds, exactly as they were."""
         if time >= self.duration:
             return self
-        return Sum(_until(self.first, time), _until(self.second, time), self.shape)
+        return Sum(self.first.cut(time), self.second.cut(time), self.shape)
 
     def after(self, time: float) -> Profile:
         """What remains after `time` seconds, its clock starting at 0."""
@@ -122,11 +122,6 @@ def _later(profile: Profile, time: float) -> float:
         velocity = profile.end_velocity
         return velocity * inf if velocity else profile.end
     return profile.position(time)
-
-
-def _until(profile: Profile, time: float) -> Profile:
-    """The first `time` seconds also of a profile that is over before."""
-    return profile.cut(time)
 
 
 def _from(profile: Profile, time: float) -> Profile:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.planners.sample import ORDERS, piece_values
+from motionlang.planners.evaluate import piece_values
+from motionlang.planners.sample import ORDERS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,7 +7,8 @@ from bisect import bisect_right
 import numpy as np
 
 from motionlang.log.track import WholeTrack
-from motionlang.planners.sample import PieceTable, piece_values
+from motionlang.planners.evaluate import piece_values
+from motionlang.planners.sample import PieceTable
 from motionlang.record import record
 
 TYPE_CHECKING = False
