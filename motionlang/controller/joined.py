@@ -63,7 +63,7 @@ class Joined:
         count = 0 if older is None else older.count
         if step != 1 or older is None or not older.first <= first < min(past, count):
             return [self[i] for i in range(first, past, step)]
-        column, packed = self._column, older.rows(first, min(past, count))
+        column, packed = self._column, older.records(first, min(past, count))
         now = self._now()[: max(past - count, 0)]
         if not column:
             return [*(row[0] for row in packed), *now]

@@ -174,7 +174,7 @@ class Log:
             if len(a.starts) > 20 * kept:
                 self._pack_profiles(a, len(a.starts) - 10 * kept)
             if a.older is not None and self.moves:
-                a.older.forget(self.moves[self.moves.first].start_time)
+                a.older.forget_before(self.moves[self.moves.first].start_time)
 
     def keep_whole(self, axes: Iterable[Axis]) -> None:
         """Complete what was half packed as somebody ended the run."""
@@ -182,7 +182,7 @@ class Log:
             stream.keep_whole()
         for a in axes:
             if a.older is not None:
-                a.older.keep_whole(a)
+                a.older.complete(a)
                 a.older = a.older if a.older.count else None
 
     def _streams(self) -> tuple[Stream[Any], ...]:

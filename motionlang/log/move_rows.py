@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from operator import attrgetter
 
 from motionlang.controller.move import CONTINUED, Action, Move
 from motionlang.planners.packed import packed, unpacked
@@ -19,44 +20,9 @@ if TYPE_CHECKING:
 _OTHER = Action()
 # Velocities at both ends, which are all of a recipe that is none of ramps.
 _ENDS = 2
-
-
-def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
-    """The move that was packed as a row, on one of the axes."""
-    (
-        axis,
-        command,
-        line,
-        target,
-        asked,
-        start_time,
-        scale,
-        zero,
-        ended,
-        offset,
-        other,
-        overlaid,
-        profile,
-    ) = row
-    move = (_Overlaid if overlaid else Move)(axis, command, line, target)
-    move.start_time, move.scale, move.zero = start_time, scale, zero or 0.0
-    move.ended, move.offset = ended, offset or 0.0
-    move.asked = asked
-    if other:
-        move.action = _OTHER
-    if profile is not None:
-        of_track = isinstance(profile, int)
-        move.profile = _profile(axes[axis], profile) if of_track else unpacked(profile)
-    return move
-
-
-def sealed(move: Move, done: Profile) -> Move:
-    """What a move was until now, when it goes on as another entry."""
-    made = (_Overlaid if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
-    made.start_time, made.scale, made.zero, made.offset = move.start_time, move.scale, move.zero, move.offset
-    made.profile, made.ended, made.asked = done, CONTINUED, move.asked
-    made.action = None if move.action is None else _OTHER
-    return made
+# What a row begins with: the arguments that make a move, and figures of it.
+_made = attrgetter("axis", "command", "line", "target")
+_figures = attrgetter("asked", "start_time", "scale", "ended")
 
 
 class _Overlaid(Move):
@@ -66,25 +32,35 @@ class _Overlaid(Move):
 
 def row(move: Move, a: Axis | None) -> tuple[object, ...]:
     """A move as numbers; what is the whole of a profile in the track of `a` is told by that one's."""
-    place = None if a is None else _place(a, move)
-    profile: object = place
-    if place is None and move.profile is not None:
+    profile: object = None if a is None else _place(a, move)
+    if profile is None and move.profile is not None:
         profile = packed(move.profile)
-    return (
-        move.axis,
-        move.command,
-        move.line,
-        move.target,
-        move.asked,
-        move.start_time,
-        move.scale,
-        move.zero or None,
-        move.ended,
-        move.offset or None,
-        move.action is not None,
-        move.overlaid,
-        profile,
-    )
+    return _row(move, profile)
+
+
+def _row(move: Move, profile: object) -> tuple[object, ...]:
+    # Most are 0.0, of which None takes fewer bytes.
+    few = move.zero or None, move.offset or None, move.action is not None, move.overlaid
+    return *_made(move), *_figures(move), *few, profile
+
+
+def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
+    """The move that was packed as a row, on one of the axes."""
+    zero, offset, other, overlaid, profile = row[8:]
+    move = (_Overlaid if overlaid else Move)(*row[:4])
+    move.asked, move.start_time, move.scale, move.ended = row[4:8]
+    move.zero, move.offset = zero or 0.0, offset or 0.0
+    move.action = _OTHER if other else None
+    if profile is not None:
+        move.profile = _profile(axes[move.axis], profile) if isinstance(profile, int) else unpacked(profile)
+    return move
+
+
+def sealed(move: Move, done: Profile) -> Move:
+    """What a move was until now, when it goes on as another entry."""
+    made = move_of(_row(move, None), {})
+    made.profile, made.ended = done, CONTINUED
+    return made
 
 
 def _place(a: Axis, move: Move) -> int | None:

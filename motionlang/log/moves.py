@@ -45,11 +45,9 @@ class Moves(Stream[Move]):
 
     def show(self, row: Row, move: Move) -> None:
         """Somebody looks at a plain move: from now on it is the `Move` that he sees."""
-        tail = self.tail
-        for place in range(len(tail) - 1, -1, -1):
-            if tail[place] is row:  # type: ignore[comparison-overlap]
-                tail[place] = move
-                return
+        place = self._place(row)
+        if place >= 0:
+            self.tail[place] = move
 
     def has(self, row: Row) -> bool:
         """Whether a plain move that begins now is in the log."""
@@ -70,10 +68,9 @@ class Moves(Stream[Move]):
 
     def number(self, move: Move) -> int:
         """The number of the entry that a move under way has in the log."""
-        tail = self.tail
-        for place in range(len(tail) - 1, -1, -1):
-            if tail[place] is move:
-                return self.packed + place
+        place = self._place(move)
+        if place >= 0:
+            return self.packed + place
         return next(number for number, each in self._left_out.items() if each is move)
 
     def as_kept(self) -> Iterator[Move | Row]:
@@ -101,7 +98,11 @@ class Moves(Stream[Move]):
 
     def split(self, move: Move, done: Profile, now: float) -> None:
         """A move goes on as another entry: the one that it was keeps what it has done up to now."""
-        self._replace(move, record.move_rows.sealed(move, done))
+        sealed, place = record.move_rows.sealed(move, done), self._place(move)
+        if place >= 0:
+            self.tail[place] = sealed
+        else:
+            self._left_out[self.number(move)] = sealed
         move.start_time, move.offset = now, 0.0
         self.add(move)
         self._waiting += len(done.knots)
@@ -109,16 +110,13 @@ class Moves(Stream[Move]):
             self.pack(len(self) - self.packed)
             self._waiting = 0
 
-    def _replace(self, move: Move, other: Move) -> None:
+    def _place(self, record: Move | Row) -> int:
+        """Where a record is in the tail; -1 where it is not."""
         tail = self.tail
         for place in range(len(tail) - 1, -1, -1):
-            if tail[place] is move:
-                tail[place] = other
-                return
-        for number, each in self._left_out.items():
-            if each is move:
-                self._left_out[number] = other
-                return
+            if tail[place] is record:
+                return place
+        return -1
 
     def _rows(self, records: list[Move], first: int) -> list[Any]:
         live, tracks = self._live(), self.axes

@@ -20,8 +20,8 @@ Invariants.
 - Records are only appended, and packed ones never change. A record keeps its number when it is packed, and when older
   ones are dropped (`forget`); `first` is then the oldest that is left.
 - Packed records read the same as others, but an object is created again when its chunk is unpacked again.
-- An interrupt at any moment leaves the stream whole. `_total` is set while a chunk replaces records of the tail, and
-  `keep_whole` completes that step or drops the chunk.
+- An interrupt at any moment leaves the stream whole. `Parts.pack` sets `_total` while a chunk replaces records of the
+  tail, and `keep_whole` completes that step or drops the chunk.
 - The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes or cannot
   be written, the run ends with a diagnostic.
 
@@ -140,7 +140,7 @@ class Store:
 class Parts:
     """Records that are packed, a part of them at a time; `count` is the number of the record behind the last one."""
 
-    __slots__ = ("_cached", "_places", "_read", "_store", "count", "firsts")
+    __slots__ = ("_cached", "_places", "_read", "_store", "_total", "count", "firsts")
 
     def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
         """`read(rows, first)` makes records of packed rows, the first of which has that number."""
@@ -148,6 +148,7 @@ class Parts:
         self.firsts: list[int] = []
         self._places: list[Place] = []
         self.count = 0
+        self._total = 0  # of packed records and those of a tail, while a part takes the place of some
         self._cached: tuple[int, list[Any]] = (-1, [])
 
     def __len__(self) -> int:
@@ -158,21 +159,26 @@ class Parts:
         """The number of the oldest record that is kept."""
         return self.firsts[0] if self.firsts else self.count
 
-    def pack(self, rows: list[Any]) -> Place:
-        """Pack a part, which is not one of these yet; Refusal where there is no room for it."""
-        return self._store.put(dumps(rows))
-
-    def append(self, place: Place, count: int) -> None:
-        """Take a packed part of so many records."""
+    def pack(self, rows: list[Any], *tails: list[Any]) -> None:
+        """Pack a part, in place of the oldest records of each tail; Refusal where there is no room for it."""
+        place, count = self._store.put(dumps(rows)), len(rows)
+        self._total = self.count + len(tails[0])
         self._places.append(place)
         self.firsts.append(self.count)
         self.count += count
+        for tail in tails:
+            del tail[:count]
+        self._total = 0
 
-    def keep_whole(self) -> None:
-        """Forget a part that is not counted, as somebody ended the run at that moment."""
+    def keep_whole(self, *tails: list[Any]) -> None:
+        """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
         while self.firsts and self.firsts[-1] >= self.count:
             del self.firsts[-1]
         del self._places[len(self.firsts) :]
+        if self._total:
+            for tail in tails:
+                del tail[: self.count + len(tail) - self._total]
+            self._total = 0
 
     def part(self, number: int) -> list[Any]:
         """The records of a part."""
@@ -213,11 +219,10 @@ class Stream(_Of[T]):
     where one is given. A subclass that keeps something else says how that is packed.
     """
 
-    __slots__ = ("_kind", "_parts", "_total", "append", "tail")
+    __slots__ = ("_kind", "_parts", "append", "tail")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
-        self._total = 0  # how many records there are, while a packed part takes the place of some
         self._parts = Parts(store, self._records)
         # The newest, which are not packed.
         self.tail: list[T] = []
@@ -300,19 +305,12 @@ class Stream(_Of[T]):
         """Pack the oldest records of the tail, so many of them."""
         while count > 0:
             part = self.tail[: min(PART, count)]
-            place = self._parts.pack(self._rows(part, self._parts.count))
-            self._total = len(self)
-            self._parts.append(place, len(part))
-            del self.tail[: len(part)]
-            self._total = 0
+            self._parts.pack(self._rows(part, self._parts.count), self.tail)
             count -= len(part)
 
     def keep_whole(self) -> None:
         """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
-        self._parts.keep_whole()
-        if self._total:
-            del self.tail[: len(self) - self._total]
-            self._total = 0
+        self._parts.keep_whole(self.tail)
 
     # ------------------------------------------------------------------------------- what a subclass says
 

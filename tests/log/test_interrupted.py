@@ -43,17 +43,17 @@ MCCL = "1MN,2MN,1SV5000,1SA50000,1DS50000\n1MR500,WA0.05,2MR300,1WS,2WS\n1VM,1GO
 # Where it is ended: anywhere, and where a move comes into the log and onto its track.
 PLACES = {
     "anywhere": ("/motionlang/controller/", "/motionlang/lang/"),
-    "log": ("/controller/core.py", "/log/orders.py", "/log/log.py"),
+    "log": ("/controller/core.py", "/motionlang/log/orders.py", "/motionlang/log/log.py"),
 }
 
 
 # What writes plain moves on a track and into the log, and what packs it.
 STEPS = {
-    "/fast/moves.py": {"start_loaded", "arrive", "_write", "_go_on_writing", "written"},
-    "/log/log.py": {"make_room", "pack"},
-    "/log/stream.py": {"append", "pack"},
-    "/log/moves.py": {"pack", "show"},
-    "/log/older_profiles.py": {"take_from"},
+    "/motionlang/fast/moves.py": {"start_loaded", "arrive", "_write", "_go_on_writing", "written"},
+    "/motionlang/log/log.py": {"make_room", "pack"},
+    "/motionlang/log/stream.py": {"pack"},
+    "/motionlang/log/moves.py": {"pack", "show"},
+    "/motionlang/log/older_profiles.py": {"take_from"},
 }
 # Moves that are looked at, one under way and one that is over, and others that nobody looks at until they are packed.
 PLAIN = """Dim i As Integer
