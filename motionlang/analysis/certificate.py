@@ -44,8 +44,6 @@ class Limit:
     below 0 where it was passed; of a position it is in user units.
     """
 
-    __slots__ = ("axis", "limit", "line", "margin", "name", "reached", "time", "unit")
-
     def __init__(
         self, axis: int, name: str, unit: str, limit: float, found: Extreme | None, line: int
     ) -> None:

@@ -49,8 +49,6 @@ class Verdict:
 class Answers:
     """What was read: `verdicts` in the order of the readings, and `problems` with what was shown."""
 
-    __slots__ = ("language", "problems", "verdicts")
-
     def __init__(self) -> None:
         self.language = ""
         self.verdicts: list[Verdict] = []

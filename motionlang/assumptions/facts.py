@@ -28,8 +28,6 @@ FACTS = ("meaning", "short", "index", "unit", "default", "range")
 class Evidence:
     """What a fact rests on: its strength, one of `STRENGTHS`, and the source, "" where there is none."""
 
-    __slots__ = ("source", "strength")
-
     def __init__(self, strength: str, source: str = "") -> None:
         assert strength in STRENGTHS, strength
         self.strength, self.source = strength, source

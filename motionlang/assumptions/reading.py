@@ -28,22 +28,6 @@ class Probe:
     a machine file that gives it to the virtual controller.
     """
 
-    __slots__ = (
-        "after",
-        "alone",
-        "answers",
-        "ask",
-        "before",
-        "behind",
-        "error",
-        "form",
-        "language",
-        "machine",
-        "motion",
-        "needs",
-        "scale",
-    )
-
     def __init__(
         self,
         language: str,
@@ -80,19 +64,6 @@ class Reading:
     it is no value that could be set. What is `own` is this program's own matter, such as the form of a report: no
     controller has another answer.
     """
-
-    __slots__ = (
-        "alternatives",
-        "chosen",
-        "key",
-        "name",
-        "own",
-        "probe",
-        "question",
-        "strength",
-        "why",
-        "words",
-    )
 
     def __init__(
         self,

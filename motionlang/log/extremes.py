@@ -40,8 +40,6 @@ class Extreme:
 class Extremes:
     """Those of one axis: `lowest` and `highest` position, and the magnitudes of the derivatives."""
 
-    __slots__ = ("acceleration", "highest", "jerk", "lowest", "speed")
-
     def __init__(self, position: float) -> None:
         self.lowest, self.highest = Extreme(position, 0.0), Extreme(position, 0.0)
         self.speed, self.acceleration, self.jerk = (Extreme(0.0, 0.0) for _ in range(3))

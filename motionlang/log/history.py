@@ -58,19 +58,6 @@ class MoveFigures:
     It settles when its error comes within a window for good, or until the next move begins.
     """
 
-    __slots__ = (
-        "_count",
-        "_outside",
-        "_period",
-        "_seen",
-        "_squares",
-        "begin",
-        "end",
-        "peak_error",
-        "peak_output",
-        "until",
-    )
-
     def __init__(self, begin: float, end: float, until: float) -> None:
         self.begin, self.end, self.until = begin, end, until
         self.peak_error = self.peak_output = 0.0
@@ -156,8 +143,6 @@ def window_of(feedback: Feedback) -> float:
 class Figures:
     """What motors made of the moves in a log, by their numbers there: four doubles a move."""
 
-    __slots__ = ("_place", "_values")
-
     def __init__(self, moves: int) -> None:
         # Which of the figures are a move's, counted from 1, and one after the other what they are.
         self._place = array("i", bytes(4 * moves))
@@ -202,8 +187,6 @@ def figures(controller: Controller) -> Figures:
 
 class _Done:
     """The moves of one axis: numbers in the log, when each began, and for how long it was planned."""
-
-    __slots__ = ("_begins", "_durations", "_numbers")
 
     def __init__(self) -> None:
         self._numbers, self._begins, self._durations = array("q"), array("d"), array("d")

@@ -54,29 +54,6 @@ class Log:
     `track.py` reads them as one.
     """
 
-    __slots__ = (
-        "_looked",
-        "analogue_inputs",
-        "analogue_outputs",
-        "clamped",
-        "dropped",
-        "events",
-        "hurried",
-        "inputs",
-        "loops",
-        "moves",
-        "older",
-        "others",
-        "outputs",
-        "prints",
-        "room",
-        "settings",
-        "store",
-        "turns",
-        "waits",
-        "where",
-    )
-
     # `__getattr__` makes these: a program that moves nothing imports none of what they consist of.
     moves: Moves
     dropped: Moves

@@ -110,8 +110,6 @@ def quantity_of(column: str) -> tuple[str, str]:
 class Trace:
     """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
 
-    __slots__ = ("_chosen", "_readers", "_tables", "controller", "end")
-
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
         self._tables: dict[int, PieceTable] = {}
@@ -286,8 +284,6 @@ class Commanded(Trace):
 
     Velocity, acceleration and jerk are the differences of the points over one, two and three cycles.
     """
-
-    __slots__ = ("_points", "trajectory_rate")
 
     def __init__(self, controller: Controller, trajectory_rate: float = 1000.0) -> None:
         super().__init__(controller)

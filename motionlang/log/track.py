@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 class WholeTrack:
     """An axis as the log has it: `starts[i]` is when `profiles[i]` began, from power-up on."""
 
-    __slots__ = ("_a", "index", "profiles", "starts")
-
     def __init__(self, a: Axis) -> None:
         self._a, self.index = a, a.index
         older = a.older

@@ -33,8 +33,6 @@ class Points:
     The point at the end of a cycle is made as the cycle begins, by the profile that is in force then.
     """
 
-    __slots__ = ("_begins", "_first", "_offsets", "_period", "_profiles", "_starts")
-
     def __init__(self, axis: Axis, period: float) -> None:
         track = WholeTrack(axis)
         self._profiles, self._period = track.profiles, period

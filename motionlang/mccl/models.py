@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +19,7 @@ _CONTOURS, _TASKS, _SCALES, _OUTPUT_CONTROL = "contours", "tasks", "scales", "ou
 _BASIC = ("profiles", "deceleration", "rates", "feed-forward", _OUTPUT_CONTROL)
 
 
+@record
 class Model:
     """One board.
 
@@ -28,48 +30,21 @@ class Model:
     `stepper` velocity, acceleration and minimum velocity of a stepper at power-up.
     """
 
-    __slots__ = (
-        "at_target",
-        "echo",
-        "lacks",
-        "line_end",
-        "macros",
-        "name",
-        "outputs",
-        "prompt",
-        "registers",
-        "rounds",
-        "stepper",
-        "title",
-        "update",
-        "whole_gains",
-        "words",
-    )
-
-    def __init__(
-        self,
-        name: str,
-        title: str,
-        *,
-        prompt: str = ">",
-        echo: bool = True,
-        line_end: str = "\n",
-        rounds: bool = True,
-        lacks: tuple[str, ...] = (),
-        macros: int = 1000,
-        registers: int = 256,
-        words: bool = True,
-        at_target: bool = True,
-        outputs: range = range(9, 17),
-        whole_gains: bool = False,
-        update: float = 0.00025,
-        stepper: tuple[float, float, float] = (40_000.0, 100_000.0, 0.0),
-    ) -> None:
-        self.name, self.title, self.prompt, self.echo, self.line_end = name, title, prompt, echo, line_end
-        self.rounds, self.lacks = rounds, frozenset(lacks)
-        self.macros, self.registers, self.words = macros, registers, words
-        self.whole_gains, self.update = whole_gains, update
-        self.at_target, self.outputs, self.stepper = at_target, outputs, stepper
+    name: str
+    title: str
+    prompt: str = ">"
+    echo: bool = True
+    line_end: str = "\n"
+    rounds: bool = True
+    lacks: tuple[str, ...] = ()
+    macros: int = 1000
+    registers: int = 256
+    words: bool = True
+    at_target: bool = True
+    outputs: range = range(9, 17)
+    whole_gains: bool = False
+    update: float = 0.00025
+    stepper: tuple[float, float, float] = (40_000.0, 100_000.0, 0.0)
 
     @property
     def separate_decel(self) -> bool:

@@ -34,8 +34,6 @@ class MintProgram(Program):
     Not so those of `given`: their values are bound when the program starts. It says which are texts.
     """
 
-    __slots__ = ("_others", "_outline", "_warnings", "code", "given", "name", "settings", "text")
-
     def __init__(
         self,
         code: Code,

@@ -9,8 +9,6 @@ from itertools import pairwise
 class Leadscrew:
     """Positions `actual` of the nut where it should be at `start`, `start + step`, …; linear between."""
 
-    __slots__ = ("actual", "start", "step")
-
     def __init__(self, start: float, step: float, actual: list[float]) -> None:
         if not step > 0.0:
             raise ValueError("the increment of a precision table must be above zero")

@@ -56,8 +56,6 @@ class PieceTable:
     Formulas are there as cubics to draw; they are sampled as what they are.
     """
 
-    __slots__ = ("_formulas", "begins", "columns", "origins")
-
     def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
         origins, columns = piece_columns(starts, profiles)
         if profiles:

@@ -91,8 +91,6 @@ class Strip:
     A long run has tens of thousands of stretches, and a few strips.
     """
 
-    __slots__ = ("axes", "begins", "ends", "phases", "place", "task", "waited")
-
     def __init__(
         self, place: Place, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
     ) -> None:

@@ -53,8 +53,6 @@ class _Loop:
     `acts` says when it started motion, or waited for anything but time.
     """
 
-    __slots__ = ("acts", "at", "callers", "inner", "items", "since", "until")
-
     def __init__(self, row: Row) -> None:
         _, self.at, self.since, self.until, self.callers = row
         self.items: list[Wait] = []

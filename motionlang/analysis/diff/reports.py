@@ -65,9 +65,6 @@ class Difference:
     which moves were put in or taken out together; `printed`, `happened` and `told` the same of prints, events, errors.
     """
 
-    __slots__ = ("errors", "events", "fields", "gone", "happened", "hunks", "later", "lines", "moved", "moves", "new",
-                 "pairs", "printed", "prints", "status", "tail", "time", "told")  # fmt: skip
-
     def __init__(self) -> None:
         self.time: tuple[float, float] | None = None
         self.status: tuple[str, str] | None = None

@@ -25,8 +25,6 @@ NEAR = 1e-9
 class Timeline:
     """Moves of an old and a new run, given in the order in which they are aligned."""
 
-    __slots__ = ("_ends", "_lasts", "_made", "_number")
-
     def __init__(self) -> None:
         self._ends: tuple[list[End], list[End]] = ([], [])
         self._lasts = [_BEGIN, _BEGIN]

@@ -25,8 +25,6 @@ FIELDS = {
 class Tolerance:
     """Tubes by what they are about: so much, or such a part of the figure."""
 
-    __slots__ = ("_parts", "_sizes")
-
     def __init__(self, *texts: str) -> None:
         """From texts such as "time=1ms", "position=0.01uu", "speed=2%"; ValueError for any other."""
         self._sizes: dict[str, float] = {}

@@ -58,8 +58,6 @@ class Sweep:
     `space` has the variants, `job` what they have in common.
     """
 
-    __slots__ = ("job", "space")
-
     def __init__(
         self,
         program: str | os.PathLike[str] | Source,

@@ -42,9 +42,6 @@ _TEXTS, _COUNTS = ("machines", "scenarios", "minimise", "maximise", "where", "pa
 class Description:
     """The wishes by the keys of the file, as far as they are said."""
 
-    __slots__ = ("certify", "dimensions", "keep", "latin", "machines", "maximise", "minimise", "pareto", "prove",
-                 "random", "scenarios", "seed", "until", "where")  # fmt: skip
-
     def __init__(self) -> None:
         self.dimensions: list[Dimension] = []
         self.keep: list[str] = []

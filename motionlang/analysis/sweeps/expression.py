@@ -37,8 +37,6 @@ _MOST_NODES, _MOST_POWER = 500, 100.0
 class Expression:
     """An expression over names such as `time`, `accel` and `axis.0.plant.inertia`; ValueError where it is none."""
 
-    __slots__ = ("_places", "_tree", "names", "text")
-
     def __init__(self, text: str) -> None:
         self.text = text
         # Names with dots are none of Python's: each gets one that is.

@@ -40,21 +40,6 @@ class Job:
     `worlds` has the settings of whole machine files by the names of variants: `{"machine": {"old": …}}`.
     """
 
-    __slots__ = (
-        "_digest",
-        "certify",
-        "dialect",
-        "keep",
-        "name",
-        "names",
-        "overrides",
-        "prove",
-        "settings",
-        "text",
-        "until",
-        "worlds",
-    )
-
     def __init__(
         self,
         source: Source,
@@ -75,18 +60,11 @@ class Job:
         self.until, self.prove, self.certify = until, prove or certify, certify
         self._digest = ""
 
-    def __getstate__(self) -> dict[str, Any]:
-        return {name: getattr(self, name) for name in Job.__slots__}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        for name, value in state.items():
-            setattr(self, name, value)
-
     @property
     def digest(self) -> str:
         """The same for the same sweep, whoever computes it, but for its variants."""
         if not self._digest:
-            parts = [repr(getattr(self, name)) for name in Job.__slots__ if name != "_digest"]
+            parts = [repr(value) for name, value in sorted(vars(self).items()) if name != "_digest"]
             self._digest = sha256("\n".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
         return self._digest
 
@@ -109,8 +87,6 @@ class Job:
 
 class Worker:
     """A job in one process, with its programs compiled."""
-
-    __slots__ = ("_dialect", "_programs", "_readers", "job", "source")
 
     def __init__(self, job: Job) -> None:
         self.job, self.source = job, Source(job.name, job.text)

@@ -23,8 +23,6 @@ class OtherSweep(Exception):
 class Journal:
     """Rows are in the file as soon as `add` has them; the file goes when all are there, by `remove`."""
 
-    __slots__ = ("_file", "path")
-
     def __init__(self, path: str, digest: str, *, resume: bool) -> None:
         """Begin it anew, or with `resume` go on with what `read` has found. OSError where it cannot be written."""
         self.path = path

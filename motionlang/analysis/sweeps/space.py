@@ -25,8 +25,6 @@ class Dimension:
     `count` is None where the text of a range does not say it; then it can only be drawn from.
     """
 
-    __slots__ = ("count", "first", "last", "name", "values")
-
     def __init__(
         self,
         name: str,
@@ -111,8 +109,6 @@ def read_value(text: str) -> Value:
 class Space:
     """The variants of a sweep by their numbers: the values of its `names`, made when they are asked for."""
 
-    __slots__ = ("names",)
-
     def __init__(self, names: Iterable[str]) -> None:
         self.names = tuple(names)
         twice = [name for n, name in enumerate(self.names) if name in self.names[:n]]
@@ -128,8 +124,6 @@ class Space:
 
 class Grid(Space):
     """Every combination of the values; the last name changes fastest."""
-
-    __slots__ = ("_count", "dimensions")
 
     def __init__(self, dimensions: Sequence[Dimension]) -> None:
         super().__init__(each.name for each in dimensions)
@@ -161,8 +155,6 @@ class Drawn(Space):
     In a Latin hypercube each of `count` equal parts of each dimension has one point, so that few of them cover it well.
     """
 
-    __slots__ = ("_count", "_orders", "_seed", "dimensions")
-
     def __init__(self, dimensions: Sequence[Dimension], count: int, seed: int, latin: bool) -> None:
         super().__init__(each.name for each in dimensions)
         if not 1 <= count <= MOST_VARIANTS:
@@ -189,8 +181,6 @@ class Drawn(Space):
 
 class Points(Space):
     """A list of points, each with a value for every name."""
-
-    __slots__ = ("_points",)
 
     def __init__(self, points: Iterable[Mapping[str, Value]]) -> None:
         self._points = list(points)

@@ -26,8 +26,6 @@ def nearest_whole(value: float) -> float:
 class Units:
     """The user units that an axis has been given; they are in force from the next MN."""
 
-    __slots__ = ("constant", "counts", "offset", "rate", "zero")
-
     def __init__(self) -> None:
         self.counts = self.rate = self.constant = 1.0
         self.offset = self.zero = 0.0
@@ -35,8 +33,6 @@ class Units:
 
 class JogSettings:
     """How an axis follows its joystick: rates in counts and seconds, voltages in volts."""
-
-    __slots__ = ("accel", "deadband", "gain", "minimum", "offset")
 
     def __init__(self) -> None:
         self.accel, self.gain = 100_000.0, 1000.0
@@ -46,16 +42,12 @@ class JogSettings:
 class VectorSettings:
     """Velocity, acceleration, deceleration along contour paths, counts and seconds; `override` multiplies the first."""
 
-    __slots__ = ("accel", "decel", "override", "velocity")
-
     def __init__(self) -> None:
         self.velocity, self.accel, self.decel, self.override = 40_000.0, 100_000.0, 100_000.0, 1.0
 
 
 class Writers(dict[str, "Writer"]):
     """What writes the settings of an axis of the controller, counts and seconds, made when one is first written."""
-
-    __slots__ = ("_controller", "_number")
 
     def __init__(self, controller: Controller, number: int) -> None:
         self._controller, self._number = controller, number

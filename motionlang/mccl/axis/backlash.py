@@ -12,8 +12,6 @@ if TYPE_CHECKING:
 class Backlash:
     """The play of one axis from the moment of BN, in the middle of it; positions of the controller are the load's."""
 
-    __slots__ = ("_clock", "_takeup")
-
     def __init__(self, controller: Controller, number: int, half: float) -> None:
         self._clock = controller.clock
         self._takeup = Takeup(controller.axes[number], self._clock.now)

@@ -50,8 +50,6 @@ _FAULT_BITS = {
 class Limits:
     """The four limits of one axis, and its amplifier-fault input."""
 
-    __slots__ = ("_amplifier", "_axis", "_board", "_hard", "_soft")
-
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis
         self._hard = {HARD_PLUS: self._switch(1, LIMIT_FORWARD), HARD_MINUS: self._switch(-1, LIMIT_REVERSE)}
@@ -136,8 +134,6 @@ class Limits:
 
 class Inputs:
     """Has the limits of every axis look at a channel of theirs that has changed."""
-
-    __slots__ = ("_board", "_names")
 
     def __init__(self, board: Board) -> None:
         self._board = board

@@ -141,8 +141,6 @@ class Console:
 class _Gate(Task):
     """The scheduler's parent task: it ends a run when its condition holds, and otherwise does nothing."""
 
-    __slots__ = ("_console",)
-
     def __init__(self, console: Console) -> None:
         super().__init__("console")
         self._console = console

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 class Download(FileTask):
     """Done with the last line. `complain` is told of every command that was refused, with its place in the file."""
 
-    __slots__ = ("_complain", "_source")
-
     def __init__(self, source: Source, board: Board, write: Write, complain: Complain) -> None:
         others = list(board.tasks)
         super().__init__(MacroFile(source), board)

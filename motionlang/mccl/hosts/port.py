@@ -202,18 +202,6 @@ class Port:
 class PortTask(CommandTask):
     """Carries out the lines of one port; between them it waits for the next."""
 
-    __slots__ = (
-        "_answered",
-        "_fault",
-        "_granted",
-        "_holds",
-        "_line",
-        "_port",
-        "occupied",
-        "paused",
-        "stepping",
-    )
-
     def __init__(self, board: Board, port: Port) -> None:
         super().__init__("port", board)
         self._port = port

@@ -30,8 +30,6 @@ _ELSEWHERE = frozenset(
 class _Axis:
     """What the file has made of an axis so far."""
 
-    __slots__ = ("running", "shape", "velocity_mode")
-
     def __init__(self) -> None:
         self.velocity_mode = self.running = False
         self.shape = ""

@@ -34,8 +34,6 @@ class Vector(Guide):
     `length` is what the vector velocity counts, in user units.
     """
 
-    __slots__ = ("accel", "contour", "decel", "is_arc", "length", "ramp", "shape", "speed")
-
     def __init__(
         self, contour: Contour, scales: Sequence[float], pace: Pace, length: float, is_arc: bool
     ) -> None:
@@ -71,18 +69,6 @@ class Contour:
 
     What can be run as one is handed to the controller, whose buffers hold it; the rest waits here until that is done.
     """
-
-    __slots__ = (
-        "_axis",
-        "_board",
-        "_ends",
-        "_handed",
-        "_members",
-        "_queue",
-        "_stopping",
-        "_under_way",
-        "override",
-    )
 
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis

@@ -25,8 +25,6 @@ _ON = 1e-6
 class Seek:
     """One search on one axis. `caught` is the position, in counts, once it is there; `value` what it shall become."""
 
-    __slots__ = ("_axis", "_board", "_watches", "caught", "kind", "value")
-
     def __init__(self, board: Board, axis: AxisState, kind: str, value: float) -> None:
         self._board, self._axis, self.kind, self.value = board, axis, kind, value
         self.caught: float | None = None

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 class Joysticks:
     """Every axis's joystick is the analogue input of the axis's own number."""
 
-    __slots__ = ("_board", "_lines")
-
     def __init__(self, board: Board) -> None:
         self._board = board
         self._lines: dict[int, int] = {}

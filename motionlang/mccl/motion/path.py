@@ -47,20 +47,6 @@ DESCRIBES = frozenset(
 class Path:
     """What is known so far, by axis number: `targets` in counts, all else in user units and degrees."""
 
-    __slots__ = (
-        "_axis",
-        "_contour",
-        "_kind",
-        "_line",
-        "_word",
-        "center",
-        "distance",
-        "end_angle",
-        "radius",
-        "sweep",
-        "targets",
-    )
-
     def __init__(self, axis: AxisState, contour: Contour, kind: int, word: str, line: int) -> None:
         self._axis, self._contour, self._kind, self._word, self._line = axis, contour, kind, word, line
         self.targets: dict[int, float] = {}

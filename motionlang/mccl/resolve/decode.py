@@ -79,8 +79,6 @@ class _Wrong:
 class Commands(dict[str, Command]):
     """From the text of a command to what it is; a wrong one is a command that raises its fault when it runs."""
 
-    __slots__ = ()
-
     def __missing__(self, text: str) -> Command:
         if len(self) >= _MEMO_SIZE:
             self.clear()

@@ -71,8 +71,6 @@ def too_long(length: int) -> Fault:
 class Lines(dict[str, "tuple[Command, ...]"]):
     """From the text of a line to its commands, remembered: hosts ask the same all day. Fault when it is too long."""
 
-    __slots__ = ()
-
     def __missing__(self, text: str) -> tuple[Command, ...]:
         if len(text) > LONGEST:
             sent = without_comment(text)

@@ -35,8 +35,6 @@ AXIS, ENCODER, AUX_ENCODER = 0, 1, 2
 class Source:
     """What a box looks at: a track, and how the positions of the program become its counts."""
 
-    __slots__ = ("per_unit", "period", "physical", "track", "zero")
-
     def __init__(
         self, track: Axis, zero: float, per_unit: float, wrap: float, physical: bool = False
     ) -> None:

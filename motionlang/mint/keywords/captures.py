@@ -48,8 +48,6 @@ class Channel:
 class Trigger:
     """When a capture that waits begins to record."""
 
-    __slots__ = ("absolute", "channel", "mode", "source", "value")
-
     def __init__(self) -> None:
         self.mode, self.source, self.channel, self.value, self.absolute = NEVER, quantities.OFF, 0, 0.0, 0
 

@@ -26,8 +26,6 @@ COUNTS = 4096.0
 class Hold:
     """One axis that holds an input: what is wanted, percent, and what its law remembers."""
 
-    __slots__ = ("axis", "before", "filtered", "holds", "total", "track", "wanted")
-
     track: Track
 
     def __init__(self, holds: Holds, axis: int, wanted: float) -> None:

@@ -34,8 +34,6 @@ _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infini
 class Server:
     """One server: its registers from `first` to `last`, what they hold, and when it answers."""
 
-    __slots__ = ("begin", "end", "first", "last", "words", "written")
-
     def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = _INFINITY) -> None:
         self.first, self.last, self.begin, self.end = first, last, begin, end
         self.words: dict[int, int] = {}

@@ -78,8 +78,6 @@ NONE = -1
 class Brake:
     """The brake of one motor, a spring that its output lifts; one that is set by hand lets no move begin."""
 
-    __slots__ = ("_controller", "_due", "axis", "delays", "engaged", "mode", "output")
-
     def __init__(self, environment: Environment, axis: int) -> None:
         self._controller, self.axis = environment.controller, axis
         self.mode, self.output = BY_HAND, NONE

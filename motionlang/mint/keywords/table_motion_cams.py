@@ -50,8 +50,6 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
 class Phase:
     """CAMPHASE: `delta` of the master more, or less, over some segments, in one cycle."""
 
-    __slots__ = ("cycle", "delta", "first", "last")
-
     def __init__(self, first: int, last: int, delta: float) -> None:
         self.first, self.last, self.delta = first, last, delta
         self.cycle = 0  # the one in which it is done; 0 while it waits

@@ -32,8 +32,6 @@ class Type:
 class Record:
     """A user type: its members in order, each with its type and its dimensions."""
 
-    __slots__ = ("members", "name")
-
     def __init__(self, name: str) -> None:
         self.name = name
         self.members: dict[str, tuple[int, Type, tuple[int, ...]]] = {}
@@ -46,24 +44,6 @@ class Symbol:
     ByRef parameter somewhere and therefore lives in a list of one element; a ByRef parameter itself is `by_ref`.
     `declared` is False for a variable that exists because something is assigned to it.
     """
-
-    __slots__ = (
-        "at",
-        "boxed",
-        "by_ref",
-        "const",
-        "declared",
-        "dimensions",
-        "given",
-        "home",
-        "kind",
-        "name",
-        "node",
-        "python",
-        "shared",
-        "type",
-        "uses",
-    )
 
     def __init__(self, name: str, kind: str, type: Type, python: str, at: int, home: Function) -> None:
         self.name, self.kind, self.type, self.python, self.at, self.home = name, kind, type, python, at, home
@@ -130,27 +110,6 @@ class Function:
     `plain`: it cannot wait and takes no note of time, so it is an ordinary function and not a generator. `counted`: it
     is given its room on the stack, as the calls of its program may nest more deeply than that allows.
     """
-
-    __slots__ = (
-        "_graph",
-        "at",
-        "body",
-        "calls",
-        "counted",
-        "exits",
-        "gosubs",
-        "jumps",
-        "kind",
-        "loops",
-        "name",
-        "node",
-        "observes",
-        "parameters",
-        "plain",
-        "python",
-        "result",
-        "scope",
-    )
 
     def __init__(
         self, kind: str, name: str, python: str, body: list[nodes.Stmt], outer: Scope | None

@@ -64,8 +64,6 @@ def _finite(whole: int) -> float:
 class Numbers(dict[str, float]):
     """From the text of a literal to its value, which must be finite; a text is looked at once."""
 
-    __slots__ = ()
-
     def __missing__(self, text: str) -> float:
         value = number(text)
         if value == INFINITE:

@@ -77,8 +77,6 @@ class Survey:
     Long, and apart from `walk`, because every node of every program comes through here.
     """
 
-    __slots__ = ("assigned", "names", "statements", "targets")
-
     def __init__(self, body: Iterable[object]) -> None:
         self.names: dict[str, list[Name]] = {}
         self.targets: list[nodes.Expr] = []
