@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from motionlang.assumptions.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
 from motionlang.assumptions.questions import questions
-from motionlang.assumptions.reading import REFUSED
+from motionlang.assumptions.reading import REFUSED, Probe, Reading
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from motionlang.assumptions.reading import Probe, Reading
 
 NUMBER = r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 _ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x09\x0b\x0c\x0e-\x1f\x7f]")

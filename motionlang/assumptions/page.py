@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 from motionlang.assumptions.entries import Chapter, Section, chapters
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.assumptions.reading import Reading
+from motionlang.assumptions.reading import Reading
 
 HEAD = """\
 # Fidelity: what rests on memory, and the readings chosen

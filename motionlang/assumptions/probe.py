@@ -10,17 +10,12 @@ from __future__ import annotations
 import re
 import textwrap
 import tomllib
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterator, Sequence
 from zlib import crc32
 
 from motionlang.assumptions.entries import ROOT, readings
-from motionlang.assumptions.reading import REFUSED
+from motionlang.assumptions.reading import REFUSED, Probe, Reading
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator, Sequence
-
-    from motionlang.assumptions.reading import Probe, Reading
 
 # What a probe of MCCL tells before an answer: a register with this number, and one of its own for each name.
 FIRST_MARK = 731_000_000

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.assumptions.facts import STRENGTHS
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 # What a source prints is not open, nor what running code shows.
 SETTLED = ("manual", "code")

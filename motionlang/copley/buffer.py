@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from motionlang.copley.packet import OVERFLOW, BufferStatus
-
-if TYPE_CHECKING:
-    from motionlang.copley.point import WirePoint
+from motionlang.copley.point import WirePoint
 
 SIZE = 32
 """Points that the buffer holds; the note promises no more."""

@@ -9,17 +9,13 @@ from __future__ import annotations
 
 import itertools
 import threading
-from typing import TYPE_CHECKING
+from typing import Self
 
 import can
 import canopen
 
+from motionlang.copley.drive import Drive
 from motionlang.copley.node import DriveNode
-
-if TYPE_CHECKING:
-    from typing import Self
-
-    from motionlang.copley.drive import Drive
 
 VIRTUAL = "virtual"
 NEWS_TIMEOUT = 0.05

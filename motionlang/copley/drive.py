@@ -6,18 +6,14 @@ microseconds while a move runs, and passes only in `run_until`.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from motionlang.copley.buffer import Buffer, Entry, entry_of
 from motionlang.copley.packet import UNDERFLOW
+from motionlang.copley.point import WirePoint
 from motionlang.planners.curve import Profile, from_curve, hold
 from motionlang.planners.pvt.motion import pvt_piece
 from motionlang.planners.stop import plan_stop
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.copley.point import WirePoint
 
 IDLE, WAITING, MOVING, STOPPING = "idle", "waiting", "moving", "stopping"
 

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from canopen import LocalNode, SdoAbortedError
 from canopen.objectdictionary import ObjectDictionary, ODRecord, ODVariable, datatypes
 
-from motionlang.copley.objects import BY_ADDRESS, OBJECTS, Abort, ObjectServer
-
-if TYPE_CHECKING:
-    from motionlang.copley.drive import Drive
-    from motionlang.copley.objects import Object
+from motionlang.copley.drive import Drive
+from motionlang.copley.objects import BY_ADDRESS, OBJECTS, Abort, Object, ObjectServer
 
 KINDS: dict[str, int] = {
     "i8": datatypes.INTEGER8,

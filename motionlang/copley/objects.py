@@ -6,18 +6,13 @@ no CAN in this file: `ObjectServer` answers reads and writes, and `Abort` carrie
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from motionlang.copley import packet
 from motionlang.copley.buffer import Entry, entry_of
-from motionlang.copley.drive import MOVING, STOPPING, WAITING
+from motionlang.copley.drive import MOVING, STOPPING, WAITING, Drive
 from motionlang.copley.point import MAX_TIME
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.copley.drive import Drive
 
 INTERPOLATED_POSITION = 7
 """Mode of operation (object 0x6060) in which the drive takes PVT points."""

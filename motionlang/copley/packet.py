@@ -6,13 +6,10 @@ its code in bits 0-6. Bit 7 clear: a segment, bits 0-2 the low bits of its runni
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from motionlang.copley.point import WirePoint
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 CUBIC, CUBIC_COARSE, CUBIC_RELATIVE, CUBIC_RELATIVE_COARSE, INITIAL, LINEAR, LINEAR_RELATIVE = range(7)
 FORMATS: dict[int, str] = {

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import isfinite, isnan
-from typing import TYPE_CHECKING
 
 from motionlang.planners.pvt.points import Point
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
 
 MAX_TIME = 255
 """Milliseconds in the eight bits of the time field."""

@@ -6,13 +6,10 @@ command is one word. Words are plain integers here; `as_words` splits the 32-bit
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from motionlang.copley.point import INT32, MAX_TIME, WirePoint
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 PARAMETER = 0x115
 START_OPCODE = 17

@@ -7,13 +7,10 @@ machine's clock. `at` is a place in the program, a token number, of which the di
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 from motionlang.log.written_waits import whole
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from typing import Any
 
 
 class Changed(NamedTuple):

@@ -4,13 +4,9 @@ from __future__ import annotations
 
 import re
 
-from motionlang.lang.parsing.linked_stack import empty, expected, feed
+from motionlang.lang.parsing.linked_stack import Cell, empty, expected, feed
 from motionlang.lang.parsing.parser import END
 from motionlang.mccl.syntax.tables import AUTOMATON, TERMINALS
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.parsing.linked_stack import Cell
 
 _PATTERNS = {name: re.compile(pattern, re.ASCII) for name, pattern in TERMINALS.items()}
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import floor
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
@@ -11,11 +12,7 @@ from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.latches import FastLatches, Latch
 from motionlang.mint.keywords.sensing import channel_of
 from motionlang.mint.runtime.binding import of, of_word, unchecked
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 
 class AuxLatch(Latch):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.faults import Refusal
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.lang.keyword import Actions, Keyword
@@ -11,13 +12,8 @@ from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.runtime.binding import axis_of
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.environment import Environment
-
 
 AXIS, ENCODER, AUX_ENCODER = range(3)
 LAST_ENCODER = 63

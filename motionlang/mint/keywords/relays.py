@@ -5,17 +5,13 @@ Relays and spare analogue outputs are channels of their own, from `FIRST` on in 
 
 from __future__ import annotations
 
+from motionlang.controller.clock import Event
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
 from motionlang.mint.runtime.binding import Each, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.clock import Event
-
 
 FIRST = 1000
 LAST_RELAY = 63

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.lint import silence
@@ -23,15 +23,11 @@ from motionlang.mint.lint.reachability import Ways
 from motionlang.mint.lint.servers import check_servers
 from motionlang.mint.lint.settings import Settings
 from motionlang.mint.lint.turns import check_turns
+from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.mint.resolve.names import Names
-    from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
+from motionlang.source import Source
 
 # Where a comment begins, as group 1: not inside a text in quotes.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Mapping
 
 from motionlang.mint.keywords.modbus import LAST
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.traversal import walk
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
-
-    from motionlang.mint.syntax.nodes import Module
 
 # The words of the client, and how many registers they reach.
 _REACHED = {"modbustcp16": 1, "modbustcp32": 2, "modbustcpfloat": 2}

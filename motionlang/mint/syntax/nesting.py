@@ -11,11 +11,7 @@ from __future__ import annotations
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, LINKS
-from motionlang.mint.syntax.nodes import Binary, Chain, Link, Node
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.syntax.nodes import Module
+from motionlang.mint.syntax.nodes import Binary, Chain, Link, Module, Node
 
 # What is nested in an expression; the nodes of statements begin anew.
 _NESTS = (

@@ -5,18 +5,14 @@ Lengths are counts, times seconds. A point says where the motor is, how fast, an
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
+from motionlang.planners.curve import Profile
 from motionlang.planners.pieces import acceleration_in, jerk_in, position_in, velocity_in
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.total import total
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.planners.curve import Profile
 
 LONGEST = 0.255
 """The longest segment a Copley drive takes: the time field has eight bits of milliseconds."""
