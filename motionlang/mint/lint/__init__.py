@@ -1,4 +1,8 @@
-"""The linter of Mint: what the compiler accepts and a motion engineer would rather know before the machine moves."""
+"""The Mint linter: warnings about programs that compile but are probably wrong.
+
+`check` returns the errors of a program. If it compiles, the warnings are added: those of the compiler and those
+of the checks in this package. A comment in the program can silence a warning.
+"""
 
 from __future__ import annotations
 
@@ -29,12 +33,12 @@ from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
-# Where a comment begins, as group 1: not inside a text in quotes.
+# Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)
 
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-    """Every mistake of a program; if it has none, every warning, too."""
+    """Return all errors of a program and, if it compiles, all warnings."""
     with Room():
         return _check(source, dict(settings or {}))
 
@@ -56,7 +60,10 @@ def _check(source: Source, settings: dict[str, object]) -> list[Diagnostic]:
 
 
 def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
-    """What a controller of the other age of Mint would refuse: mistakes, where a model was named."""
+    """Find notation and keywords that the configured controller model does not accept.
+
+    Returns nothing if the machine file names no model.
+    """
     problems = Problems(module)
     if model:
         check_model(module, source, model, table(), problems.add)
@@ -64,7 +71,7 @@ def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
 
 
 def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[Diagnostic]:
-    """The warnings of a program that compiles, its names resolved, in no particular order."""
+    """Return the warnings of a program that compiles, in no particular order."""
     facts = Facts(names, table())
     found: dict[tuple[str, int, str], Diagnostic] = {}
 

@@ -1,6 +1,7 @@
-"""What is known of an axis at each step of a program, followed along all its ways: the basis of the checks of motion.
+"""Data-flow analysis: what is known about each axis before each step of a program.
 
-Only what is certain is kept: where ways come together, what they do not agree on is forgotten.
+The checks of motion use this. Only certain facts are stored: where two paths of execution join, facts on
+which they disagree are dropped.
 """
 
 from __future__ import annotations
@@ -19,19 +20,26 @@ if TYPE_CHECKING:
     Report = Callable[[str, Step, Act, Key, "Axis"], None]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
-# More entries than any buffer holds need not be told apart.
+# No buffer holds more entries, so larger counts are not distinguished.
 MOST_ENTRIES = 101
 
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """`motion`; `fresh` while no time has passed since GO; `waiting` entries, at least, wait for a GO.
+    """The facts known about one axis.
 
-    `target` is where the last move loaded ends, `frame` how far the program's zero lies from where the axis stood at
-    power-up (user units, None where unknown); `set` are the properties of moves given so far, `stale` those given
-    before the last scale, which stands at `scaled`; `timed` is where a ramp's time was given before any speed, None
-    where none was; `speeded` whether a speed may have been given; `zeros` are the properties of moves that are 0, and
-    `loaded` is where the first move stands that waits for a GO, None where it is not known.
+    - `motion`: IDLE, MOVES or UNKNOWN.
+    - `fresh`: no time has passed since GO.
+    - `waiting`: the minimum number of entries that wait for a GO.
+    - `target`: the end of the last loaded move in user units, None if unknown.
+    - `frame`: the distance of the program's zero from the position at power-up in user units, None if
+      unknown.
+    - `set`: the move settings made so far, in user units.
+    - `stale`: those made before the last change of the scale, which is at token `scaled`.
+    - `timed`: the token where a ramp time was set before any speed, None if that did not happen.
+    - `speeded`: a speed may have been set.
+    - `zeros`: the move settings that are 0.
+    - `loaded`: the token of the first move that waits for a GO, None if unknown.
     """
 
     motion: str = UNKNOWN
@@ -48,7 +56,7 @@ class Axis:
     loaded: int | None = None
 
     def joined(self, other: Axis, turns: bool) -> Axis:
-        """What both say; a loop lets time pass."""
+        """Keep the facts on which both agree; at a loop head (`turns`) time passes."""
         if self == other:
             return replace(self, fresh=False) if turns and self.fresh else self
         return Axis(
@@ -68,13 +76,13 @@ class Axis:
 
 
 ANY = Axis()
-# Settings without which nothing moves, by their verbs.
+# Verbs of the settings that must not be 0 for a move to run.
 _NEEDED = frozenset(("speed", "accel", "decel"))
 
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """The axes: those of `axes`, and `rest` for every other one."""
+    """The facts about all axes: `axes` by key, and `rest` for every other axis."""
 
     rest: Axis
     axes: dict[Key, Axis]
@@ -93,7 +101,7 @@ class State:
         return State(self.rest, {**self.axes, key: axis})
 
     def passed(self) -> State:
-        """Time has passed."""
+        """Return the state after time has passed."""
         if not any(axis.fresh for axis in self.axes.values()):
             return self
         return State(
@@ -106,9 +114,10 @@ ANYTHING = State(ANY, {})
 
 
 class Follower:
-    """Follows the axes through every function; `report(code, step, act, key, axis)` hears what is wrong.
+    """Follow the axes through every function.
 
-    `is_out_of_reach(key, axis)` says whether the axis cannot come to its target.
+    `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `tell` passes findings to
+    `report(code, step, act, key, axis)`.
     """
 
     def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
@@ -123,7 +132,10 @@ class Follower:
             self._analyse(function)
 
     def _shared(self) -> set[Key]:
-        """Axes to which more than one of the parent, the tasks and the handlers gives commands: nothing is certain."""
+        """Find the axes commanded by more than one parent task, task or handler.
+
+        Nothing is certain about these.
+        """
         seen: dict[Key, Function] = {}
         shared: set[Key] = set()
         for root in self.facts.functions:
@@ -137,7 +149,7 @@ class Follower:
         return shared
 
     def _stopped_by_handlers(self) -> set[Key]:
-        """Axes that a handler or a task stops: a move of theirs may end before its target."""
+        """Find the axes that a handler or a task stops; their moves may end early."""
         found: set[Key] = set()
         for root in self.facts.functions:
             if root.kind in ("task", "event"):
@@ -145,7 +157,7 @@ class Follower:
         return found
 
     def known(self, state: State, key: Key) -> Axis:
-        """What is certain of an axis."""
+        """Return the certain facts about an axis."""
         unsure = isinstance(key, Symbol) and self.apart
         if key is None or unsure or key in self.apart or None in self.apart:
             return ANY
@@ -155,7 +167,10 @@ class Follower:
         return axis
 
     def _led(self) -> set[Key]:
-        """Axes that may move without a GO of theirs: behind a master, on a path of another axis, by a trigger."""
+        """Find the axes that may move without a GO of their own.
+
+        They follow a master, belong to the path of another axis, or are started by a trigger.
+        """
         found = self.facts.given("follows", "hands-over")
         for _, _, act in self.facts.all_acts():
             if act.row is not None and act.row.role == "path":
@@ -163,7 +178,7 @@ class Follower:
         return found
 
     def tell(self, report: Report) -> None:
-        """Go through every step once more and report what is wrong there."""
+        """Go through every step again and report the problems there."""
         self._report = report
         for function, before in self.before.items():
             for step in self.facts.graphs[function].steps:
@@ -247,7 +262,7 @@ class Follower:
         return state
 
     def _after_call(self, old: Axis, inner: Axis) -> Axis:
-        """What a sub leaves behind; what was set before it still is, as far as it matters here."""
+        """Return the facts about an axis after a sub; settings made before it stay valid."""
         return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
 
     def _tell(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
@@ -269,11 +284,11 @@ class Follower:
         return self._checked(step, act, number, replace(loaded, target=target))
 
     def _loaded(self, axis: Axis, act: Act) -> Axis:
-        """The axis with a move in its buffer."""
+        """Record the token of the move if it is the first one in the buffer."""
         return replace(axis, loaded=act.at) if axis.waiting == 1 else axis
 
     def _target(self, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
-        """Where the move ends."""
+        """Return the end position of a move in user units, None if unknown."""
         value = self.facts.number(act.value(number))
         if not relative or value is None:
             return value
@@ -282,7 +297,7 @@ class Follower:
         return axis.target + value if certain and axis.target is not None else None
 
     def _checked(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        """The axis with its target, or without it where it will not come there."""
+        """Report a target out of reach and drop it from the facts."""
         key = act.axes[number]
         if axis.target is None or not self.is_out_of_reach(key, axis):
             return axis
@@ -298,7 +313,10 @@ class Follower:
         return replace(self._entry(step, act, number, axis), target=None)
 
     def _path(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        """A move of several axes waits for the GO of the first one; where it ends is known for a line."""
+        """Load a path, which waits for the GO of its first axis.
+
+        The target is known only for a line.
+        """
         assert act.row is not None
         target = None
         if act.row.does("line") and number < len(act.values):
@@ -402,7 +420,7 @@ class Follower:
         return state.put(key, replace(state[key], motion=IDLE if truth else MOVES, fresh=False))
 
 
-# Roles after which a caller knows less of an axis.
+# Roles of keywords in a sub that change the facts its caller has about an axis.
 _CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
 _FOLLOW: dict[str, Callable[..., Axis]] = {
     "read": Follower._read,

@@ -1,4 +1,7 @@
-"""The check of BLENDDISTANCE: longer than half of a path, which is as much as a blend may take."""
+"""The check for a BLENDDISTANCE of more than half a path.
+
+A blend takes at most half of a path.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +16,15 @@ if TYPE_CHECKING:
 
     Add = Callable[..., None]
 
-# The part of a path that a blend into the next one may take.
+# The fraction of a path that a blend into the next one may take.
 SHARE = 0.5
 
 
 def check_blends(facts: Facts, add: Add) -> None:
-    """Warn of each path, but the last one of its axes, whose blend is shorter than any BLENDDISTANCE of its axis."""
+    """Warn of each path with less than twice every BLENDDISTANCE of its axis.
+
+    The last path of a set of axes has no blend after it and is not checked.
+    """
     words = {row.verb: row.name for row in table()}
     distances, modes = (facts.constants(words[verb]) for verb in ("blend_distance", "blend_mode"))
     paths = [act for _, _, act in facts.all_acts() if act.role == "path"]
@@ -38,7 +44,7 @@ def check_blends(facts: Facts, add: Add) -> None:
 
 
 def _length(facts: Facts, act: Act) -> float | None:
-    """How long a straight path is that begins wherever its axes are, None where that is not known."""
+    """Return the length of a relative straight path, None if it is not known."""
     values = [facts.number(value) for value in act.values]
     numbers = [value for value in values if value is not None]
     if act.row is None or not (act.row.does("line") and act.row.does("relative")):

@@ -1,4 +1,7 @@
-"""Check of `&` and `|` beside a comparison: which of them binds tighter is not the same in every language."""
+"""The check for `&` and `|` next to a comparison.
+
+Languages differ in precedence: in some of them the comparison binds tighter.
+"""
 
 from __future__ import annotations
 
@@ -20,10 +23,13 @@ _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
 def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> None:
-    """Tell `add` of every comparison with an unbracketed `&` or `|` in it, with both readings of its line."""
+    """Report each comparison with an `&` or `|` that is not in brackets.
+
+    The hint shows the line in both interpretations.
+    """
     for function in facts.functions:
         inner: set[int] = set()
-        for node in walk(function.body):  # a node comes before those in it
+        for node in walk(function.body):  # `walk` yields a node before its children.
             if type(node) is not nodes.Binary or node.op not in _COMPARED or id(node) in inner:
                 continue
             chain = _Chain(places, node)
@@ -40,7 +46,10 @@ def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> No
 
 
 def _is_text(node: nodes.Expr) -> bool:
-    """Whether an operand is surely a text, which `&` joins: then only one reading makes sense."""
+    """True if an operand is certainly a string.
+
+    `&` joins strings, so only one interpretation makes sense.
+    """
     if type(node) is nodes.Name:
         symbol = node.symbol
         return symbol is not None and symbol.type.name == STRING
@@ -48,10 +57,11 @@ def _is_text(node: nodes.Expr) -> bool:
 
 
 class _Chain:
-    """A comparison with all that stands in it without brackets: its operands, and its operators by their tokens.
+    """A comparison with everything in it that is not in brackets.
 
-    `inner` are the identities of the operations that are part of it; `is_written` is False of a comparison that was
-    made of a statement, such as that of a For with its limit.
+    `operands` are its operands and `ops` the tokens of its operators. `inner` holds the identities of the
+    operations inside it. `is_written` is False if the comparison was generated for a statement, such as the
+    limit of a For.
     """
 
     def __init__(self, places: Places, node: nodes.Binary) -> None:
@@ -76,14 +86,14 @@ class _Chain:
             self.operands.append(node)
 
     def _operator(self, node: nodes.Binary) -> int:
-        """The token of an operator: before the right side and the brackets around that."""
+        """Return the token of an operator, which is before the brackets of its right side."""
         at = node.right.at - 1
         while self.places.text(at) == "(":
             at -= 1
         return at
 
     def _bracketed(self, node: nodes.Binary, outer: int) -> bool:
-        """Whether brackets stand around an operation that is a side of another one."""
+        """True if an operation that is an operand of another one is in brackets."""
         inner = self._operator(node)
         depth = least = 0
         for at in range(min(inner, outer) + 1, max(inner, outer)):
@@ -98,7 +108,7 @@ class _Chain:
     # ----------------------------------------------------------------------------------------------- readings
 
     def line(self, tight: Iterable[str]) -> str:
-        """The line with brackets around what some of the operators join."""
+        """Return the source line with brackets around the operands of some operators."""
         opened, closed = set(), set()
         starts = [self._start(), *(op + 1 for op in self.ops)]
         ends = [*(op - 1 for op in self.ops), self._end()]
@@ -113,7 +123,7 @@ class _Chain:
         return self._written(opened, closed)
 
     def _start(self) -> int:
-        """The first token of the first operand, with the brackets around that."""
+        """Return the first token of the first operand, including brackets around it."""
         first = min(each.at for each in walk([self.operands[0]]))
         depth = sum(map(self._depth, range(first, self.ops[0])))
         while depth < 0:
@@ -122,7 +132,7 @@ class _Chain:
         return first
 
     def _end(self) -> int:
-        """The last token of the last operand, with the brackets and the members that belong to that."""
+        """Return the last token of the last operand, including its brackets and members."""
         last = max(each.at for each in walk([self.operands[-1]]))
         depth = sum(map(self._depth, range(self.ops[-1] + 1, last + 1)))
         while depth > 0 or self.places.text(last + 1) in _OPEN or self.places.text(last + 1) == ".":
@@ -133,7 +143,7 @@ class _Chain:
         return last
 
     def _written(self, opened: set[int], closed: set[int]) -> str:
-        """The tokens of the line, or of the lines, with brackets before some and behind others."""
+        """Return the text of the line or lines with brackets inserted at some tokens."""
         places = self.places
         at = self._start()
         while at and "\n" not in places.text(at - 1):

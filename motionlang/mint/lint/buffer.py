@@ -1,4 +1,4 @@
-"""Checks of the move buffer: more moves than it holds, and moves that no GO starts."""
+"""Checks of the move buffer: too many moves, and moves that no GO starts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Lab
 
 
 class Buffers:
-    """The checks; `add` notes a warning."""
+    """The two checks of the move buffer; `add` records a warning."""
 
     def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
         self.facts, self.follower, self.add = facts, follower, add
@@ -33,7 +33,7 @@ class Buffers:
         self.triggered = facts.named("TRIGGERMODE")
 
     def check(self) -> None:
-        """Both of them."""
+        """Run both checks."""
         for function, before in self.follower.before.items():
             for step in self.facts.graphs[function].steps:
                 if step in before:
@@ -45,7 +45,7 @@ class Buffers:
     # ------------------------------------------------------------------------------------- too many entries
 
     def _loads(self, step: Step, state: State) -> None:
-        """A load that waits for room, when only a GO behind it could make room."""
+        """Report a load into a full buffer, which only a later GO could empty."""
         for act in self.facts.acts[step]:
             if act.role in _LOADS:
                 for key in act.axes[:1] if act.role == "path" else act.axes:
@@ -54,7 +54,7 @@ class Buffers:
                         self._overfilled(act, key, size)
 
     def _size(self, key: Key) -> float | None:
-        """How many entries the buffer of an axis holds at most, None where that is not known."""
+        """Return the maximum number of entries in the buffer of an axis, None if unknown."""
         if self._may_trigger(key):
             return None
         sizes = self.sizes.get(key, [])
@@ -71,7 +71,7 @@ class Buffers:
         )
 
     def _may_trigger(self, key: Key) -> bool:
-        """Moves may start without GO."""
+        """True if moves of the axis may start without a GO."""
         return key in self.triggered or None in self.triggered
 
     def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
@@ -96,7 +96,7 @@ class Buffers:
                 self._overfilled(found[0], key, size)
 
     def _counts_itself(self, node: nodes.For) -> bool:
-        """Whether nothing in the body leaves the loop or changes its counter."""
+        """True if nothing in the body leaves the loop or changes its counter."""
         counter = self.facts.symbol(node.variable)
         for inner in walk(node.body):
             if type(inner) in _BREAKS:
@@ -111,7 +111,7 @@ class Buffers:
         return None if start is None or stop is None or not step else int((stop - start) // step) + 1
 
     def _inside(self, function: Function, head: Step) -> list[Step]:
-        """The steps of a loop's body, which stand behind its head."""
+        """Return the steps of a loop's body, which come after its head."""
         assert isinstance(head.node, nodes.For)
         steps = self.facts.graphs[function].steps[head.number + 2 :]
         return steps[: next(n for n, step in enumerate(steps) if step.loop is head.node)]
@@ -133,7 +133,10 @@ class Buffers:
                             self._not_started(act)
 
     def _behind_the_end(self, function: Function, number: dict[Key, int], started: set[Key]) -> int:
-        """The axes that whoever called a sub, or was interrupted by a handler of v4, may start afterwards."""
+        """Return the axes that may be started after a function returns, as bits.
+
+        The caller of a sub may do so, or the code that a v4 handler has interrupted.
+        """
         if function.kind != "sub" and not self.facts.graphs[function].handlers:
             return 0
         return sum(
@@ -153,11 +156,11 @@ class Buffers:
         )
 
     def _elsewhere(self) -> dict[Function, set[Key]]:
-        """What each of the parent, the tasks and the handlers starts."""
+        """Map the parent task and each task and handler to the axes that it starts."""
         return {root: self.facts.touched(root, _GO) for root in self.facts.functions if root.kind != "sub"}
 
     def _started_elsewhere(self, function: Function, act: Act, elsewhere: dict[Function, set[Key]]) -> bool:
-        """Another task or a handler may give the GO, or a trigger."""
+        """True if another task, a handler or a trigger may start the move."""
         if any(self._may_trigger(key) for key in act.axes) or None in act.axes:
             return True
         mine = self.facts.roots[function]

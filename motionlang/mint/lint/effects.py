@@ -1,4 +1,7 @@
-"""A program as the linter sees it: what each step does to which axes, who calls whom, and who runs beside whom."""
+"""The linter's model of a program: effects of steps on axes, and the call graph.
+
+It also knows the functions that run at the same time: the parent task, the tasks and the event handlers.
+"""
 
 from __future__ import annotations
 
@@ -17,17 +20,17 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.folding import Known
     from motionlang.mint.resolve.names import Names
 
-# An axis by its number, or by the parameter of a sub that holds it; None is an axis that cannot be told.
+# An axis: its number, the parameter of a sub that holds it, or None if it is unknown.
 Key = int | Symbol | None
-# Roles that command an axis; those that only stop it are no command.
+# Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
 COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
 
 
 def _role(row: Keyword, written: bool) -> str:
-    """What a statement does to the axes that a word names.
+    """Return the effect of a keyword on the axes that it names.
 
-    "read", a word of `ROLES`, "slot" (sets a property of moves), and "use": anything else that is given a value or
-    carried out.
+    The effect is "read", a name from `ROLES`, "slot" (sets a property of moves) or "use" (any other
+    assignment or command).
     """
     if not written:
         return "read"
@@ -35,9 +38,11 @@ def _role(row: Keyword, written: bool) -> str:
 
 
 class Act:
-    """One word at work: its `role`, its row, the axes, the values given to them, and where it stands.
+    """One use of a keyword, or one call of a sub.
 
-    `axes` is empty for a word that has none. A call of a sub has the role "call", `callee` and its arguments.
+    `role` is its effect, `row` its keyword, `values` the values assigned, and `node` its name in the tree.
+    `axes` is empty for a keyword without axes. A call has the role "call", `callee`, and its arguments as
+    `values`.
     """
 
     __slots__ = ("axes", "callee", "node", "role", "row", "values")
@@ -59,12 +64,12 @@ class Act:
         return self.node.at
 
     def value(self, number: int) -> nodes.Expr | None:
-        """What the n-th axis is given; the last value holds for all further axes."""
+        """Return the value for the n-th axis; the last value applies to all further axes."""
         return self.values[min(number, len(self.values) - 1)] if self.values else None
 
 
 class Facts:
-    """A module, read once for all checks."""
+    """The facts about a module that all checks share."""
 
     def __init__(self, names: Names, table: Table) -> None:
         self.names, self.table = names, table
@@ -73,7 +78,7 @@ class Facts:
         self.acts: dict[Step, list[Act]] = {}
         self._apart: set[Symbol] = set()  # parameters that name the only axis of their sub
         self._touched: dict[tuple[Function, frozenset[str]], set[Key]] = {}
-        self.default_axes = False  # AXES names them: a word without brackets may mean any axis
+        self.default_axes = False  # the program uses AXES, so a keyword without brackets may mean any axis
         self.writers = self._writers()
         self.roots = self._roots()
         self.kept, self.begun = self._kept()
@@ -86,14 +91,14 @@ class Facts:
     # ------------------------------------------------------------------------------------- who and where
 
     def all_acts(self, functions: Iterable[Function] | None = None) -> Iterator[tuple[Function, Step, Act]]:
-        """Every word at work, in the order of the functions and their steps."""
+        """Yield every act, in the order of the functions and their steps."""
         for function in self.functions if functions is None else functions:
             for step in self.graphs[function].steps:
                 for act in self.acts[step]:
                     yield function, step, act
 
     def called(self, function: Function) -> list[Function]:
-        """The function and what it calls, directly or not, each once."""
+        """Return the function and everything it calls, directly or indirectly, each once."""
         found: dict[Function, None] = {}
         stack = [function]
         while stack:
@@ -104,7 +109,10 @@ class Facts:
         return list(found)
 
     def _roots(self) -> dict[Function, set[Function]]:
-        """For each function, the parent, tasks and handlers in which it runs; label handlers belong to the parent."""
+        """Map each function to the parent task, tasks and handlers that run it.
+
+        Label handlers belong to the parent task.
+        """
         found: dict[Function, set[Function]] = {function: set() for function in self.functions}
         for root in self.functions:
             if root.kind != "sub":
@@ -113,7 +121,7 @@ class Facts:
         return found
 
     def _writers(self) -> dict[Symbol, set[Function]]:
-        """Who gives a variable a value after its declaration."""
+        """Map each variable to the functions that assign to it after its declaration."""
         found: dict[Symbol, set[Function]] = {}
         for function in self.functions:
             for node in walk(function.body):
@@ -124,7 +132,10 @@ class Facts:
         return found
 
     def _kept(self) -> tuple[set[Symbol], set[Symbol]]:
-        """Variables of `Dim nv`, whose values the next run may read, and those that Dim gives a value."""
+        """Find the `Dim nv` variables, and the variables that their Dim initialises.
+
+        The next run may read the value of an nv variable.
+        """
         kept: set[Symbol] = set()
         begun: set[Symbol] = set()
         for function in self.functions:
@@ -139,7 +150,7 @@ class Facts:
         return kept, begun
 
     def written(self, node: nodes.Node) -> Iterator[nodes.Name]:
-        """The names whose values a statement changes, arguments by reference and arrays among them."""
+        """Yield the names that a statement changes, including arrays and ByRef arguments."""
         if type(node) is nodes.Assign or type(node) is nodes.Input:
             target: nodes.Expr = node.target
             while type(target) is nodes.Member:
@@ -156,16 +167,16 @@ class Facts:
                         yield argument
 
     def symbol(self, name: nodes.Name) -> Symbol | None:
-        """The variable that a name stands for, through a Define, too."""
+        """Return the variable that a name refers to, directly or through a Define."""
         meaning = meant(name)
         return meaning.symbol if isinstance(meaning, nodes.Name) else name.symbol
 
     def value(self, node: nodes.Expr | None) -> Known | None:
-        """The value of an expression where it is known beforehand, through a Define, too."""
+        """Return the value of an expression, None if it is not known before the run."""
         return None if node is None else fold(meant(node))
 
     def number(self, node: nodes.Expr | None) -> float | None:
-        """The value where it is a number."""
+        """Return the value of an expression if it is a known number, else None."""
         value = self.value(node)
         return value if isinstance(value, (int, float)) else None
 
@@ -234,19 +245,22 @@ class Facts:
         return None
 
     def given(self, *effects: str) -> set[Key]:
-        """The axes for which a word with one of some effects is written anywhere."""
+        """Return the axes of all keywords with one of these effects, except reads."""
         acts = [
             act for _, _, act in self.all_acts() if act.row is not None and any(map(act.row.does, effects))
         ]
         return {key for act in acts if act.role != "read" for key in act.axes}
 
     def named(self, word: str) -> set[Key]:
-        """The axes for which a word is written anywhere."""
+        """Return the axes for which the program sets or carries out a keyword."""
         acts = [act for _, _, act in self.all_acts() if act.row is not None and act.row.name == word]
         return {key for act in acts if act.role != "read" for key in act.axes}
 
     def constants(self, word: str) -> dict[Key, list[float] | None]:
-        """The constants that a word gives to each axis, None where one is not known."""
+        """Map each axis to the constants that a keyword assigns to it.
+
+        The value is None if one of them is unknown.
+        """
         found: dict[Key, list[float] | None] = {}
         for _, _, act in self.all_acts():
             if act.row is None or act.row.name != word or act.role == "read":
@@ -261,14 +275,17 @@ class Facts:
         return found
 
     def key_of(self, name: nodes.Name) -> Key:
-        """The one axis that a keyword names."""
+        """Return the axis that a keyword names, None unless it is exactly one known axis."""
         row = name.row
         axes = self._axes(name, row) if row is not None else ()
         key = axes[0] if len(axes) == 1 else None
         return None if isinstance(key, Symbol) and key not in self._apart else key
 
     def _keep_apart(self, function: Function) -> None:
-        """A parameter may be the same axis as another one that the function names: then it is any axis."""
+        """Treat parameters as any axis if the function names more than one axis.
+
+        A parameter may be the same axis as another one that the function names.
+        """
         mine = [act for step in self.graphs[function].steps for act in self.acts[step]]
         keys = {key for act in mine for key in act.axes}
         if len(keys) > 1:
@@ -278,10 +295,13 @@ class Facts:
             self._apart.update(key for key in keys if isinstance(key, Symbol))
 
     def touched(self, function: Function, roles: frozenset[str]) -> set[Key]:
-        """The axes that a function and those it calls name in words with certain roles, as its caller knows them."""
+        """Return the axes that a function and its callees use in one of these roles.
+
+        The axes are those of the caller: parameters of callees are replaced by their arguments.
+        """
         known = self._touched.get((function, roles))
         if known is None:
-            known = self._touched[function, roles] = set()  # what calls itself adds nothing by that
+            known = self._touched[function, roles] = set()  # a recursive call adds nothing new
             for step in self.graphs[function].steps:
                 for act in self.acts[step]:
                     if act.role in roles:
@@ -292,7 +312,7 @@ class Facts:
         return known
 
     def outer(self, call: Act, key: Key) -> Key:
-        """The axis that a key of the called sub stands for in its caller."""
+        """Return the caller's axis for an axis of the called sub."""
         if not isinstance(key, Symbol):
             return key
         assert call.callee is not None
@@ -303,7 +323,7 @@ class Facts:
 
 
 def parts(node: nodes.Node | None) -> list[nodes.Node]:
-    """What a step evaluates itself, without the blocks inside it."""
+    """Return what a step itself evaluates, without the blocks inside it."""
     if node is None:
         return []
     kind = type(node)
@@ -319,5 +339,5 @@ def parts(node: nodes.Node | None) -> list[nodes.Node]:
 
 
 def spelt(key: Key) -> str:
-    """An axis as a message has it: its number, or the parameter that holds it."""
+    """Return an axis as messages show it: its number, or the parameter that holds it."""
     return "?" if key is None else key.name if isinstance(key, Symbol) else str(key)

@@ -1,4 +1,8 @@
-"""What a program says in the notation of the other age of Mint, and so would not compile on the controller at hand."""
+"""The check for notation and keywords that the configured controller model lacks.
+
+There are two generations of Mint, v4 and MintMT. A program in one of them does not compile on a controller of
+the other.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +26,7 @@ if TYPE_CHECKING:
     # A token, what it is, a hint, and the text that replaces it, "" if that is not certain.
     Found = Iterator[tuple[int, str, str, str]]
 
-# Kinds of tokens that only Mint v4 has: what they are, and what MintMT writes.
+# Kinds of tokens that only Mint v4 has: what they are, and the MintMT equivalent.
 _V4_TOKENS = {
     "DO": ("IF … DO", "If … Then", "Then"),
     "ENDIF": ("ENDIF", "End If", "End If"),
@@ -30,7 +34,7 @@ _V4_TOKENS = {
     "ENDL": ("ENDL", "End Loop", "End Loop"),
     "PERCENT": ("%", "Mod", "Mod"),
 }
-# Kinds of tokens that only MintMT has: what they are, and what to write in Mint v4.
+# Kinds of tokens that only MintMT has: what they are, and the Mint v4 equivalent.
 _MT_TOKENS = {
     "ELSEIF": ("ElseIf", "write ELSE and a further IF"),
     "SELECT": ("Select Case", "write IF … DO"),
@@ -49,7 +53,7 @@ _END_OF = {"IF": "ENDIF", "WHILE": "ENDW", "LOOP": "ENDL"}
 
 
 def check_model(module: Module, source: Source, model: str, table: Table, add: Callable[..., None]) -> None:
-    """Tell `add` of everything that a controller of the other age does not know."""
+    """Report everything that the controller model does not accept."""
     wanted = age(model)
     if wanted is None:
         return
@@ -99,7 +103,7 @@ def _not_v4(module: Module, source: Source, table: Table) -> Found:
 
 
 def _lacking(module: Module, product: str, table: Table) -> Iterator[tuple[int, str, str]]:
-    """Words and values that the manuals give to other products only."""
+    """Find keywords and values that the manuals give only for other products."""
     for name in _names(module):
         row = table.get(name.name)
         if row is not None and product in ABSENT.get(row.family, ()):
@@ -121,7 +125,7 @@ def _lacking(module: Module, product: str, table: Table) -> Iterator[tuple[int, 
 
 
 def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
-    """Handlers of writes by the host that this product does not tell of."""
+    """Find handlers of writes by the host that this product never reports."""
     spans = EVENTS.get(named_product(product) or "")
     for event in module.events if spans is not None else ():
         kind, number = kind_and_number(event.name) or ("", -1)
@@ -144,7 +148,10 @@ def _names(module: Module) -> Iterator[nodes.Name]:
 
 
 def _v4_tokens(module: Module, texts: list[str]) -> Found:
-    """Tokens of Mint v4, each with its replacement, so that a block is replaced as a whole."""
+    """Find tokens of Mint v4, each with its replacement.
+
+    All tokens of a block get one, so that the block stays consistent.
+    """
     kinds = [TABLES.kind_of[text] for text in texts]
     in_else_if = False
     for at, kind in enumerate(kinds):
@@ -154,20 +161,18 @@ def _v4_tokens(module: Module, texts: list[str]) -> Found:
             continue
         what, hint, replacement = _V4_TOKENS[kind]
         if kind == "DO" and not in_else_if and kinds[at + 1] != "_NL":
-            replacement = (
-                f"Then\n{_indentation(module, at)} "  # Then begins a block only at the end of a line
-            )
+            replacement = f"Then\n{_indentation(module, at)} "  # Then opens a block only at the end of a line
         yield at, what, f"write {hint}", _apart(module, at, replacement)
 
 
 def _indentation(module: Module, at: int) -> str:
-    """The blanks at the beginning of the line of a token."""
+    """Return the whitespace at the beginning of a token's line."""
     line = module.places.source.line(module.line(at))
     return line[: len(line) - len(line.lstrip(" \t"))]
 
 
 def _apart(module: Module, at: int, word: str) -> str:
-    """A word in place of a token, with blanks where a letter or a digit touches it."""
+    """Return a replacement, with spaces where a letter or digit adjoins the token."""
     start, end = module.places.span(at)
     text = module.places.source.text
     before = " " if start and _in_word(text[start - 1]) else ""
@@ -179,7 +184,10 @@ def _in_word(letter: str) -> bool:
 
 
 def _mt_tokens(texts: list[str]) -> Found:
-    """Tokens of MintMT; the `End` before one belongs to the same block and is not reported."""
+    """Find tokens of MintMT.
+
+    The `End` before such a token belongs to the same block and is not reported.
+    """
     before = ""
     told = False  # `Const x As …` is reported once
     for at, text in enumerate(texts):
@@ -192,7 +200,7 @@ def _mt_tokens(texts: list[str]) -> Found:
 
 
 def _ends(texts: list[str]) -> Found:
-    """`End If` and the like, and an If whose Then ends its line."""
+    """Find `End If` and similar closers, and an If with Then at the end of its line."""
     before = ""
     for at, text in enumerate(texts):
         kind = TABLES.kind_of[text]

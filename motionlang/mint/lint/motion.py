@@ -1,4 +1,4 @@
-"""Checks of motion: positions read too soon, scales that come too late, targets out of reach."""
+"""Checks of motion: early reads of position, late scales, targets out of reach."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
 
 class Reach:
-    """How far the axes may go: their travel by the machine file, and the software limits of the program."""
+    """The range of the axes.
+
+    Travel comes from the machine file, software limits come from the program.
+    """
 
     def __init__(self, facts: Facts, settings: Mapping[str, object]) -> None:
         self.settings = settings
@@ -26,7 +29,7 @@ class Reach:
         self.wrapped = facts.named("POSWRAP")
 
     def beyond(self, key: Key, axis: Axis) -> str:
-        """What the target of an axis lies beyond, in words; "" where it does not."""
+        """Return the limit that the target of an axis exceeds, in words, or ""."""
         target = axis.target
         assert target is not None
         if {key, None} & self.wrapped:
@@ -55,13 +58,13 @@ class Reach:
 
 
 class Motion:
-    """The checks; `add(code, message, at, hint)` notes a warning."""
+    """The checks of motion; `add(code, message, at, hint)` records a warning."""
 
     def __init__(self, follower: Follower, reach: Reach, add: Add) -> None:
         self.follower, self.reach, self.add = follower, reach, add
 
     def check(self) -> None:
-        """All of them."""
+        """Run all checks of motion."""
         self.follower.tell(self._hear)
 
     def _hear(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:

@@ -1,4 +1,7 @@
-"""Checks of names: variables, subs and tasks that nothing uses, and axes that two tasks command."""
+"""Checks of names: unused ones, and axes that two tasks command.
+
+Variables, subs and tasks are checked for use.
+"""
 
 from __future__ import annotations
 
@@ -16,12 +19,12 @@ if TYPE_CHECKING:
     Add = Callable[..., None]
 
 _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
-# Words with which tasks take turns.
+# Verbs of the keywords by which tasks coordinate.
 _TURNS = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
 def check_names(facts: Facts, add: Add) -> None:
-    """Everything that is declared and never used, or used and never given a value."""
+    """Report names that are declared and never used, or used and never assigned."""
     own = _own_reads(facts)
     for function in facts.functions:
         for symbol in function.scope.names.values():
@@ -52,7 +55,7 @@ def check_names(facts: Facts, add: Add) -> None:
 def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
     given = facts.writers.get(symbol)
     if symbol in facts.kept or (given and symbol.type.name == SEMAPHORE):
-        return  # who takes a semaphore waits for it: that is its use
+        return  # taking a semaphore waits for it, which is a use
     what = "is declared and never used"
     if given:
         what = f"is given a value that nothing {'else ' if symbol.uses > 0 else ''}reads"
@@ -62,7 +65,7 @@ def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
 
 
 def _no_value(facts: Facts, symbol: Symbol, add: Add) -> None:
-    """A variable that the program reads, and gives no value, so that it is 0 or empty for ever."""
+    """Report a variable that is read and never assigned, so it is always 0 or empty."""
     whole = symbol.is_array or symbol.type.name in (TIME, SEMAPHORE, CONTROLLER, RECORD)
     if whole or symbol in facts.kept or symbol in facts.begun:
         return
@@ -82,7 +85,7 @@ def _no_value(facts: Facts, symbol: Symbol, add: Add) -> None:
 
 
 def _alike(symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
-    """The name of another variable that may have been meant."""
+    """Return the name of another variable that the author may have meant."""
     others = [
         each.name
         for each in symbol.home.scope.symbols()
@@ -92,7 +95,10 @@ def _alike(symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
 
 
 def _own_reads(facts: Facts) -> dict[Symbol, int]:
-    """How often a variable is read for nothing but its own next value, as in `n = n + 1`."""
+    """Count the reads of each variable that only compute its own next value.
+
+    An example is `n = n + 1`.
+    """
     found: dict[Symbol, int] = {}
     for function in facts.functions:
         for node in walk(function.body):
@@ -104,7 +110,7 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
                 continue
             symbol = facts.symbol(node.target)
             names = [each for each in walk(node.values) if type(each) is nodes.Name]
-            # What a sub is told may be printed there.
+            # The sub may print its argument or use it in another way.
             if symbol is None or any(each.kind == "sub" for name in names if (each := facts.symbol(name))):
                 continue
             found[symbol] = found.get(symbol, 0) + sum(facts.symbol(name) is symbol for name in names)
@@ -112,7 +118,7 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
 
 
 def check_tasks(facts: Facts, add: Add) -> None:
-    """Axes that two tasks command, when nothing in the program lets them take turns."""
+    """Report axes that two tasks command without any coordination in the program."""
     if _take_turns(facts):
         return
     main = facts.names.main
@@ -144,7 +150,7 @@ def _take_turns(facts: Facts) -> bool:
 
 
 def _is_told(facts: Facts, task: Function) -> bool:
-    """A task that looks at variables of others before it moves is told when it may."""
+    """True if the task tests a shared variable, so another task can coordinate it."""
     for function in facts.called(task):
         for node in walk(function.body):
             condition = getattr(node, "condition", None)
@@ -156,7 +162,7 @@ def _is_told(facts: Facts, task: Function) -> bool:
 
 
 def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
-    """The axes that the parent may command once it has started a task."""
+    """Return the axes that the parent task may command after it has started a task."""
     graph = facts.graphs[main]
     begin = [
         step

@@ -1,4 +1,4 @@
-"""Checks of the ways through a program: what is never reached, waits and loops that nothing ends, fixed conditions."""
+"""Checks of control flow: dead code, endless waits and loops, constant conditions."""
 
 from __future__ import annotations
 
@@ -22,21 +22,24 @@ if TYPE_CHECKING:
     Add = Callable[..., None]
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
-# Statements that do nothing where they stand, or that end a block for good measure.
+# Statements that do nothing themselves, or that are commonly written as a precaution at the end of a block.
 _SILENT = (nodes.End, nodes.Return, nodes.Exit, nodes.Dim, nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
 _LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label)
 
 
 class Ways:
-    """The checks; `settings` are those of the machine file, `add` notes a warning."""
+    """The checks of control flow.
+
+    `settings` are those of the machine file. `add` records a warning.
+    """
 
     def __init__(self, facts: Facts, follower: Follower, settings: Mapping[str, object], add: Add) -> None:
         self.facts, self.follower, self.settings, self.add = facts, follower, settings, add
-        # Without a machine file every input may come.
+        # Without a machine file any input may change.
         self.driven = driven_inputs(settings)
 
     def check(self) -> None:
-        """All of them."""
+        """Run all checks of control flow."""
         for function, graph in self.facts.graphs.items():
             reached = graph.reached()
             self._unreachable(graph.steps, reached)
@@ -51,7 +54,7 @@ class Ways:
     # ------------------------------------------------------------------------------------------ never reached
 
     def _unreachable(self, steps: list[Step], reached: set[Step]) -> None:
-        """The first statement of each stretch that no way leads to."""
+        """Report the first statement of each unreachable run of statements."""
         told = False
         for step in steps:
             if step.node is None:
@@ -83,7 +86,7 @@ class Ways:
             self._fixed(node)
 
     def _fixed(self, node: nodes.Node) -> None:
-        """A comparison of constants, or a number beside And and Or that was meant to be compared."""
+        """Report a comparison of constants, or an uncompared number next to And or Or."""
         if type(node) is nodes.Binary and node.op in _COMPARED:
             value = self.facts.number(node)
             if value is not None:
@@ -133,7 +136,7 @@ class Ways:
                  "it goes on at once or never")  # fmt: skip
 
     def _inner(self, name: nodes.Name) -> list[nodes.Name]:
-        """A name, or those of the expression that a Define gives it."""
+        """Return a name, or the names in the expression that its Define stands for."""
         if name.stands is None:
             return [name]
         return [each for each in walk([name.stands]) if type(each) is nodes.Name]
@@ -167,7 +170,7 @@ class Ways:
         return True
 
     def _variable_may_change(self, function: Function, symbol: Symbol) -> bool:
-        """While this function waits only others can change a variable."""
+        """True if a variable may change while this function waits, by another function."""
         if symbol.kind == "const":
             return False
         if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
@@ -219,13 +222,13 @@ class Ways:
                  "once in it, the program never leaves it")  # fmt: skip
 
     def _is_dead(self, name: nodes.Name, symbol: Symbol | None) -> bool:
-        """Whether a name is an input that nothing drives."""
+        """True if a name is an input that nothing drives."""
         row = name.row
         is_input = row is not None and row.driven == "input" and row.index == "input"
         return is_input and not self._input_may_change(name)
 
     def _shared(self, symbol: Symbol) -> bool:
-        """Another task or an event may change the variable meanwhile."""
+        """True if another task or an event may change the variable in the meantime."""
         if symbol.type.name == TIME or symbol.by_ref:
             return True
         roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}
@@ -236,5 +239,5 @@ class Ways:
 
 
 def _is_made(node: nodes.Node) -> bool:
-    """Whether a jump stands where a block with labels was taken apart."""
+    """True if a jump was generated when a block with labels was flattened."""
     return isinstance(node, nodes.Jump) and node.kind not in ("goto", "gosub")

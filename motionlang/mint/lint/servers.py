@@ -1,4 +1,7 @@
-"""Modbus servers and registers that the machine file does not have, as far as their numbers stand in the program."""
+"""The check for Modbus servers and registers that the machine file lacks.
+
+Only requests whose server and register are literal numbers are checked.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +12,13 @@ from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.traversal import walk
 
-# The words of the client, and how many registers they reach.
+# The client keywords, and how many registers each accesses.
 _REACHED = {"modbustcp16": 1, "modbustcp32": 2, "modbustcpfloat": 2}
-_WHERE = 2  # what stands in their brackets: the server and the register
+_WHERE = 2  # the number of arguments: server and register
 
 
 def check_servers(module: Module, settings: Mapping[str, object], add: Callable[..., None]) -> None:
-    """Tell `add` of every request that no server of the machine file answers."""
+    """Report every request that no server of the machine file answers."""
     spans = _spans(settings)
     for name, server, register in _requests(module) if spans else ():
         span = spans.get(server)
@@ -30,7 +33,7 @@ def check_servers(module: Module, settings: Mapping[str, object], add: Callable[
 
 
 def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:
-    """The first and the last register of each server."""
+    """Map each server to its first and last register."""
     spans = {
         entry["id"]: (entry.get("first", 0), entry.get("last", LAST))
         for entry in settings.get("modbus.server", ())  # type: ignore[attr-defined]
@@ -41,7 +44,7 @@ def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:
 
 
 def _requests(module: Module) -> Iterator[tuple[nodes.Name, int, int]]:
-    """Each use of a word of the client whose server and register are numbers."""
+    """Yield each client keyword whose server and register are literals, with these."""
     blocks = [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
     for node in walk(blocks):
         if type(node) is not nodes.Name or node.name.lower() not in _REACHED:

@@ -1,4 +1,7 @@
-"""Checks of speeds and rates: settings that are replaced, or left over, before any move goes by them."""
+"""The check for speeds and rates that no move uses.
+
+They are replaced, or left over at the end, before any move.
+"""
 
 from __future__ import annotations
 
@@ -23,13 +26,13 @@ _TOUCHES = COMMANDS | {"read", "slot", "use"}
 
 
 class Settings:
-    """The check; `add` notes a warning."""
+    """The check for unused settings; `add` records a warning."""
 
     def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
         self.facts, self.follower, self.add = facts, follower, add
 
     def check(self) -> None:
-        """Settings that are replaced, or that the program ends with, before anything can go by them."""
+        """Report settings that are replaced or left over before anything can use them."""
         for function, graph in self.facts.graphs.items():
             bits = self._slot_bits(function)
             if not bits:
@@ -42,7 +45,7 @@ class Settings:
                     self._useless(step, behind[step], bits)
 
     def _slot_bits(self, function: Function) -> Bits:
-        """A bit for each property of each axis that this function alone has a say in."""
+        """Assign a bit to each property of each axis that only this function uses."""
         found: Bits = {}
         others = self._others(function)
         if others is None:
@@ -61,7 +64,10 @@ class Settings:
         return found
 
     def _others(self, function: Function) -> set[Key] | None:
-        """The axes that tasks and handlers beside this function have to do with; None where it runs in several."""
+        """Return the axes that concurrent tasks and handlers use.
+
+        Returns None if the function itself runs in more than one of these.
+        """
         mine = self.facts.roots[function]
         if len(mine) > 1:
             return None
@@ -69,7 +75,10 @@ class Settings:
         return set().union(*(self.facts.touched(root, _TOUCHES) for root in others))
 
     def _left_over(self, function: Function, bits: Bits) -> int:
-        """At the end of the parent a setting counts only for an axis that may still be moving."""
+        """Return the settings that still count at the end of the parent task, as bits.
+
+        These are the settings of axes that may still be in motion.
+        """
         found = 0
         before = self.follower.before[function]
         for step, state in before.items():
@@ -103,7 +112,7 @@ class Settings:
             assert act.row is not None
             slot = act.row.gives
             dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
-            # `SPEED(0, 1, 2) = 10;` with an exception for one of them below is a manner of writing.
+            # `SPEED(0, 1, 2) = 10;` followed by an exception for one of the axes is good style.
             if dead and len(dead) == len(act.axes):
                 self._tell_useless(step, act, dead[0], slot)
 
@@ -122,7 +131,7 @@ class Settings:
         self.add("unused-setting", message, act.at, "leave one of the two out")
 
     def _next_setting(self, step: Step, key: Key, slot: str) -> Act | None:
-        """The statement that replaces a setting."""
+        """Return the statement that replaces a setting."""
         seen: set[Step] = set()
         stack = list(reversed(step.next))
         while stack:

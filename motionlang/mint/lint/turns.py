@@ -1,4 +1,7 @@
-"""Loops that give an axis another motion in every turn and let no time pass: none of the motions is ever seen."""
+"""The check for loops that replace a motion in every iteration.
+
+If the loop lets no time pass, none of its motions is ever seen.
+"""
 
 from __future__ import annotations
 
@@ -15,15 +18,15 @@ if TYPE_CHECKING:
     Add = Callable[..., None]
 
 _LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
-# With one of these in it a loop may do less in a turn, leave, or take time.
+# With one of these in its body, a loop may skip the statement, end, or take time.
 _UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.End, nodes.Label, nodes.Pause,
            nodes.Input, nodes.Run, *_LOOPS)  # fmt: skip
-# What a word does at once; what is put into the buffer waits for room in it.
+# Roles of keywords that load the move buffer, and so wait while it is full.
 _BLOCKS = frozenset(("move", "entry", "course", "path"))
 
 
 def check_turns(facts: Facts, add: Add) -> None:
-    """Warn of the first such statement of each loop."""
+    """Report the first motion of each loop that every iteration replaces."""
     acts = {id(act.node): act for _, _, act in facts.all_acts()}
     for function in facts.functions:
         for node in walk(function.body):
@@ -47,7 +50,7 @@ def _waits(row: object) -> bool:
 
 
 def _changing(facts: Facts, node: nodes.Node) -> set[Symbol | None]:
-    """The variables that have another value in every turn."""
+    """Return the variables whose value changes in every iteration."""
     found: set[Symbol | None] = set()
     if type(node) is nodes.For:
         found.add(facts.symbol(node.variable))
