@@ -1,1 +1,1 @@
-"""From Mint text to its tree, and every mistake on the way."""
+"""From Mint text to its syntax tree, and all syntax errors on the way."""

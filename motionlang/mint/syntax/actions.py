@@ -1,9 +1,9 @@
-"""What every alternative of `grammars/mint.lark` builds; read by `lang/parsing/generate.py` alone.
+"""The tree-building action of each alternative in `grammars/mint.lark`.
 
-An action is a Python expression over the symbols of its alternative, `v0`, `v1` …, and `T`, the texts of the
-tokens. The value of a token is its ordinal, so `v0` is a place and `T[v0]` what stands there. A symbol that
-was left out of `[…]` is None. `+ x` appends `x` to the list `v0`; `S` is the stack. The functions live in
-`motionlang.mint.syntax.build`.
+Only `lang/parsing/generate.py` reads this table. An action is a Python expression over the symbols of its
+alternative, `v0`, `v1` …, and `T`, the texts of the tokens. The value of a token is its ordinal, so `v0` is a
+token number and `T[v0]` its text. A symbol left out of `[…]` is None. `+ x` appends `x` to the list `v0`. `S`
+is the stack. The functions are in `motionlang.mint.syntax.build`.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ ACTIONS: dict[str, str] = {
     "character": "Number(v0, ord(string(T[v0])))",
 }
 
-# Those that are met most often, in this order, which the driver does without a call; and the tokens that are mostly
-# values by themselves, with what these are.
+# The most frequent actions, in this order; the driver inlines them. LEAVES are the tokens that are usually
+# complete values, with their actions.
 INLINED = ("binary", "more", "assign_one", "name_arg", "inner")
 LEAVES = {"NUMBER": "number", "NAME": "name"}

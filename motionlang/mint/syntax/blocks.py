@@ -1,6 +1,6 @@
 """The blocks of Mint: what opens and closes each, and which are open on a stack.
 
-The grammar says the same; here it is said for a reader of messages. A test holds the two together.
+The grammar states this too; this table is for messages. A test keeps the two consistent.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.parsing.linked_stack import Cell
 
-# From the kind of token that opens a block to the word as messages spell it.
+# The kinds of token that open a block, and the keyword as messages spell it.
 OPENERS = {
     "IF": "If",
     "FOR": "For",
@@ -27,7 +27,7 @@ OPENERS = {
     "TYPE": "Type",
 }
 
-# Words that close a block, or go on with one, and the block; `End X` closes X.
+# The kinds of token that close or continue a block, and that block. `End X` closes X.
 CLOSERS = {
     "NEXT": "FOR",
     "UNTIL": "REPEAT",
@@ -42,13 +42,13 @@ CLOSERS = {
     "CASE": "SELECT",
 }
 
-# Blocks that stand at the top of a file (a Sub in a Task, too) and never inside a statement.
+# Blocks at the top level of a file (a Sub in a Task, too), never inside a statement.
 DECLARATIONS = {"SUB", "FUNCTION", "TASK", "EVENT", "STARTUP", "TYPE"}
 
-# What the grammar makes of the beginning of a block, by what it began with.
+# The grammar's symbols for the beginning of a block, and the token it began with.
 _HEADS = {"select_head": "SELECT", "for_head": "FOR", "if_head": "IF", "line_then": "THEN"}
 
-# The plainest line that opens the block or goes on with it.
+# The shortest line that opens or continues each block.
 PLAIN = {
     "IF": ("IF", "NUMBER", "THEN", "_NL"),
     "FOR": ("FOR", "NAME", "EQUAL", "NUMBER", "TO", "NUMBER", "_NL"),
@@ -73,7 +73,7 @@ PLAIN = {
 
 @record
 class Block:
-    """A block that is open: its kind, its opener's token, and whether it is an If of one line."""
+    """An open block: its kind, its opener's token, and True if it is a one-line If."""
 
     kind: str
     at: int
@@ -81,21 +81,21 @@ class Block:
 
     @property
     def closing(self) -> tuple[str, ...]:
-        """The kinds of token that close it."""
+        """Return the kinds of token that close the block."""
         if self.kind == "FOR":
             return ("NEXT",)
         return ("UNTIL", "NUMBER") if self.kind == "REPEAT" else ("END", self.kind)
 
 
 def closing(kind: str) -> str:
-    """How a block is closed, in words."""
+    """Return the text that closes a block, for messages."""
     if kind == "FOR":
         return "Next"
     return "Until and its condition" if kind == "REPEAT" else f"End {OPENERS[kind]}"
 
 
 def opened_blocks(top: Cell) -> list[Block]:
-    """The blocks that are open on a stack, the innermost first."""
+    """Return the blocks that are open on a stack, innermost first."""
     blocks = []
     above = after_then = ""  # the symbol above the cell, and the one above the last Then
     for cell in top:
@@ -109,7 +109,10 @@ def opened_blocks(top: Cell) -> list[Block]:
 
 
 def plain_lines(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
-    """The plainest lines that leave the same blocks open as one with these kinds would, the likeliest first."""
+    """Return the shortest lines that leave the same blocks open as a given line.
+
+    The most likely line comes first.
+    """
     if not kinds:
         return ()
     first = kinds[0]
@@ -118,14 +121,14 @@ def plain_lines(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
     if first == "NEXT" and "COMMA" in kinds:
         return ("NEXT", *("NAME", "COMMA") * kinds.count("COMMA"), "NAME", "_NL"), PLAIN[first]
     if first == "IF" and "THEN" in kinds and kinds[-1] not in ("THEN", "DO"):
-        return ()  # an If of one line
+        return ()  # a one-line If
     if first in OPENERS and _closes_itself(first, kinds):
         return ()
     return (PLAIN[first],) if first in PLAIN else ()
 
 
 def _closes_itself(first: str, kinds: list[str]) -> bool:
-    """`For … : … : Next` on one line opens nothing."""
+    """True if the line also closes the block, as `For … : … : Next` does."""
     ends = [kinds[i + 1] for i in range(len(kinds) - 1) if kinds[i] == "END"]
     return first in ends or any(
         CLOSERS.get(kind) == first and kind not in ("ELSE", "CASE") for kind in kinds[1:]

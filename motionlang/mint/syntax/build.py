@@ -1,4 +1,7 @@
-"""The pieces of tree-building that are more than one constructor call; `motionlang.mint.syntax.tables` calls them."""
+"""Tree-building steps that take more than one constructor call.
+
+`motionlang.mint.syntax.tables` calls them.
+"""
 
 from __future__ import annotations
 
@@ -32,10 +35,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.parsing.parser import Stack
 
-# Blocks inside one another: a limit of this program, not of Mint.
+# Nesting of blocks. This is a limit of motionlang, not of Mint.
 DEEPEST = 200
-DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
-LINKS = 50  # operations behind one another that stay nested
+DEEPEST_EXPRESSION = (
+    200  # nesting of nodes; each level takes two or three of the compiler's 1,000 stack frames
+)
+LINKS = 50  # operations in a row that remain nested
 INFINITE = float("inf")
 _BEYOND = 1 << 1023
 MOST_NUMBERS = 50_000
@@ -43,11 +48,17 @@ ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 
 class Misuse(Exception):
-    """The grammar has a place for it, the language has not; `motionlang.mint.syntax.errors` says what and where."""
+    """Raised for text that the grammar accepts and the language does not.
+
+    `motionlang.mint.syntax.errors` then finds the error and its position.
+    """
 
 
 def number(text: str) -> float:
-    """The value of a literal, `12`, `1.5e-3`, `0x1F`, `0b101`; infinite where no number is so large."""
+    """Return the value of a literal, such as `12`, `1.5e-3`, `0x1F` or `0b101`.
+
+    The value is infinite if the number is too large for a Float.
+    """
     if text[1:2] in ("x", "X", "b", "B"):
         return _finite(int(text, 0))
     try:
@@ -57,18 +68,18 @@ def number(text: str) -> float:
 
 
 def _finite(whole: int) -> float:
-    """A whole number that a Float can hold, or infinite."""
+    """Return an integer that a Float can hold, or infinity."""
     return whole if whole < _BEYOND else INFINITE
 
 
 class Numbers(dict[str, float]):
-    """From the text of a literal to its value, which must be finite; a text is looked at once."""
+    """A cache from the text of a literal to its value, which must be finite."""
 
     def __missing__(self, text: str) -> float:
         value = number(text)
         if value == INFINITE:
             raise Misuse
-        if len(self) >= MOST_NUMBERS:  # a long session must not keep every number it ever saw
+        if len(self) >= MOST_NUMBERS:  # bounds the memory of a long session
             self.clear()
         self[text] = value
         return value
@@ -78,7 +89,7 @@ NUMBERS = Numbers()
 
 
 def string(text: str) -> str:
-    """The value of a literal string or character, without its quotes."""
+    """Return the value of a literal string or character, without its quotes."""
     if "\\" not in text:
         return text[1:-1]
     first, *rest = text[1:-1].split("\\")
@@ -87,19 +98,22 @@ def string(text: str) -> str:
     for piece in pieces:
         if piece:
             out.append(ESCAPES.get(piece[0], piece[0]) + piece[1:])
-        else:  # `\\`: what follows it is plain
+        else:  # `\\`: the text after it is literal
             out.append("\\" + next(pieces, ""))
     return "".join(out)
 
 
 def dotted(at: int, text: str) -> Name:
-    """`REMOTEOUT.1.2`: a keyword with its channels."""
+    """Build the name for `REMOTEOUT.1.2`: a keyword with its channels."""
     name, *channels = text.split(".")
     return Name(at, name, [Number(at, NUMBERS[each]) for each in channels], True)
 
 
 def body(stack: Stack) -> list[Stmt]:
-    """The empty list of statements with which a block begins."""
+    """Return the empty list of statements with which a block begins.
+
+    Raises TooDeep if the blocks are nested too deeply.
+    """
     depth = 0
     while stack:
         stack, _, value = stack
@@ -111,26 +125,26 @@ def body(stack: Stack) -> list[Stmt]:
 
 
 def if_head(first: If) -> tuple[If, If]:
-    """A block If up to a body: its first and its last branch."""
+    """Begin a block If: return its first and its last branch."""
     return first, first
 
 
 def else_if(head: tuple[If, If], body: list[Stmt], branch: If) -> tuple[If, If]:
-    """A block If with the body of its last branch and a further ElseIf."""
+    """Give the last branch of a block If its body, and add an ElseIf branch."""
     first, last = head
     last.body, last.orelse = body, [branch]
     return first, branch
 
 
 def if_end(head: tuple[If, If], body: list[Stmt], orelse: list[Stmt]) -> If:
-    """A whole block If: the body of its last branch, and that of its Else."""
+    """Finish a block If: the body of its last branch, and the body of its Else."""
     first, last = head
     last.body, last.orelse = body, orelse
     return first
 
 
 def label_before(body: list[Stmt], at: int, texts: list[str]) -> list[Stmt]:
-    """`NAME:` on a line of its own has been read as a call; make it the label it is."""
+    """Turn a call that was read for `NAME:` on a line of its own into a label."""
     if at >= 2 and texts[at - 1] == ":" and body:
         last = body[-1]
         if (
@@ -148,7 +162,7 @@ def _opens_line(texts: list[str], at: int) -> bool:
 
 
 def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
-    """The members of a user type, line after line."""
+    """Append the members from one more line of a user type."""
     members += more
     return members
 
@@ -156,14 +170,14 @@ def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
 def printed(
     items: list[PrintItem], last: PrintItem | None, using: list[Expr], separator: str
 ) -> tuple[list[Expr], str, list[PrintItem]]:
-    """What comes after the first value of a LINE: its formats, the sign behind it, the other values."""
+    """Collect what follows the first value of a LINE: formats, separator, more values."""
     return using, separator, items if last is None else [*items, last]
 
 
 def line_print(
     at: int, word: str, values: list[Expr], rest: tuple[list[Expr], str, list[PrintItem]]
 ) -> Print:
-    """`LINE row, values` with what only stands between printed values."""
+    """Build a `LINE row, values` with formats or separators as in a PRINT."""
     using, separator, items = rest
     row = None if using and len(values) == 1 else values[0]
     shown = [PrintItem(each.at, each, [], ",") for each in values[1 if row is not None else 0 :]]
@@ -173,14 +187,14 @@ def line_print(
 
 
 def declare(name: Name, type: TypeName | None = None, value: Expr | None = None) -> Variable:
-    """A variable of a `Dim`: what stands in its brackets are its dimensions."""
+    """Build a variable of a `Dim`; the values in its brackets are its dimensions."""
     return Variable(name.at, name.name, name.args or [], type, [] if value is None else [value])
 
 
 def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
-    """After a `,` that follows an initial value: an array goes on with its values, else a variable begins.
+    """Handle a `,` after an initial value: extend an array or begin a variable.
 
-    A second value for a simple variable stays with it; the compiler counts values and says so.
+    A second value for a simple variable is stored with it. The compiler counts the values and reports it.
     """
     last = variables[-1]
     if isinstance(value, Name) and not last.dimensions and not value.axes:
@@ -191,7 +205,7 @@ def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
 
 
 def counted(loop: For, body: list[Stmt], following: int | None, texts: list[str]) -> For:
-    """A `For` with its body, and the variable after its `Next`, which must be its own."""
+    """Complete a `For` with its body; the variable after its `Next` must be its own."""
     if following is not None and texts[following].lower() != loop.variable.name.lower():
         raise Misuse
     loop.body = body
@@ -199,33 +213,33 @@ def counted(loop: For, body: list[Stmt], following: int | None, texts: list[str]
 
 
 def constants(at: int, names: list[Const]) -> Const:
-    """A `Const` statement: its first name, which carries the others."""
+    """Build a `Const` statement: the first name, which holds the others."""
     first, *first.more = names
     first.at = at
     return first
 
 
 def next_case(select: Select, body: list[Stmt], case: Case) -> Select:
-    """A `Case` after another one, whose body has now been read."""
+    """Add a `Case` after another one, whose body is now complete."""
     last_case(select, body).cases.append(case)
     return select
 
 
 def last_case(select: Select, body: list[Stmt]) -> Select:
-    """The end of a `Select`, or of one of its cases."""
+    """Complete the last case of a `Select` with its body."""
     select.cases[-1].body = body
     return select
 
 
 def task(at: int, name: str, items: list[Stmt | Sub]) -> Task:
-    """A task: its statements apart from the subs written inside it."""
+    """Build a task: its statements, and separately the subs declared inside it."""
     return Task(
         at, name, [i for i in items if not isinstance(i, Sub)], [i for i in items if isinstance(i, Sub)]
     )
 
 
 def module(items: list[Node]) -> Module:
-    """A whole program, its statements and each sort of block apart."""
+    """Build a program: its statements, and separately each kind of block."""
     sorts: dict[type, list[Node]] = {Sub: [], Task: [], Event: [], Startup: [], UserType: []}
     statements: list[Node] = []
     for item in items:

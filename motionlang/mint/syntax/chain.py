@@ -1,4 +1,4 @@
-"""Nodes of a long run of operations, which `nesting.py` makes of those that the parser built."""
+"""Nodes for a long run of operations, which `nesting.py` makes from nested ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 @record
 class Link(Node):
-    """A further operand of a `Chain`, with the operator before it; it stands at its operand."""
+    """A further operand of a `Chain` with the operator before it, at its own token."""
 
     op: str
     value: Expr
@@ -20,7 +20,10 @@ class Link(Node):
 
 @record
 class Chain(Node):
-    """A long left-associative run of operations, `a + b - c …`: a `Binary` of each would be nested thousands deep."""
+    """A long left-associative run of operations, such as `a + b - c …`.
+
+    As nested `Binary` nodes it would be thousands of levels deep.
+    """
 
     first: Expr
     links: list[Link]

@@ -1,9 +1,10 @@
-"""Every mistake of a text, in one pass: what is wrong, where, and what to do about it.
+"""Find all syntax errors of a text in one pass, with position and suggested fix.
 
-The text is read again with a stack that can go back (`motionlang.lang.parsing.linked_stack`). What is wrong with a
-line is reported once; the line is dropped, or replaced by the plainest line that opens or closes the same
-block, so that one mistake is one message. Blocks are repaired in the same way: a block that is still open
-when its surroundings close is reported at its opener and closed; a closer that closes nothing is dropped.
+The text is parsed again with a stack that can be rolled back (`motionlang.lang.parsing.linked_stack`). Each
+faulty line is reported once. The line is then dropped, or replaced by the shortest line that opens or closes
+the same block, so that one error gives one message. Blocks are repaired in the same way. A block that is
+still open when its surroundings close is reported at its opener and closed. A closer without an open block is
+dropped.
 """
 
 from __future__ import annotations
@@ -23,18 +24,18 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
-MOST = 100  # nobody reads more, and binary rubbish has one a line
+MOST = 100  # more are not useful; a binary file has one on every line
 
 
 def diagnose(source: Source) -> ProgramError:
-    """Every mistake of a text that cannot be parsed."""
+    """Find all errors of a text that cannot be parsed."""
     reader = _Reader(source)
     reader.read()
     return ProgramError(reader.diagnostics)
 
 
 def unfinished(texts: list[str]) -> bool:
-    """Does the text end inside a block, with nothing wrong before?"""
+    """True if the text ends inside a block and has no error before its end."""
     top = empty(TABLES)
     for at, text in enumerate(texts):
         kind = TABLES.kind_of[text]
@@ -45,7 +46,10 @@ def unfinished(texts: list[str]) -> bool:
 
 
 class _Reader:
-    """Goes through the tokens once; `top` is the stack, `mark` the stack where the statement began."""
+    """A pass through the tokens.
+
+    `top` is the stack, `mark` the stack at the beginning of the statement.
+    """
 
     def __init__(self, source: Source) -> None:
         self.texts = TABLES.texts(source.text)
@@ -55,10 +59,10 @@ class _Reader:
         self.top = self.deepest = empty(TABLES)
         self.before = self.line = self.mark = self.top
         self.start = 0  # the token at which the statement began
-        self.spent: dict[int, int] = {}  # an opener, and the inner one that its closer was spent on
+        self.spent: dict[int, int] = {}  # maps an opener to the inner opener that took its closer
 
     def read(self) -> None:
-        """Find the mistakes, up to as many as are of use."""
+        """Find the errors, up to `MOST`."""
         at = 0
         while at < len(self.kinds) and len(self.diagnostics) < MOST:
             closer = self._closer(at, at + 1) if at == self.start else ""
@@ -81,7 +85,10 @@ class _Reader:
         return self.top.symbol == "_NL" and sum(cell.symbol == "body" for cell in self.top) > DEEPEST
 
     def _report_depth(self) -> None:
-        """The blocks are nested too deeply: what else could be wrong with a text that cannot be parsed?"""
+        """Report blocks that are nested too deeply.
+
+        No other error is possible in a text that cannot be parsed and has no error so far.
+        """
         blocks = opened_blocks(self.deepest)
         if blocks and len(self.diagnostics) < MOST:
             message = f"blocks are nested more than {DEEPEST} deep here"
@@ -91,7 +98,7 @@ class _Reader:
             )  # the last one has no body yet
 
     def report(self, code: str, message: str, at: int, hint: str = "", last: int | None = None) -> None:
-        """Write down a mistake at a token, or from one token to another of the same line."""
+        """Record an error at a token, or from one token to another on the same line."""
         start, end = self.places.span(at)
         if last is not None:
             end = self.places.span(last)[1]
@@ -100,7 +107,7 @@ class _Reader:
         self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint))
 
     def _after(self, at: int) -> int:
-        """The token `at` is in its place; note where lines and statements begin."""
+        """Accept the token `at` and record where lines and statements begin."""
         kind = self.kinds[at]
         if kind == "_NL":
             self.line = self.top
@@ -109,7 +116,10 @@ class _Reader:
         return at + 1
 
     def _check(self, at: int) -> None:
-        """What the grammar accepts and the language does not; `motionlang.mint.syntax.build` raises Misuse for it."""
+        """Report errors that the grammar accepts.
+
+        The parser raises Misuse for them (`motionlang.mint.syntax.build`).
+        """
         text = self.texts[at]
         if self.kinds[at] == "NUMBER" and number(text) == INFINITE:
             self.report("syntax", f"{expectations.found('', text)} is too large for a number", at)
@@ -117,7 +127,7 @@ class _Reader:
             self._check_next(at, text)
 
     def _check_next(self, at: int, text: str) -> None:
-        """The variables after a `Next` are those of the loops it closes, from the innermost."""
+        """Check that a `Next` names the variables of its loops, innermost first."""
         if self.kinds[at] in ("_NL", "COLON"):
             return
         number = self.kinds[self.start : at].count("COMMA")
@@ -127,7 +137,10 @@ class _Reader:
             self.report("syntax", message, at, f"write {variable}" if number else f"write Next {variable}")
 
     def _watch_columns(self, closer: str) -> None:
-        """A closer that stands under an outer opener and closes an inner one: if one is missing, it is the inner's."""
+        """Record a closer that is aligned with an outer opener but closes an inner block.
+
+        If a closer turns out to be missing, it is that of the inner block.
+        """
         blocks = opened_blocks(self.mark)
         if not blocks or blocks[0].kind != closer or self._under(blocks[0]):
             return
@@ -136,13 +149,13 @@ class _Reader:
             self.spent.setdefault(meant.at, blocks[0].at)
 
     def _under(self, block: Block) -> bool:
-        """Does the statement stand under the opener of a block?"""
+        """True if the statement is in the same column as the opener of a block."""
         return self.places.column(self.start) == self.places.column(block.at)
 
     # ------------------------------------------------------------------------------------------- mistakes
 
     def _mistake(self, at: int) -> int:
-        """The token `at` does not fit: say so, mend it, and return the token to go on with."""
+        """Report the unexpected token `at`, recover, and return the next token to read."""
         blocks = opened_blocks(self.mark)
         if self.kinds[at] == END:
             return self._file_ends(at, blocks)
@@ -157,17 +170,20 @@ class _Reader:
         return self._wrong(at)
 
     def _closer(self, first: int, last: int) -> str:
-        """The kind of block that the tokens from `first` to `last` close or go on with, "" for none."""
+        """Return the kind of block that these tokens close or continue, "" if none."""
         if self.kinds[first] == "END" and self.kinds[last : last + 1] and self.kinds[last] in OPENERS:
             return self.kinds[last]
         return CLOSERS.get(self.kinds[first], "")
 
     def _inline(self, first: int, blocks: list[Block]) -> bool:
-        """Does the statement at `first` belong to an If of one line?"""
+        """True if the statement at `first` belongs to a one-line If."""
         return self.kinds[first - 1] in ("THEN", "ELSE") or any(block.inline for block in blocks)
 
     def _closes(self, closer: str, at: int, blocks: list[Block]) -> int:
-        """A closer that does not fit: blocks inside the one it closes are still open, or there is none."""
+        """Report a closer that does not fit, and blocks inside the one it closes.
+
+        Either inner blocks are still open, or no block of that kind is.
+        """
         place = next((i for i, block in enumerate(blocks) if block.kind == closer), None)
         words = " ".join(self.texts[self.start : at + 1])
         name = OPENERS[closer]
@@ -190,7 +206,7 @@ class _Reader:
         return self._skip(at)
 
     def _else_if(self, at: int) -> str:
-        """A hint for an `End If` too many, where an `Else If` has been read as an ElseIf."""
+        """Return a hint for a surplus `End If` after an `Else If` was read as ElseIf."""
         for place in range(at - 1, 1, -1):
             if self.kinds[place - 2 : place + 1] == ["_NL", "ELSE", "IF"]:
                 line = self.places.line(place)
@@ -200,19 +216,19 @@ class _Reader:
         return ""
 
     def _closes_inline(self, first: int, at: int) -> int:
-        """A closer in an If of one line, which ends with its line."""
+        """Report a closer in a one-line If, which ends with its line."""
         words = " ".join(self.texts[first : at + 1])
         message = f"`{words}` cannot stand in an If of one line"
         self.report("stray-end", message, first, "remove it, or give each part a line of its own", at)
         return self._skip(at)
 
     def _declares(self, at: int) -> bool:
-        """Does the statement begin a Sub or the like?"""
+        """True if the statement begins a Sub or another declared block."""
         named = self.kinds[self.start + 1 : self.start + 2] in (["NAME"], ["_NL"])
         return self.kinds[self.start] in DECLARATIONS and named and at <= self.start + 1
 
     def _declared_inside(self, blocks: list[Block]) -> int:
-        """A `Sub` or the like begins where blocks are open: they should have ended before."""
+        """Report open blocks before a `Sub` or another declared block, and close them."""
         kinds = tuple(self.kinds[self.start : self.start + 2])
         while blocks and feed_all(self.mark, kinds, self.start) is None:
             self._missing(blocks[0])
@@ -236,7 +252,10 @@ class _Reader:
         )
 
     def _close(self, blocks: list[Block]) -> bool:
-        """Close blocks, from the innermost, as if their ends stood before the statement."""
+        """Close blocks, innermost first, as if their closers came before the statement.
+
+        Returns False if a closer does not fit.
+        """
         for block in blocks:
             top = feed_all(self.mark, (*block.closing, "_NL"), self.start)
             if top is None:
@@ -246,11 +265,11 @@ class _Reader:
         return True
 
     def _wrong(self, at: int) -> int:
-        """An ordinary mistake inside a statement."""
+        """Report any other error inside a statement."""
         kind, text = self.kinds[at], self.texts[at]
         before = self.texts[at - 1] if at else ""
         kinds = expected(TABLES, self.top)
-        if kinds <= AFTER_A_NAME:  # `Run 3`: the word has been taken for a name, which nobody meant
+        if kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was read as a name, which was not intended
             kinds = expected(TABLES, self.before)
         self.report(
             "syntax", expectations.message(kinds, kind, text), at, expectations.hint(kinds, before, text)
@@ -270,7 +289,10 @@ class _Reader:
         return at
 
     def _skip(self, at: int) -> int:
-        """Drop the rest of the line; what stood before the statement stays, if it may end there."""
+        """Drop the rest of the line.
+
+        The part before the statement remains if the line may end there.
+        """
         end = self._line_end(at)
         for top in (self.mark, self.line):
             after, fits = feed(top, "_NL", end)

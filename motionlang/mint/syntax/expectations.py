@@ -1,4 +1,4 @@
-"""What a mistake of the text is called: from the kinds of token that could stand there to a sentence."""
+"""Messages for syntax errors, from the kinds of token that would have been valid."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from motionlang.lang.parsing.parser import BAD, END
 from motionlang.lang.typography import typographic
 from motionlang.mint.syntax.tables import SPELLINGS
 
-VALUE = {"NUMBER", "STRING"}  # where both may stand, any value may
-STATEMENT = {"PAUSE", "DIM", "GOTO"}  # likewise
+VALUE = {"NUMBER", "STRING"}  # if both are valid, any value is
+STATEMENT = {"PAUSE", "DIM", "GOTO"}  # if all are valid, any statement is
 SEPARATORS = {"_NL", "COLON"}
-FEW = 3  # more things than this are no help
+FEW = 3  # a longer list of alternatives does not help
 
-# A token that does not fit, the token before it, and what the writer probably meant.
+# An unexpected token, the token before it, and what the author probably meant.
 SLIPS = {
     ("=", "="): "one = both assigns and compares",
     ("!", "="): "unequal is written <>",
@@ -27,7 +27,7 @@ SLIPS = {
 
 
 def message(kinds: set[str], kind: str, text: str) -> str:
-    """The sentence for a token of a kind that is none of `kinds`."""
+    """Return the message for a token whose kind is not one of `kinds`."""
     if kind == BAD:
         return _bad(text)
     wanted = _things(kinds)
@@ -42,7 +42,7 @@ def message(kinds: set[str], kind: str, text: str) -> str:
 
 
 def hint(kinds: set[str], before: str, text: str) -> str:
-    """What to do about it, as far as one can tell."""
+    """Return a suggested fix, "" if none is likely."""
     if text[:1] == '"' and not text.endswith('"', 1):
         return 'add the closing "'
     if found_typographic := typographic(text):
@@ -70,7 +70,7 @@ def hint(kinds: set[str], before: str, text: str) -> str:
 
 
 def found(kind: str, text: str) -> str:
-    """A token as a sentence names it."""
+    """Return a token as messages show it."""
     if kind == "_NL":
         return "the end of the line"
     if kind == END:
@@ -94,7 +94,7 @@ def _bad(text: str) -> str:
 
 
 def _things(kinds: set[str]) -> list[str]:
-    """The kinds in human terms: whole classes first, then the words and signs that are left."""
+    """Describe the valid kinds: whole classes first, then single keywords and signs."""
     left = set(kinds)
     things = []
     if left >= STATEMENT:
@@ -109,9 +109,9 @@ def _things(kinds: set[str]) -> list[str]:
         left.discard("EQUAL")
         things.append("a comparison")
     if "THEN" in left:
-        left.discard("DO")  # v4's word for the same
+        left.discard("DO")  # v4 spelling of Then
     if "END" in left:
-        left -= SEPARATORS  # between the parts of a block: blank lines help nobody
+        left -= SEPARATORS  # blank lines between the branches of a block are no useful suggestion
     if left & SEPARATORS:
         left -= SEPARATORS
         things.append("the end of the line")

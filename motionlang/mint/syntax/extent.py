@@ -1,4 +1,4 @@
-"""From which line to which the blocks of a program reach: its subs, tasks and handlers, as a profile names them."""
+"""The line ranges of a program's subs, tasks and handlers, for profiles."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def blocks(source: Source) -> list[tuple[str, int, int]]:
-    """Name, first and last line of every block; a sub in a task is a block in a block."""
+    """Return name, first and last line of every block, including subs inside tasks."""
     return blocks_of(parse(source))
 
 
 def blocks_of(module: Module) -> list[tuple[str, int, int]]:
-    """The same of a program that is parsed."""
+    """Return the line ranges of a parsed program, like `blocks`."""
     named: list[tuple[str, Node, Sequence[object]]] = []
     for task in module.tasks:
         named.append((f"task {task.name}", task, [*task.body, *task.subs]))
@@ -32,7 +32,10 @@ def blocks_of(module: Module) -> list[tuple[str, int, int]]:
 
 
 def _last(module: Module, node: Node, body: Sequence[object]) -> int:
-    """The line of the last token: a look along the right edge of the tree, where what begins last stands."""
+    """Return the line of the last token, found along the right edge of the tree.
+
+    The node that begins last contains the last token.
+    """
     last, below = node.at, body
     while nodes := [each for each in below if isinstance(each, Node)]:
         edge = max(nodes, key=lambda each: each.at)

@@ -1,4 +1,7 @@
-"""Values that come when a program starts: nodes that no text has, in the place of what one has there."""
+"""Nodes for values that are supplied when a program starts.
+
+They replace a value of the text.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +16,9 @@ if TYPE_CHECKING:
 
 @record
 class Given(Node):
-    """A value that the program is given when it starts.
+    """A value that the program receives when it starts.
 
-    It stands where a name gets its first value, of a name whose value changes from run to run of one compiled program.
+    It replaces the first value of a name whose value varies between runs of one compiled program.
     """
 
     name: str
@@ -24,7 +27,7 @@ class Given(Node):
 
 @record
 class Cast(Node):
-    """A value as another type: what a `Const` with a type makes of a `Given`."""
+    """A conversion to another type: a `Const` with a type whose value is a `Given`."""
 
     value: Expr
     type: Type

@@ -1,9 +1,9 @@
-"""The nesting of a program: long chains of operations are made flat, and what is nested too deeply is refused.
+"""Flatten long chains of operations, and reject expressions nested too deeply.
 
-The grammar is left-associative, so that the parser makes `a + b + c …` a `Binary` in a `Binary` and so on. The passes
-after it are recursive, and Python's recursion is limited. A chain of operations is no nesting to its author, so a long
-one becomes a `Chain`, which is one level; brackets, arguments and signs are levels. Only texts with long lines come
-here. Cost: one visit of each node, without recursion.
+The grammar is left-associative, so the parser makes `a + b + c …` a `Binary` in a `Binary` and so on. The
+later passes are recursive, and Python's recursion is limited. To its author a chain of operations is not
+nested, so a long one becomes a `Chain`, which is one level. Brackets, arguments and signs are levels. Only
+texts with long lines come here. Cost: one visit of each node, without recursion.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, LINKS
 from motionlang.mint.syntax.nodes import Binary, Chain, Link, Module, Node
 
-# What is nested in an expression; the nodes of statements begin anew.
+# Nodes that nest inside an expression. Any other node, such as a statement, starts again at depth 0.
 _NESTS = (
     nodes.Name,
     nodes.Member,
@@ -44,7 +44,7 @@ def flatten_chains(module: Module) -> None:
 
 
 def _flat(node: Node) -> Node:
-    """A `Chain` for the long run of operations that begins with a node; any other node as it is."""
+    """Return a `Chain` for a long run of operations, and any other node unchanged."""
     operations: list[Binary] = []
     first = node
     while type(first) is Binary:
@@ -75,7 +75,7 @@ def check_depth(module: Module) -> None:
 
 
 def _too_deep(module: Module) -> list[Node]:
-    """The nodes that stand just below the limit, found without recursion."""
+    """Return the nodes just below the limit, without recursion."""
     found = []
     waiting: list[tuple[Node, int]] = [(module, 0)]
     while waiting:
@@ -88,7 +88,7 @@ def _too_deep(module: Module) -> list[Node]:
 
 
 def depth_of(expression: Node) -> int:
-    """How many nodes of an expression are within one another."""
+    """Return the number of levels in an expression."""
     deepest, waiting = 0, [(expression, 1)]
     while waiting:
         node, depth = waiting.pop()

@@ -1,4 +1,4 @@
-"""What every node of the syntax tree has: its place, and equality by what it says."""
+"""The base class of all syntax tree nodes: token number, and equality by content."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @record
 class Node:
-    """A piece of a program that starts at token number `at`."""
+    """A node of a program that starts at token number `at`."""
 
     if TYPE_CHECKING:
         __slots__: ClassVar[tuple[str, ...]]  # the fields of the class itself
@@ -27,7 +27,7 @@ class Node:
         return f"{type(self).__name__}({fields})"
 
     def __eq__(self, other: object) -> bool:
-        """Nodes are equal when what they say is equal; where they stand takes no part."""
+        """Nodes are equal if their contents are equal; their position does not count."""
         return type(self) is type(other) and all(
             getattr(self, name) == getattr(other, name) for name in self.__slots__
         )
@@ -36,10 +36,11 @@ class Node:
 
 
 class Resolved(Node):
-    """A name, and what it stands for, which `resolve.names` writes down once wherever it stands.
+    """A name and what it refers to, which `resolve.names` records once for each use.
 
-    `symbol` is what the program declares or assigns under that name, `row` the keyword that it is otherwise, both None
-    where it is neither. `stands` is what a Define has it stand for, a copy of its own.
+    `symbol` is the declaration or assignment of that name in the program. `row` is the keyword of that name
+    if there is no symbol. Both are None for an unknown name. `stands` is the expression that a Define gives
+    the name, copied for each use.
     """
 
     __slots__ = ("row", "stands", "symbol")
@@ -49,6 +50,6 @@ class Resolved(Node):
     symbol: Symbol | None
 
     def resolve(self, symbol: Symbol | None, row: Keyword | None = None, stands: Expr | None = None) -> Self:
-        """Say what it stands for."""
+        """Record what the name refers to."""
         self.symbol, self.row, self.stands = symbol, row, stands
         return self

@@ -1,10 +1,10 @@
 """The abstract syntax of Mint: what the parser builds and the compiler reads.
 
-Every node carries `at`, the ordinal of its first token; `Module.line(at)` and `Module.column(at)` turn it
-into a place in the text.
+Every node has `at`, the ordinal of its first token. `Module.line(at)` and `Module.column(at)` turn it into a
+position in the text.
 
 The grammar knows no keyword of the motion library: `SPEED(0) = 10` is an `Assign` to a `Name`, `GO(0)` is a
-`Call` of a `Name`; the keyword table gives them their meaning in the compiler.
+`Call` of a `Name`. The keyword table gives them their meaning in the compiler.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ if TYPE_CHECKING:
 
 @record
 class Number(Node):
-    """A literal number; `value` is an int where the text has neither point nor exponent, else a float."""
+    """A literal number.
+
+    `value` is an int if the text has neither a point nor an exponent, else a float.
+    """
 
     value: float
 
@@ -40,10 +43,11 @@ class String(Node):
 
 @record
 class Name(Resolved):
-    """A word with or without arguments: variable, array element, keyword, function.
+    """A name or keyword with or without arguments.
 
-    `name` keeps the spelling of the source; `args` is None where no bracket follows. `axes` is true for the
-    v4 forms `MOVER.0` and `MOVER[0, 1]`, whose indices can only be axes or channels.
+    It is a variable, an array element, a keyword or a function. `name` preserves the spelling of the source.
+    `args` is None if no bracket follows. `axes` is True for the v4 forms `MOVER.0` and `MOVER[0, 1]`, whose
+    indices can only be axes or channels.
     """
 
     name: str
@@ -53,7 +57,10 @@ class Name(Resolved):
 
 @record
 class Member(Node):
-    """`value.field` of a user type; `args` are the subscripts of `value.field(…)`, None without a bracket."""
+    """A member `value.field` of a user type.
+
+    `args` are the subscripts of `value.field(…)`, None without a bracket.
+    """
 
     value: Expr
     field: str
@@ -79,7 +86,7 @@ class Binary(Node):
 
 @record
 class Omitted(Node):
-    """A place left free in a list of values, `SPEED(0, 1) = , 20`; it stands at the `,` after it."""
+    """An omitted value, as in `SPEED(0, 1) = , 20`; `at` is the `,` after it."""
 
 
 Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain | Omitted
@@ -90,9 +97,10 @@ Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain |
 
 @record
 class Assign(Node):
-    """`target = value, value …`; `repeat` is the trailing `;` that gives the last value to all other axes.
+    """An assignment `target = value, value …`.
 
-    An `Omitted` among the values leaves its axis as it is; the last value is never omitted.
+    `repeat` is True if a trailing `;` gives the last value to all other axes. An `Omitted` among the values
+    leaves its axis unchanged. The last value is never omitted.
     """
 
     target: Name | Member
@@ -102,14 +110,20 @@ class Assign(Node):
 
 @record
 class Call(Node):
-    """A command or a sub: `GO(0)`, `Fill(3)`, `Fill 3, 4` (`args` of the bare form live in `target.args`)."""
+    """A command or a sub: `GO(0)`, `Fill(3)`, `Fill 3, 4`.
+
+    The `args` of the form without brackets are in `target.args`.
+    """
 
     target: Name
 
 
 @record
 class PrintItem(Node):
-    """One value of a PRINT with its `USING` formats, and the separator (`,` or `;` or "") that follows it."""
+    """One value of a PRINT with its `USING` formats.
+
+    `separator` is the sign that follows it: `,` or `;` or "".
+    """
 
     value: Expr
     using: list[Expr]
@@ -118,9 +132,10 @@ class PrintItem(Node):
 
 @record
 class Print(Resolved):
-    """`PRINT [#terminal,] items`; the last item's separator decides whether the line ends.
+    """A `PRINT [#terminal,] items`; the last separator decides if the line ends.
 
-    `word` is another word than PRINT that stands before items, which only LINE may; its `line` comes before them.
+    `word` is a keyword other than PRINT in front of the items; only LINE is valid there. Its `line` comes
+    before the items.
     """
 
     items: list[PrintItem]
@@ -149,7 +164,7 @@ class TypeName(Node):
 
 @record
 class Variable(Resolved):
-    """One name of a `Dim`: its dimensions (empty for a plain variable), its type and its initial values."""
+    """One name of a `Dim`: dimensions (empty for a scalar), type and initial values."""
 
     name: str
     dimensions: list[Expr]
@@ -166,7 +181,7 @@ class Dim(Node):
 
 
 class Const(Node):
-    """`Const name [As type] = value, …`; the further names of the statement stand in `more`, each by itself."""
+    """`Const name [As type] = value, …`; `more` holds a node for each further name."""
 
     __slots__ = ("more", "name", "type", "value")
 
@@ -177,7 +192,7 @@ class Const(Node):
 
 @record
 class Define(Node):
-    """`Define name = text`: `name` stands for an expression wherever it is used."""
+    """`Define name = text`: `name` stands for an expression at each use."""
 
     name: str
     value: Expr
@@ -185,7 +200,10 @@ class Define(Node):
 
 @record
 class If(Node):
-    """`If … Then … ElseIf … Else … End If` and the one-line form; an `ElseIf` is an `If` in `orelse`."""
+    """A block or one-line `If`; an `ElseIf` is an `If` in `orelse`.
+
+    The block form is `If … Then … ElseIf … Else … End If`.
+    """
 
     condition: Expr
     body: list[Stmt]
@@ -194,7 +212,10 @@ class If(Node):
 
 @record
 class CaseTest(Node):
-    """One entry of a `Case`: a value (`op` "="), a range (`op` "To", with `high`) or `Is op value`."""
+    """One entry of a `Case`: a value (`op` "="), a range ("To") or `Is op value`.
+
+    `high` is the upper end of a range.
+    """
 
     op: str
     value: Expr
@@ -253,7 +274,10 @@ class Loop(Node):
 
 @record
 class Exit(Node):
-    """`Exit [For | While | Repeat | Loop | Select | Sub | Function | Task | Event]`; `kind` is lower case."""
+    """`Exit [For | While | Repeat | Loop | Select | Sub | Function | Task | Event]`.
+
+    `kind` is lower case.
+    """
 
     kind: str
 
@@ -288,7 +312,11 @@ class Label(Node):
 
 @record
 class Jump(Node):
-    """`kind` is "goto" or "gosub"; where blocks were taken apart "exit" (`unless` a condition holds) and "again"."""
+    """A jump of `kind` "goto" or "gosub", or one from a flattened block.
+
+    Jumps from flattened blocks are "exit" (taken only if the condition `unless` is false, when there is one)
+    and "again".
+    """
 
     kind: str
     name: str
@@ -387,22 +415,22 @@ class UserType(Node):
 
 
 class Placed(Node):
-    """A tree that knows where its tokens stand; that takes no part in equality, as no position does."""
+    """A tree with the positions of its tokens, which do not count in comparisons."""
 
     __slots__ = ("places",)
 
     places: Places
 
     def line(self, at: int) -> int:
-        """The line, from 1, of a token; `at` is that of any node of the tree."""
+        """Return the line, from 1, of a token; `at` is that of any node of the tree."""
         return self.places.line(at)
 
     def column(self, at: int) -> int:
-        """The column, from 1, of a token."""
+        """Return the column, from 1, of a token."""
         return self.places.column(at)
 
     def length(self, at: int) -> int:
-        """The number of characters of a token; of a value that begins with a sign, those of the whole."""
+        """Return the number of characters of a token, or of a signed value as a whole."""
         return self.places.value_length(at)
 
 

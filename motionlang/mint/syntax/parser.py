@@ -1,4 +1,4 @@
-"""Mint text to its syntax tree."""
+"""Parse Mint text into its syntax tree."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 
-# What the kinds of token are to a reader; a kind that is not here is a control word or an operator.
+# The kinds of token as a reader sees them. A kind that is not listed is a control word or an operator.
 _CLASSES = {"NAME": "word", "DOTTED": "word", "NUMBER": "number", "STRING": "string", "CHARACTER": "string"}
 _SEPARATORS = {"COLON", "COMMA", "SEMICOLON", "LPAR", "RPAR", "LSQB", "RSQB"}
 _COMMENT = re.compile(r"'[^\n]*|[Rr][Ee][Mm][^\n]*|:")
 
 
 def parse(source: Source) -> Module:
-    """The tree of a program; raises ProgramError with every mistake of the text."""
+    """Return the tree of a program; raise ProgramError with all errors of the text."""
     texts = TABLES.texts(source.text)
     kinds = TABLES.kinds_of(texts)
     try:
         module: Module = TABLES.parse(texts, kinds)
     except (Stuck, TooDeep, Misuse):
-        from motionlang.mint.syntax.errors import diagnose  # only a mistake pays for this import
+        from motionlang.mint.syntax.errors import diagnose  # imported only for a text with an error
 
         raise diagnose(source) from None
     module.places = Places(source, TABLES, texts, kinds)
@@ -43,22 +43,29 @@ def parse(source: Source) -> Module:
 
 
 def _short(places: Places) -> bool:
-    """Are all lines so short that no expression can be nested too deeply? `1+1+1…` nests in two characters."""
+    """True if all lines are too short for an expression to be nested too deeply.
+
+    `1+1+1…` takes two characters for a level.
+    """
     lines = places.source.text.split("\n")
     return not places.continues and max(map(len, lines)) <= 2 * DEEPEST_EXPRESSION
 
 
 def is_complete(text: str) -> bool:
-    """May a reader of lines stop here? False inside an open block or after a line that goes on."""
+    """True if the text may end here.
+
+    It is False inside an open block or after a line continuation.
+    """
     from motionlang.mint.syntax.errors import unfinished
 
     return not (text.rstrip(" \t\n").endswith(("\\", " _")) or unfinished(TABLES.texts(text)))
 
 
 def tokens(text: str) -> Iterator[tuple[str, str, int]]:
-    """The pieces of a text for highlighting: kind, text and offset, blanks and line ends left out.
+    """Yield the tokens of a text for highlighting: kind, text and offset.
 
-    The kinds are word, control, number, string, comment, operator, separator and bad. Any text will do.
+    Blanks and line ends are left out. The kinds are word, control, number, string, comment, operator,
+    separator and bad. Any text is accepted.
     """
     end = 0
     for match in TABLES.matches(text):
@@ -82,14 +89,14 @@ def _class(kind: str, piece: str) -> str:
 
 
 def _comments(piece: str, start: int) -> Iterator[tuple[str, str, int]]:
-    """A run of line ends holds the comments that stand before them."""
+    """Yield the comments in a run of line ends."""
     for match in _COMMENT.finditer(piece):
         kind = "separator" if match[0] == ":" else "comment"
         yield kind, match[0], start + match.start()
 
 
 def _between(text: str, start: int, end: int) -> Iterator[tuple[str, str, int]]:
-    """What stands between two tokens: blanks, or the mark of a line that goes on."""
+    """Yield the line continuation mark between two tokens; skip blanks."""
     gap = text[start:end]
     if gap.strip():
         at = start + len(gap) - len(gap.lstrip())

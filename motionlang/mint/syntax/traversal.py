@@ -1,4 +1,4 @@
-"""One look at the whole tree of a function: its names and its statements, for the passes that resolve them."""
+"""One pass over the tree of a function, for the passes that resolve its names."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-# The slots of each class that may hold nodes; the others hold names, operators and the like.
+# Slots that hold no nodes, such as names and operators. All other slots of a class are in `_CHILDREN`.
 _NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
                         "places", "repeat", "separator", "word"))  # fmt: skip
 _CHILDREN: dict[type, tuple[str, ...]] = {
@@ -21,7 +21,7 @@ _CHILDREN[Number] = _CHILDREN[String] = _CHILDREN[Given] = ()
 
 
 def children(node: object) -> list[object]:
-    """The nodes of a node, and what else it holds."""
+    """Return the children of a node, and its other values that are not None."""
     out: list[object] = []
     for slot in _CHILDREN.get(node.__class__, ()):
         value = getattr(node, slot)
@@ -33,7 +33,7 @@ def children(node: object) -> list[object]:
 
 
 def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
-    """Every node below `start`, in no particular order."""
+    """Yield `start` and every node below it, in no particular order."""
     stack = list(start)
     while stack:
         node = stack.pop()
@@ -50,14 +50,14 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
 
 
 def meant(node: nodes.Expr) -> nodes.Expr:
-    """What a name made by Define stands for; anything else stands for itself."""
+    """Return the expression that a Define gives a name; any other node unchanged."""
     while isinstance(node, Name) and node.args is None and node.stands is not None:
         node = node.stands
     return node
 
 
 def copied(node: object) -> object:
-    """A tree of its own, at the same places."""
+    """Return a copy of a tree, with the same token numbers."""
     if node.__class__ is list:
         return [copied(each) for each in node]
     if node.__class__ not in _CHILDREN:
@@ -70,11 +70,12 @@ def copied(node: object) -> object:
 
 
 class Survey:
-    """What the passes that resolve names look for in a body, as `walk` would find it.
+    """The nodes of a body that the passes of name resolution need.
 
-    `names` are the Names by their spelling, `targets` what assignments and INPUT write, `assigned` the variables that
-    something gives a value, each spelling once, and `statements` all nodes but assignments, operations and literals.
-    Long, and apart from `walk`, because every node of every program comes through here.
+    `names` are the Names by their spelling, `targets` the targets of assignments and INPUT, `assigned` the
+    variables that get a value, each spelling once, and `statements` all nodes except assignments, operations
+    and literals. It visits the same nodes as `walk`. The code is long and does not use `walk` because every
+    node of every program passes through it.
     """
 
     def __init__(self, body: Iterable[object]) -> None:
@@ -122,7 +123,7 @@ class Survey:
                         stack.append(value)
 
     def _give(self, node: For | Input) -> None:
-        """The same of the variable of a For and the target of an INPUT."""
+        """Record the variable of a For or the target of an INPUT as assigned."""
         target: nodes.Expr = node.variable if isinstance(node, For) else node.target
         if isinstance(node, Input):
             self.targets.append(target)
@@ -130,5 +131,5 @@ class Survey:
             self.assigned.setdefault(target.name, target)
 
     def of(self, *kinds: type) -> list[nodes.Node]:
-        """The statements of some kinds, in the order of the text."""
+        """Return the statements of these kinds, in the order of the text."""
         return sorted((node for node in self.statements if node.__class__ in kinds), key=lambda node: node.at)

@@ -1,4 +1,4 @@
-"""An expression as its author would write it, for messages."""
+"""Write an expression as its author would, for messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from motionlang.mint.syntax import nodes
 
 
 def shown(node: nodes.Expr, inside: bool = False) -> str:
-    """The text of an expression; an operation within another one stands in brackets."""
+    """Return the text of an expression; a nested operation is in brackets."""
     if type(node) is nodes.Number:
         return f"{node.value:g}"
     if type(node) is nodes.String:
