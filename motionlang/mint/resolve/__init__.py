@@ -1,1 +1,1 @@
-"""What the names of a Mint program stand for, and the ways through its functions."""
+"""Name resolution, and the control flow of the functions, of a Mint program."""

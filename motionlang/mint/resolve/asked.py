@@ -1,7 +1,8 @@
-"""What the loops and the PAUSEs of a program ask for: the words that their conditions read.
+"""Dependencies of loops and PAUSEs: the inputs and positions they wait for.
 
-A variable in a condition stands for what the loop itself gives it: in `done = IDLE(0)` … `While Not done` the loop asks
-for axis 0. A variable that only others write stands for them. A function stands for what it reads.
+These are what the conditions read. If the loop itself assigns a variable of its condition, the assigned value
+counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. A variable that only other
+tasks assign stands for these tasks. A function stands for what it reads.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
-# By the section of the machine file that says what a word reads.
+# The kind of a read, by the section of the machine file that drives the keyword.
 DRIVEN = {
     "input": "input",
     "analogue": "analogue",
@@ -44,7 +45,7 @@ DRIVEN = {
 
 
 def asked(source: Source) -> Callable[[int], Asked | None]:
-    """What the loop or the PAUSE at a place asks for."""
+    """Return a function that gives what the loop or PAUSE at a token waits for."""
     module = parse(source)
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
@@ -52,13 +53,13 @@ def asked(source: Source) -> Callable[[int], Asked | None]:
 
 
 class _Survey:
-    """The loops and the PAUSEs of a program; each is looked through when it is asked for."""
+    """The loops and PAUSEs of a program; each is analysed on request."""
 
     def __init__(self, module: Module, functions: Iterable[Function]) -> None:
         self._module = module
         self._nodes: dict[int, nodes.Node] = {}
         self._by_labels: dict[int, list[nodes.Stmt]] = {}
-        # What each task, the parent and each event handler carries out.
+        # The nodes that each task, the parent task and each event handler may execute.
         self._roots = [
             list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
         ]
@@ -69,7 +70,7 @@ class _Survey:
             self._by_labels.update(_by_labels(function))
 
     def at(self, place: int) -> Asked | None:
-        """What the loop or the PAUSE at a place asks for; None where there is none."""
+        """Return what the loop or PAUSE at a token waits for, None if there is none."""
         node = self._nodes.get(place)
         if isinstance(node, nodes.Pause):
             return Asked(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
@@ -78,7 +79,7 @@ class _Survey:
         return self.goto(self._by_labels[place]) if place in self._by_labels else None
 
     def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> Asked:
-        """Of a loop that is written as one."""
+        """Return what a loop statement waits for."""
         conditions: list[nodes.Expr] = [] if isinstance(node, (nodes.For, nodes.Loop)) else [node.condition]
         why = ""
         if conditions:
@@ -90,7 +91,7 @@ class _Survey:
         return found
 
     def goto(self, body: list[nodes.Stmt]) -> Asked:
-        """The same of a loop of Gotos."""
+        """Return what a loop of Gotos waits for."""
         jumps = (node for node in walk(body) if isinstance(node, nodes.Jump))
         unless = [node.unless for node in jumps if node.unless is not None]
         return self._asked(body, [*unless, *_deciding(body, LEAVES)], "")
@@ -104,7 +105,7 @@ class _Survey:
         return Asked(self.reads(conditions, reached), within, lines, why)
 
     def reads(self, conditions: list[nodes.Expr], body: list[nodes.Node]) -> frozenset[Read]:
-        """What conditions read, of a loop that carries out the nodes of `body`."""
+        """Return what the conditions of a loop read; `body` are the nodes of the loop."""
         found: set[Read] = set()
         seen: set[Symbol] = set()
         others: set[Symbol] = set()
@@ -131,7 +132,7 @@ class _Survey:
         return frozenset(found)
 
     def _is_written(self, symbol: Symbol, body: list[nodes.Node]) -> bool:
-        """Whether a task or an event handler gives a variable a value which is not the one that the loop stands in."""
+        """True if a task or handler other than that of the loop assigns the variable."""
         inside = {id(node) for node in body}
         others = [root for root in self._roots if not any(id(node) in inside for node in root)]
         return any(
@@ -141,9 +142,9 @@ class _Survey:
         )
 
     def _reached(self, body: Iterable[object]) -> Iterator[nodes.Node]:
-        """The nodes of a body, and of the subs that it calls."""
+        """Yield the nodes of a body and of the subs that it calls."""
         bodies, seen = [body], set()
-        for each in bodies:  # which grow meanwhile
+        for each in bodies:  # the list grows during the loop
             for node in walk(each):
                 yield node
                 if not isinstance(node, nodes.Name):
@@ -157,7 +158,10 @@ class _Survey:
 
 
 def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
-    """The statements of each loop that the Gotos of a function make, up to the last jump back, by its label."""
+    """Yield each loop made of Gotos: its label and its statements.
+
+    The statements end with the last jump back.
+    """
     body, labels = function.body, {}
     for number, statement in enumerate(body):
         if type(statement) is nodes.Label:
@@ -174,7 +178,7 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
 
 
 def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
-    """The conditions in a body by which something is carried out, one of `leaves` where there are any."""
+    """Return the conditions in a body that guard one of `leaves`; all if it is None."""
     found: list[nodes.Expr] = []
     for node in walk(body):
         if isinstance(node, nodes.If):
@@ -191,7 +195,7 @@ def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[n
 
 
 def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
-    """What a loop gives a variable, and the conditions by which it does."""
+    """Return the values that a loop assigns to a variable, and their conditions."""
     found: list[nodes.Node] = []
     for node in body:
         if isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol:
@@ -206,7 +210,7 @@ def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
 
 
 def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
-    """What a word of the language reads."""
+    """Yield what a keyword reads."""
     if row is None or row.kind not in ("reading", "setting"):
         return
     if row.verb == "time" or (row.unit == "s" and row.index == "none"):
@@ -228,7 +232,7 @@ def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
 
 
 def _numbers(node: nodes.Name) -> Iterator[int | None]:
-    """The numbers in the brackets; None for one that is known only when the program runs."""
+    """Yield the numbers in the brackets, None for one known only at run time."""
     for each in node.args or ():
         found = meant(each)
         value: object = found.value if isinstance(found, nodes.Number) else None

@@ -1,4 +1,4 @@
-"""How deep the calls of a program may nest, as far as its text says."""
+"""The maximum depth of nested calls, as far as the text of a program shows it."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ if TYPE_CHECKING:
 
 
 def count_calls(functions: Sequence[Function], typed: bool) -> None:
-    """Mark all functions as `counted` if calls may nest deeper than `MAX_DEPTH`, so that only then it costs something.
+    """Mark all functions as `counted` if calls may nest deeper than `MAX_DEPTH`.
 
-    They may where a function calls itself, directly or not, where a Gosub may lead to itself, and at a prompt
-    (`typed`), where later lines may do so.
+    Counting has a cost, so it is done only then. Calls may nest that deep if a function calls itself,
+    directly or indirectly, if a Gosub may lead to itself, and at a prompt (`typed`), where later lines may
+    add such calls.
     """
     callers: dict[Function, list[Function]] = {}
     unknown: dict[Function, int] = {}

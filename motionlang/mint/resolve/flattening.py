@@ -1,4 +1,6 @@
-"""Blocks that hold labels, written as jumps: programs of v4 go to a label at the end of a loop to begin its next turn.
+"""Rewrite blocks that hold labels as jumps.
+
+Programs of v4 jump to a label at the end of a loop to begin its next iteration.
 
     LOOP                          #loop 1
       IF IN.0 = 0 THEN GOTO next    IF IN.0 = 0 THEN GOTO next
@@ -6,9 +8,9 @@
     #next                         #next
     ENDL                          GOTO loop 1
 
-Only such blocks are taken apart, as what has no labels is quicker as it stands. The labels that are made have a blank
-in their names, which no program can write. Times stay what they were, but that a For pays a statement more for a limit
-and for a step that are not plain numbers.
+Only blocks with labels are flattened, because the others are faster as they are. The generated labels have a
+blank in their names, which no program can write. Statement times do not change, except that a For takes one
+statement more for a limit and for a step that are not plain numbers.
 """
 
 from __future__ import annotations
@@ -20,7 +22,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    # The loops and Selects around a statement, the innermost last, each with the label behind it; "" where it stands.
+    # The loops and Selects around a statement, innermost last, each with the label behind it, or "" if it is
+    # not flattened.
     Around = tuple[tuple[str, str], ...]
 
 _KINDS = {
@@ -33,13 +36,13 @@ _KINDS = {
 
 
 def holds_labels(body: list[nodes.Stmt], labels: Sequence[nodes.Node]) -> bool:
-    """Whether some of the labels of a function stand in its blocks."""
+    """True if a label of a function is inside one of its blocks."""
     outermost = {id(node) for node in body}
     return any(id(label) not in outermost for label in labels)
 
 
 def flattened(body: list[nodes.Stmt]) -> list[nodes.Stmt]:
-    """The statements with every label in the outermost level."""
+    """Return the statements with every label at the outermost level."""
     return _Flattening().body(body, ())
 
 
@@ -55,7 +58,7 @@ def _bodies(node: nodes.Stmt) -> list[list[nodes.Stmt]]:
 
 
 class _Flattening:
-    """The labels of one function, counted."""
+    """The flattening of one function; counts the labels that it generates."""
 
     def __init__(self) -> None:
         self._made = 0
@@ -78,14 +81,17 @@ class _Flattening:
         return f"{what} {self._made}"
 
     def _exit(self, node: nodes.Exit, around: Around) -> nodes.Stmt:
-        """An Exit as a jump, where the block that it leaves has been taken apart."""
+        """Return an Exit as a jump if the block that it leaves is flattened."""
         for kind, label in reversed(around):
             if kind == node.kind or (not node.kind and kind != "select"):
                 return nodes.Jump(node.at, "exit", label) if label else node
         return node
 
     def _inside(self, node: nodes.Stmt, around: Around) -> None:
-        """Within a block that stays as it is an Exit may leave one that does not."""
+        """Rewrite the Exits inside a block that remains.
+
+        Such an Exit may leave a block around it that is flattened.
+        """
         if not any(label for _, label in around):
             return
         inner = (*around, (_KINDS[type(node)], "")) if type(node) in _KINDS else around
@@ -133,7 +139,7 @@ class _Flattening:
         turns = self._turns(node, "while", node.body, node.condition, [], around)
         first = turns[0]
         assert isinstance(first, nodes.Label)
-        return [nodes.Jump(node.at, "goto", first.name), *turns]  # what the While itself costs
+        return [nodes.Jump(node.at, "goto", first.name), *turns]  # the statement time of the While itself
 
     def repeat(self, node: nodes.Repeat, around: Around) -> list[nodes.Stmt]:
         begin, end = self._label("repeat"), self._label("end repeat")
@@ -146,7 +152,7 @@ class _Flattening:
         ]
 
     def for_(self, node: nodes.For, around: Around) -> list[nodes.Stmt]:
-        """Limit and step are worked out once, before the variable has its first value."""
+        """Rewrite a For; limit and step are evaluated once, before the first value is set."""
         before: list[nodes.Stmt] = []
         stop = self._kept(node, node.stop, before)
         step = nodes.Number(node.at, 1) if node.step is None else self._kept(node, node.step, before)
@@ -176,7 +182,7 @@ class _Flattening:
         last: list[nodes.Assign],
         around: Around,
     ) -> list[nodes.Stmt]:
-        """A loop: its condition, its body, what ends a turn, and the jump back."""
+        """Rewrite a loop: condition, body, end of an iteration, and the jump back."""
         begin, end = self._label(kind), self._label(f"end {kind}")
         test = [] if condition is None else [nodes.Jump(node.at, "exit", end, condition)]
         return [
@@ -190,7 +196,10 @@ class _Flattening:
 
 
 def _goes_on(variable: nodes.Expr, stop: nodes.Expr, step: nodes.Expr) -> nodes.Expr:
-    """Whether a For has another turn; which way it counts may be known only when it runs."""
+    """Build the condition for a further iteration of a For.
+
+    The sign of the step may be known only at run time.
+    """
     at = variable.at
     up, down = nodes.Binary(at, "<=", variable, stop), nodes.Binary(at, ">=", variable, stop)
     if isinstance(step, nodes.Number):

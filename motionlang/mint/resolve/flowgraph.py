@@ -56,16 +56,18 @@ if TYPE_CHECKING:
 
     State = TypeVar("State")
 
-# Kinds of steps: "start" and "leave" are the two ends of the function, "end" is the end of the program; "turn" and
-# "next" are the head of a For, at which its limit is looked at, and where it counts.
+# Kinds of steps. "start" and "leave" are the two ends of the function, "end" is the end of the program.
+# "turn" is the head of a For, where its limit is checked, and "next" is where it counts.
 START, DO, TEST, LEAVE, END, TURN, NEXT = "start", "do", "test", "leave", "end", "turn", "next"
 
 
 class Step:
-    """`node` is a statement (DO), a condition (TEST) or None; `yes` and `no` of a condition are both in `next`.
+    """A step of the graph.
 
-    `number` is the step's place in the text; `turns` whether a loop comes back to it; `loop` the For of TURN and NEXT;
-    `single` whether one way alone leads to it, from a step that leads nowhere else.
+    `node` is a statement (DO), a condition (TEST) or None. `yes` and `no` of a condition are both in `next`.
+    `number` is the step's position in the text. `turns` is True if a loop comes back to the step. `loop` is
+    the For of TURN and NEXT. `single` is True if only one edge leads to the step, from a step with no other
+    edge out.
     """
 
     __slots__ = ("kind", "loop", "next", "no", "node", "number", "single", "turns", "yes")
@@ -79,12 +81,12 @@ class Step:
         self.turns = self.single = False
 
 
-# A way that ends nowhere yet: the step, and which of its sides ("next", "yes", "no") is open.
+# Edges without a target so far: the step, and which of its sides ("next", "yes", "no") is open.
 Open = list[tuple[Step, str]]
 
 
 class Graph:
-    """The steps of a body; `is_main` where labels may be event handlers and `End` may come."""
+    """The steps of a body; `is_main` if labels may be event handlers."""
 
     def __init__(self, body: list[nodes.Stmt], is_main: bool = False) -> None:
         self.steps: list[Step] = []
@@ -101,7 +103,10 @@ class Graph:
         self._find_single()
 
     def reached(self, *begin: Step) -> set[Step]:
-        """The steps that some way leads to from some, with these; from start and handlers if none are named."""
+        """Return the steps that can be reached from these, including them.
+
+        Without an argument the search begins at start and at the handlers.
+        """
         found: set[Step] = set()
         stack = [*begin] or [self.start, *self.handlers.values()]
         while stack:
@@ -119,12 +124,13 @@ class Graph:
         elsewhere: State,
         own: Callable[[State], State],
     ) -> None:
-        """Go through the steps until nothing new comes out: the last time that a step is followed all is known of it.
+        """Compute the facts before each step, to a fixed point.
 
-        `follow` answers with what holds on the true (and only) and on the false side, None where no way leads on; it
-        may change what it is given, which is `own` to a block of steps. `join(a, b, step, back)` answers with what both
-        say before a step, with `a` itself where that is nothing new; `back` where the way leads back in the text, as
-        every circle does somewhere. `elsewhere` holds where an event begins.
+        `follow(step, state)` returns the states on the true (or only) and on the false side, None if no path
+        continues. It may modify its argument, which is `own(state)` at the first step of a run of single
+        steps. `join(a, b, step, back)` returns the facts common to both before a step, and `a` itself if they
+        add nothing new. `back` is True if the edge leads back in the text, as every cycle does at least once.
+        `elsewhere` holds where an event handler begins. On the last visit of a step its facts are final.
         """
         before: dict[Step, State] = {self.start: first, **dict.fromkeys(self.handlers.values(), elsewhere)}
         waiting = sorted(step.number for step in before)
@@ -153,7 +159,10 @@ class Graph:
                             heappush(waiting, after.number)
 
     def backward(self, last: int, end: int, follow: Callable[[Step, int], int]) -> dict[Step, int]:
-        """The bits that some way on from behind each step may meet: `last` where it leaves, `end` at the program's."""
+        """Compute, as bits, what some path behind each step may meet.
+
+        The bits start as `last` where the function is left and as `end` at the end of the program.
+        """
         behind: dict[Step, int] = dict.fromkeys(self.steps, 0)
         came: dict[Step, list[Step]] = {step: [] for step in self.steps}
         for step in self.steps:
@@ -318,12 +327,12 @@ class Graph:
 
 
 def _always(condition: nodes.Expr) -> bool:
-    """`While 1`, `While _TRUE`: a loop that is meant never to end."""
+    """True for a loop that is meant to run forever: `While 1`, `While _TRUE`."""
     return _literal(condition) not in (None, 0)
 
 
 def _never(condition: nodes.Expr) -> bool:
-    """`Until 0`."""
+    """True for the condition of `Until 0`."""
     return _literal(condition) == 0
 
 

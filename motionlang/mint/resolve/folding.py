@@ -1,4 +1,4 @@
-"""The value of an expression that is known before the program runs."""
+"""Constant folding: find values that are known before the program runs."""
 
 from __future__ import annotations
 
@@ -21,12 +21,15 @@ _WHOLE = (-(2**31), 2**31 - 1)
 
 
 def resolved(name: nodes.Name) -> tuple[Symbol | None, Keyword | None]:
-    """What a name stands for, once that is settled."""
+    """Return what a resolved name refers to."""
     return name.symbol, name.row
 
 
 def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) -> Known | None:
-    """The value of `node`, None when it is not known beforehand; `means` says what names stand for."""
+    """Return the value of `node`, None if it is not known before the run.
+
+    `means` returns what a name refers to.
+    """
     if type(node) is nodes.Number or type(node) is nodes.String:
         return node.value
     if type(node) is nodes.Name and node.args is None:
@@ -52,7 +55,10 @@ def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) ->
 
 
 def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Expr | None:
-    """`node` without a name in it, where its value is known when the program starts; None where it is not even then."""
+    """Return `node` without names if its value is known when the program starts.
+
+    Returns None if the value is not known by then.
+    """
     if type(node) is nodes.Given:
         return node
     known = fold(node, means)
@@ -79,12 +85,12 @@ def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Exp
 
 
 def constant(text: str, unit: str) -> float:
-    """The value of a row of predefined constants."""
+    """Return the value of a predefined constant from its row."""
     return float(text) if unit == "number" else int(text)
 
 
 def unary(op: str, value: Known) -> Known | None:
-    """`op value`, None where it has no value or is for the running program to refuse."""
+    """Return `op value`, None if it has no value or must fail at run time."""
     if isinstance(value, str):
         return None
     if op == "-":
@@ -97,7 +103,7 @@ def unary(op: str, value: Known) -> Known | None:
 
 
 def binary(op: str, left: Known, right: Known) -> Known | None:
-    """`left op right`, None where it has no value or is for the running program to refuse."""
+    """Return `left op right`, None if it has no value or must fail at run time."""
     if isinstance(left, str) or isinstance(right, str):
         if isinstance(left, str) and isinstance(right, str) and op in ("+", "&"):
             return left + right
@@ -112,7 +118,7 @@ def binary(op: str, left: Known, right: Known) -> Known | None:
 
 
 def _fits(value: float, whole: bool) -> float | None:
-    """Integer arithmetic that overflows is left to the running program, which says where."""
+    """Return None on integer overflow; the running program reports it with its line."""
     return None if whole and type(value) is int and not _WHOLE[0] <= value <= _WHOLE[1] else value
 
 

@@ -1,4 +1,7 @@
-"""What handles events: Event blocks, and labels of v4 with an event's name, to which nothing jumps."""
+"""Event handlers: Event blocks and v4 labels.
+
+A label is a handler if it has the name of an event and no jump leads to it.
+"""
 
 from __future__ import annotations
 
@@ -9,11 +12,11 @@ if TYPE_CHECKING:
 
 
 def label_handlers(function: Function) -> set[str]:
-    """The labels of the main program that handle events, in small letters."""
+    """Return the labels of the main program that handle events, in lower case."""
     return set(function.graph.handlers) if function.jumps else set()
 
 
 def handles(names: Names, event: str) -> bool:
-    """Whether the program handles an event that exists once, such as onerror."""
+    """True if the program handles an event that exists once, such as onerror."""
     blocks = (each.name.lower() for each in names.functions if each.kind == "event")
     return event in blocks or event in label_handlers(names.main)

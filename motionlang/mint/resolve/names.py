@@ -76,21 +76,24 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.folding import Meaning
     from motionlang.mint.resolve.problems import Problems
 
-# What a statement shows of the function that it stands in.
+# The attribute of a function that each kind of statement in it sets.
 _SHOWS: dict[type, str] = {
     **dict.fromkeys((nodes.For, nodes.While, nodes.Repeat, nodes.Loop), "loops"),
     **dict.fromkeys((nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End), "observes"),
     **dict.fromkeys((nodes.Label, nodes.Jump), "jumps"),
     nodes.Exit: "exits",
 }
-# Array elements in all; a typing error in a Dim must not take the memory of the computer.
+# The maximum number of array elements. A typing error in a Dim must not exhaust the memory of the computer.
 MOST_ELEMENTS = 10_000_000
-# Nodes within one another where Defines stand for expressions with further Defines in them.
+# The maximum nesting of nodes when Defines stand for expressions that contain further Defines.
 MAX_DEFINED_DEPTH = 1000
 
 
 class Names:
-    """All symbols of a module. `module` keeps its names between inputs when the program is typed line by line."""
+    """All symbols of a module.
+
+    `module` holds the names from earlier inputs if the program is typed line by line.
+    """
 
     def __init__(self, table: Table, problems: Problems, module: Scope | None = None) -> None:
         self.table, self.problems = table, problems
@@ -102,23 +105,24 @@ class Names:
             self.main.scope.outer = None
             self.main.scope.names = module.names
         self.module = self.main.scope
-        # Whether AXES says which axes a keyword without brackets means.
+        # True if the program uses AXES, which sets the axes of keywords without brackets.
         self.uses_axes = self.typed
-        # Whether TERMINAL says where a PRINT without a number prints.
+        # True if the program uses TERMINAL, which sets where a PRINT without a number prints.
         self.uses_terminal = self.typed
         self._surveys: dict[Function, Survey] = {}
-        # The Defines that are being put in the places of their names, one within the other.
+        # The Defines that are being expanded, innermost last.
         self._replacing: list[Symbol] = []
-        # How deep their expressions nest; whether that was too deep once, so that no further ones are replaced.
+        # The depth of their expressions, and a flag that is True once it was too deep. No further Defines are
+        # expanded then.
         self._defined_depth = 0
         self._defines_too_deep = False
-        # Names in Python, with the number of the last one that was made of each.
+        # Names in Python, with the last number that was appended to each.
         self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
 
     # ------------------------------------------------------------------------------------- declarations
 
     def declare_module(self, module: nodes.Module) -> None:
-        """Everything that the module declares, then everything it merely uses."""
+        """Declare everything that the module declares, then bind everything that it uses."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
         self.functions.append(main)
@@ -194,15 +198,15 @@ class Names:
         symbol = Symbol(node.name, "parameter", kind, python, node.at, function)
         symbol.by_ref = by_ref
         if by_ref:
-            self._taken[f"{python}_k"] = 0  # the place in the list, which goes with it
+            self._taken[f"{python}_k"] = 0  # the index in the list, which is passed along with it
         symbol.dimensions = (0,) if node.is_array else ()
         function.parameters.append(symbol)
         self.add(function.scope, symbol)
 
     def _count_subscripts(self) -> None:
-        """How many subscripts the array parameters have, which their subs show by using them.
+        """Find the number of subscripts of array parameters from their use in the subs.
 
-        One that is merely handed on has as many as the parameter that it is given to.
+        A parameter that is only passed on has as many as the parameter that receives it.
         """
         handed: list[tuple[Symbol, Symbol]] = []
         for function in self.functions:
@@ -233,7 +237,7 @@ class Names:
         self.types[node.name.lower()] = record
 
     def type_of(self, node: nodes.TypeName | None, default: str) -> Type:
-        """The type that `As …` names."""
+        """Return the type that `As …` names."""
         if node is None:
             return Type(default)
         key = node.name.lower()
@@ -252,7 +256,7 @@ class Names:
         return Type(TYPES[key], size)
 
     def _survey(self, function: Function) -> Survey:
-        """What a function's body holds, its labels in the outermost level."""
+        """Survey a function's body, after moving its labels to the outermost level."""
         survey = Survey(function.body)
         labels = [node for node in survey.statements if node.__class__ is nodes.Label]
         if labels:
@@ -279,7 +283,7 @@ class Names:
                 self.add(function.scope, symbol)
 
     def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
-        """An nv variable lives in a list, into which the value of the run before is put."""
+        """Box an nv variable: it lives in a list that gets the value of the previous run."""
         if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
             self.problems.add("type", f"nv data cannot be {symbol.type}", node.at,
                               hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
@@ -333,7 +337,7 @@ class Names:
         return tuple(sizes)
 
     def _means(self, scope: Scope) -> Callable[[nodes.Name], Meaning]:
-        """What names stand for in a scope, before all of them are known."""
+        """Return the lookup of names in a scope before all of them are known."""
         return lambda name: (scope.find(name.name), self.table.get(name.name))
 
     def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
@@ -345,14 +349,15 @@ class Names:
         return least
 
     def add(self, scope: Scope, symbol: Symbol) -> None:
-        """Enter a name; a name twice, or a keyword's, is a mistake."""
+        """Add a name to a scope; report a duplicate and the name of a keyword."""
         key = symbol.name.lower()
         if key in scope.names and not (self.typed and scope is self.module):
             self.problems.add("duplicate", f"{symbol.name} is already declared", symbol.at,
                               hint=f"the first one is in line {self.problems.line(scope.names[key].at)}")  # fmt: skip
             return
         row = self.table.get(symbol.name)
-        # A word of v4 is no word of a program that has another use for its name; those of statements are the grammar's.
+        # A keyword of v4 is no keyword in a program that declares its name. Keywords of statements are
+        # reported by the grammar.
         if (
             row is not None
             and row.name.lower() == key
@@ -377,7 +382,7 @@ class Names:
     # ---------------------------------------------------------------------------------------------- uses
 
     def _implicit(self, function: Function) -> None:
-        """A name that is assigned to is a variable, a Float, also without a Dim."""
+        """Declare names that are assigned without a Dim as Float variables."""
         for name, target in self._surveys[function].assigned.items():
             if function.scope.find(name) is not None or self.table.get(name) is not None:
                 continue
@@ -398,7 +403,7 @@ class Names:
             if symbol is None or symbol.kind in (
                 "variable",
                 "parameter",
-            ):  # what is so of one of them is so of all
+            ):  # the result is the same for all uses of a name
                 self._use_name(function, names[0])
                 if symbol is not None:
                     symbol.uses += len(names) - 1
@@ -422,7 +427,10 @@ class Names:
                 node.resolve(symbol, self.table.get(node.word) if symbol is None else None)  # type: ignore[attr-defined]
 
     def _written(self, target: nodes.Expr) -> None:
-        """What is only assigned to is not used, and a word may be simulated only where it is read."""
+        """Do not count an assignment as a use of its target.
+
+        A keyword that is simulated only where it is read gets its row for writing.
+        """
         if type(target) is not nodes.Name:
             return
         if target.symbol is not None:
@@ -451,7 +459,7 @@ class Names:
             self._box_arguments(function, node, symbol.home)
 
     def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
-        """Have a name stand for what a Define says, resolved where it is used."""
+        """Bind a name to the expression of a Define, resolved at its use."""
         if self._defines_too_deep:
             return
         if define in self._replacing:
@@ -486,9 +494,9 @@ class Names:
                     symbol.boxed = not (symbol.by_ref or symbol.is_array or symbol.type.record)
 
     def _settle(self) -> None:
-        """Which subs are plain: no loop, no keyword that takes note of time, no call of a sub that is not plain.
+        """Mark the plain subs: no loop, no keyword that observes time, only plain callees.
 
-        None is where ONERROR may come between any two statements.
+        No sub is plain if the program handles ONERROR, which may come between any two statements.
         """
         if handles(self, "onerror"):
             return
@@ -500,7 +508,7 @@ class Names:
                 for callee in function.calls:
                     callers.setdefault(callee, []).append(function)
         ready = [function for function, count in unknown.items() if not count]
-        while ready:  # a sub in a circle of calls never comes here: recursion keeps its time
+        while ready:  # a sub in a cycle of calls is never ready, so recursion takes its usual time
             plain = ready.pop()
             plain.plain = True
             for caller in callers.get(plain, ()):
@@ -510,7 +518,7 @@ class Names:
 
 
 def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:
-    """The array parameters that a call hands on, each with the parameter that it is given to."""
+    """Yield the array parameters that a call passes on, each with its receiver."""
     for argument, parameter in zip(call.args or (), callee.home.parameters, strict=False):
         if callee.kind == "sub" and type(argument) is nodes.Name and argument.args is None:
             symbol = arrays.get(argument.name.lower())

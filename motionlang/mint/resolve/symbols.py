@@ -1,4 +1,4 @@
-"""Names and what they stand for: symbols, scopes, user types, and the functions a program is compiled into."""
+"""Symbols, scopes, user types, and the functions that a program is compiled into."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ NUMERIC = frozenset((INTEGER, FLOAT, TIME))
 
 @record
 class Type:
-    """`name` is one of the words above; `size` of a String (None: any), `record` of a user type."""
+    """A type: one of the names above, with its parameters.
+
+    `size` is that of a String (None: any), `record` a user type.
+    """
 
     name: str
     size: int | None = None
@@ -38,10 +41,11 @@ class Record:
 
 
 class Symbol:
-    """`kind`: "variable", "parameter", "const", "define", "sub", "task", "event", "label".
+    """A symbol of the program.
 
-    `python` is its spelling in the generated code. `shared`: more than one function uses it. `boxed`: it is given to a
-    ByRef parameter somewhere and therefore lives in a list of one element; a ByRef parameter itself is `by_ref`.
+    `kind` is "variable", "parameter", "const", "define", "sub", "task", "event" or "label". `python` is its
+    spelling in the generated code. `shared`: more than one function uses it. `boxed`: it is passed to a ByRef
+    parameter somewhere and therefore lives in a list of one element. A ByRef parameter itself is `by_ref`.
     `declared` is False for a variable that exists because something is assigned to it.
     """
 
@@ -51,8 +55,8 @@ class Symbol:
         self.const: float | str | None = None
         self.node: object = None
         self.shared = self.boxed = self.by_ref = False
-        self.given = False  # a constant whose value comes when the program starts
-        self.uses = 0  # how often it is read
+        self.given = False  # a constant whose value is supplied when the program starts
+        self.uses = 0  # the number of reads
         self.declared = True
 
     @property
@@ -61,22 +65,22 @@ class Symbol:
 
 
 class Scope:
-    """Names of one block, and the scope around it."""
+    """The names of one block, and the scope around it."""
 
     __slots__ = ("_found", "function", "names", "outer")
 
     def __init__(self, function: Function, outer: Scope | None) -> None:
         self.function, self.outer = function, outer
         self.names: dict[str, Symbol] = {}
-        # What spellings stand for, once no more names will come.
+        # A cache of lookups, used once no more names can be added.
         self._found: dict[str, Symbol | None] | None = None
 
     def settle(self) -> None:
-        """All names are there."""
+        """Freeze the scope: no more names can be added."""
         self._found = {}
 
     def find(self, name: str) -> Symbol | None:
-        """The symbol of a name in any case, from the innermost block outward."""
+        """Return the symbol of a name in any case, searching from the innermost block out."""
         found = self._found
         if found is None:
             return self._find(name)
@@ -97,7 +101,7 @@ class Scope:
         return None
 
     def symbols(self) -> Iterator[Symbol]:
-        """Everything that can be named here, the innermost first."""
+        """Yield all symbols visible here, innermost first."""
         scope: Scope | None = self
         while scope is not None:
             yield from scope.names.values()
@@ -105,10 +109,11 @@ class Scope:
 
 
 class Function:
-    """What becomes one Python function: the parent task, a task, a sub, an event handler.
+    """The source of one Python function: parent task, task, sub or event handler.
 
-    `plain`: it cannot wait and takes no note of time, so it is an ordinary function and not a generator. `counted`: it
-    is given its room on the stack, as the calls of its program may nest more deeply than that allows.
+    `plain`: it cannot wait and does not observe time, so it is an ordinary function and not a generator.
+    `counted`: it is passed the remaining depth of the stack, because the calls of its program may nest deeper
+    than the stack allows.
     """
 
     def __init__(
@@ -126,7 +131,7 @@ class Function:
 
     @property
     def graph(self) -> Graph:
-        """The ways through it, made when somebody asks; its body is then what it will be."""
+        """The flow graph, built on first use, when the body is final."""
         if self._graph is None:
             self._graph = Graph(self.body, self.kind == "main")
         return self._graph
