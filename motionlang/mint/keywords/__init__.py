@@ -1,6 +1,7 @@
-"""The words of Mint, a file a subject: its rows, and above them what its words do.
+"""The keywords of Mint, one file for each subject.
 
-A run imports the files of the words that it uses, and nothing with the package: `index` says which file has a word.
+A file holds the rows of its keywords and, above them, their operations. A run imports only the files of the
+keywords that it uses. `index` lists the file of each keyword, so the package itself imports none.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.vocabulary import Vocabulary
 
-# In the order of the pages; the last one has what is not simulated.
+# In the order of the documentation pages. The last file holds keywords that are not simulated.
 ORDER = """
 correction presets hold_to_analogue torque jogging drives
 axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
@@ -23,7 +24,7 @@ _vocabulary: Vocabulary | None = None
 
 
 def table() -> Vocabulary:
-    """All words of Mint."""
+    """Return the table of all Mint keywords."""
     global _vocabulary  # noqa: PLW0603 - one vocabulary a process
     if _vocabulary is None:
         from motionlang.lang.vocabulary import Vocabulary

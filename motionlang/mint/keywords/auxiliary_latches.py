@@ -1,4 +1,4 @@
-"""Latches of auxiliary encoders, at an edge of an input, and the index marks of encoders."""
+"""Latches of auxiliary encoders, triggered by inputs, and index marks of encoders."""
 
 from __future__ import annotations
 
@@ -16,14 +16,20 @@ from motionlang.mint.runtime.environment import Environment
 
 
 class AuxLatch(Latch):
-    """The fast latch of an auxiliary encoder, whose number is its `axis`; what it catches are counts."""
+    """The fast latch of an auxiliary encoder.
+
+    Its `axis` is the number of the encoder. It latches counts.
+    """
 
     def _place(self) -> float:
         return self._controller.encoder_position(AUXILIARY + self.axis)
 
 
 class AuxLatches(FastLatches):
-    """The fast latch of every auxiliary encoder, from its first use on; a catch raises FASTIN."""
+    """The fast latches of auxiliary encoders, created on first use.
+
+    A latched position raises FASTIN.
+    """
 
     kind = AuxLatch
 
@@ -35,27 +41,27 @@ class AuxLatches(FastLatches):
         return _channel(number)
 
     def default(self, axis: int) -> None:
-        """DEFAULT: they are no axis's."""
+        """Ignore DEFAULT, which concerns axes."""
 
 
 def _per_unit(latches: AuxLatches, row: Keyword, channel: int) -> float:
-    """Counts in one unit of what the encoder shows, for distances."""
+    """Return the counts per unit that the encoder shows, for distances."""
     return latches.encoders.per_unit(channel) if row.unit == "number" else 1.0
 
 
 def read_setting(latches: AuxLatches, row: Keyword, channel: int) -> float:
-    """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
+    """Read FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in encoder units."""
     value: float = getattr(latches.latch(channel), row.attribute)
     return value / _per_unit(latches, row, channel) if row.unit == "number" else int(value)
 
 
 def write_setting(latches: AuxLatches, row: Keyword, channel: int, value: float) -> None:
-    """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
+    """Set FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in encoder units."""
     latches.latch(channel).set(row.attribute, value * abs(_per_unit(latches, row, channel)))
 
 
 def read_encoder(latches: AuxLatches, channel: int) -> float:
-    """FASTAUXENCODER: what the encoder would show at the counts that were caught."""
+    """FASTAUXENCODER: return the encoder's reading at the latched counts."""
     return latches.encoders.shown(channel, latches.latch(channel).value)
 
 
@@ -65,7 +71,10 @@ ONCE, AGAIN = 0, 1
 
 
 class Index:
-    """The index marks of one encoder: whether one was passed since that was asked last, and a latch at the next one."""
+    """The index marks of one encoder, and a latch for the next mark.
+
+    `passed` is True if a mark was passed since it was last read.
+    """
 
     def __init__(self, environment: Environment, track: Axis, physical: bool) -> None:
         self._environment, self._controller, self._track = environment, environment.controller, track
@@ -76,7 +85,7 @@ class Index:
         self.put()
 
     def put(self) -> None:
-        """Look for the marks where the scale has them now."""
+        """Watch for the marks at their positions in the current scale."""
         if self._cells is not None:
             self._cells.remove()
             self._cells = None
@@ -87,7 +96,7 @@ class Index:
             self._cells = Cells(self._controller, track, (origin,), self._mark, pitch, self._physical)
 
     def take(self) -> bool:
-        """Whether a mark was passed since this was asked last."""
+        """Return True if a mark was passed since the last call."""
         passed, self.passed = self.passed, False
         self._environment.acts += passed
         return passed
@@ -101,7 +110,10 @@ class Index:
 
 
 class Indexes:
-    """The index marks of the encoders of axes and of the world: they are looked for from the program's start."""
+    """The index marks of all encoders, of axes and of the machine file.
+
+    They are watched from the start of the program.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
@@ -112,7 +124,7 @@ class Indexes:
         controller.listeners.append(self._heard, "scale")
 
     def of(self, channel: int) -> Index:
-        """The marks of an encoder; auxiliary ones are numbered from `AUXILIARY` on."""
+        """Return the marks of an encoder; numbers of auxiliary ones start at `AUXILIARY`."""
         if channel not in self._found:
             controller = self.environment.controller
             of_axis = channel in controller.axes and channel not in controller.encoders
@@ -133,17 +145,17 @@ def _passed(indexes: Indexes, channel: int) -> int:
 
 
 def write_armed(indexes: Indexes, channel: int, armed: int) -> None:
-    """AUXENCODERZEROENABLE: the next index mark is caught."""
+    """AUXENCODERZEROENABLE: arm the latch for the next index mark."""
     indexes.of_aux(channel).armed = bool(armed)
 
 
 def write_mode(indexes: Indexes, channel: int, mode: int) -> None:
-    """AUXENCODERZEROLATCHMODE."""
+    """AUXENCODERZEROLATCHMODE: latch once or at every mark."""
     indexes.of_aux(channel).mode = mode
 
 
 def read_place(indexes: Indexes, channel: int) -> float:
-    """AUXENCODERZEROPOSITION: what the encoder would show at the mark that was caught."""
+    """AUXENCODERZEROPOSITION: return the encoder's reading at the latched mark."""
     return indexes.environment.part(AuxEncoders).shown(channel, indexes.of_aux(channel).place)
 
 

@@ -1,4 +1,4 @@
-"""Settings of an axis: scale, speeds, rates, jerks, the profile's shape, enabling."""
+"""Settings of an axis: scale, speeds, rates, jerks, profile shape, enabling."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
 
 
 def do_default_axes(environment: Environment, axes: tuple[int, ...], line: int) -> None:
-    """AXES."""
+    """AXES: set the default axes of the task."""
     for axis in axes:
         scale_of(environment, axis)
     environment.task.axes = axes
 
 
 def write_buffer_size(environment: Environment, axis: int, value: int) -> None:
-    """MOVEBUFFERSIZE, while the buffer is empty."""
+    """MOVEBUFFERSIZE: set the buffer size; raise Refusal unless the buffer is empty."""
     a = environment.controller.axes[axis]
     if a.move is not None or a.buffer:
         words = f"the move buffer of axis {axis} is in use"
@@ -30,7 +30,7 @@ def write_buffer_size(environment: Environment, axis: int, value: int) -> None:
 
 
 def ramp_time(rate: str) -> Maker:
-    """What reads a ramp's time in ms, also when a rate was written."""
+    """Make an operation that reads a ramp time in ms, even if a rate was written."""
     time = f"{rate}_time"
 
     def read(environment: Environment, axis: int) -> int:
@@ -42,7 +42,7 @@ def ramp_time(rate: str) -> Maker:
 
 
 def ramp_rate(rate: str) -> Maker:
-    """What reads a rate in user units, also when a time was written."""
+    """Make an operation that reads a rate in user units, even if a time was written."""
     time = f"{rate}_time"
 
     def read(environment: Environment, axis: int) -> float:
@@ -54,19 +54,19 @@ def ramp_rate(rate: str) -> Maker:
 
 
 def write_profile_mode(environment: Environment, axis: int, value: int) -> None:
-    """PROFILEMODE."""
+    """PROFILEMODE: choose the S-curve or the trapezoidal profile."""
     environment.controller.configure(axis, "shape", "scurve" if value == 1 else "trapezoid")
 
 
 def write_enabled(environment: Environment, axis: int, value: int) -> None:
-    """DRIVEENABLE."""
+    """DRIVEENABLE: enable or disable the axis."""
     controller = environment.controller
     (controller.enable if value else controller.disable)(axis)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-# Settings keep their values in counts, as the controller does: set the scale first.
+# Settings are stored in counts, as in the controller, so a program sets the scale first.
 _SCALE = Actions(
     read=of(Environment, lambda e, axis: float(scale_of(e, axis).counts)),
     write=of(Environment, lambda e, axis, value: e.controller.set_scale(axis, value)),

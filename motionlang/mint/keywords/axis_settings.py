@@ -1,4 +1,4 @@
-"""Settings of axes that are kept by keyword and axis: read, written, and taken back by DEFAULT."""
+"""Settings of axes, stored by keyword and axis: read, write, reset by DEFAULT."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
 
 class Settings:
-    """What a program wrote by keyword and axis, and until then what `defaults` has, or what is `otherwise`.
+    """The settings that a program has written, by keyword and axis.
 
-    Those with a user unit are kept in counts where a family is `in_counts`, without their sign where it is `unsigned`.
+    A setting that was not written has its value in `defaults`, or else `otherwise`. If a family is
+    `in_counts`, settings in user units are stored in counts; if it is `unsigned`, without their sign.
     """
 
     defaults: Mapping[str, float] = {}
@@ -46,12 +47,15 @@ class Settings:
         return self.controller.axes[axis].scale
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         forget(self._settings, axis)
 
 
 def reading(kind: type[Settings]) -> Maker:
-    """What reads a setting of a family as its word shows it: a whole number where that is what it is."""
+    """Make an operation that reads a setting of a family in the unit of its keyword.
+
+    Its value is an int if the keyword is an integer.
+    """
 
     def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
         part, name, whole = environment.part(kind), row.name, row.is_whole
@@ -72,7 +76,7 @@ def reading(kind: type[Settings]) -> Maker:
 
 
 def writing(kind: type[Settings]) -> Maker:
-    """What writes a setting of a family."""
+    """Make an operation that writes a setting of a family."""
 
     def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
         part, name = environment.part(kind), row.name
@@ -93,6 +97,6 @@ def writing(kind: type[Settings]) -> Maker:
 
 
 def forget(settings: dict[tuple[str, int], Value], axis: int) -> None:
-    """What was set for an axis is as it was before any program."""
+    """Discard everything that was set for an axis."""
     for key in [key for key in settings if key[1] == axis]:
         del settings[key]

@@ -1,4 +1,4 @@
-"""The move buffer beyond moves: dwells and outputs in it, and what starts its entries (TRIGGERMODE)."""
+"""Buffer entries other than moves, that is dwells and outputs, and triggers."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ _DEFAULTS = {"TRIGGERMODE": AT_GO, "TRIGGERINPUT": -1}
 
 
 class Triggers(Settings):
-    """TRIGGERMODE of every axis, and what it goes by."""
+    """TRIGGERMODE of every axis, and the settings that it uses."""
 
     defaults = _DEFAULTS
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self._watches: dict[int, tuple[Axis, Watch]] = {}
-        # The counts at which TRIGGERVALUE lies where it is a position of an axis: it keeps them whatever the scale.
+        # TRIGGERVALUE in counts if it is a position of an axis. The counts do not change with the scale.
         self._places: dict[int, float] = {}
         environment.controller.listeners.append(self._rescaled)
         environment.part(Inputs).listeners.append(self._changed)
         environment.loaded = self.loaded
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Go by another setting from now on; what waits already does so, too."""
+        """Change a setting at once, also for moves that are already loaded."""
         super().set(name, axis, value)
         watched = self._watched_axis(axis)
         if name not in ("TRIGGERINPUT", "TRIGGERMODE") and watched is not None:
@@ -45,13 +45,13 @@ class Triggers(Settings):
         self._watch(axis)
 
     def _watched_axis(self, axis: int) -> Axis | None:
-        """The axis whose position may start moves; None for an encoder."""
+        """Return the axis whose position may start moves, None for an encoder."""
         if self.setting("TRIGGERSOURCE", axis):
             return None
         return self.controller.axes.get(int(self.setting("TRIGGERCHANNEL", axis)))
 
     def _rescaled(self, what: str, channel: int) -> None:
-        """TRIGGERVALUE shows its counts in the units of now."""
+        """Convert TRIGGERVALUE from its counts to the new units of the axis."""
         if what != "scale":
             return
         for axis, counts in self._places.items():
@@ -60,12 +60,12 @@ class Triggers(Settings):
                 self._settings["TRIGGERVALUE", axis] = watched.scale.position_to_user(counts)
 
     def loaded(self, axis: int) -> None:
-        """Something was put into the buffer of an axis."""
+        """Start the axis if loading a move triggers it."""
         if self.setting("TRIGGERMODE", axis) == AUTO:
             self.controller.go((axis,))
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
         self._places.pop(axis, None)
         self._watch(axis)
@@ -81,7 +81,7 @@ class Triggers(Settings):
                 self._start(axis)
 
     def _watch(self, axis: int) -> None:
-        """Watch for the position that starts the moves of an axis, as far as one does."""
+        """Watch for the position that starts the moves of an axis, if there is one."""
         track, watch = self._watches.pop(axis, (None, None))
         if track is not None and watch is not None:
             track.watches.remove(watch)
@@ -99,7 +99,10 @@ class Triggers(Settings):
 
 
 def read_status(environment: Environment, axis: int) -> int:
-    """MOVEBUFFERSTATUS: the first three bits are those of the move that is executing."""
+    """MOVEBUFFERSTATUS: return the status bits.
+
+    The first three bits concern the move that is executing.
+    """
     controller = environment.controller
     a = controller.axes[axis]
     bits = (not a.buffer) << 3 | (controller.room(axis) <= 0) << 4
@@ -113,9 +116,9 @@ def read_status(environment: Environment, axis: int) -> int:
 
 
 def loads(kind: type, put: Callable[..., None]) -> Maker:
-    """What loads a move: true while the buffer of its axis is full.
+    """Make an operation that loads a move; it returns True while the buffer is full.
 
-    `put` is given a part of the environment, the row, the axis, …, the value and the line.
+    `put` gets a part of the environment, the row, the axis, …, the value and the line.
     """
 
     def made(environment: Environment, row: Keyword) -> Operation:
@@ -138,20 +141,20 @@ def loads(kind: type, put: Callable[..., None]) -> Maker:
 
 
 def put_dwell(environment: Environment, row: Keyword, axis: int, milliseconds: float, line: int) -> None:
-    """MOVEDWELL: a rest between two moves, ms."""
+    """MOVEDWELL: load a rest between two moves, in ms."""
     check(row, milliseconds)
     environment.controller.load_dwell(axis, milliseconds / 1000.0, row.name, line)
 
 
 def put_bank(environment: Environment, row: Keyword, axis: int, bank: int, bits: int, line: int) -> None:
-    """MOVEOUT: a bank of outputs, set between two moves."""
+    """MOVEOUT: load the state of a bank of outputs, set between two moves."""
     first = checked(bank, LAST_CHANNEL // BANK, "bank") * BANK
     values = {first + k: bits >> k & 1 for k in range(BANK)}
     environment.controller.load_output(axis, values, row.name, line)
 
 
 def put_bit(environment: Environment, row: Keyword, axis: int, channel: int, value: int, line: int) -> None:
-    """MOVEOUTX: one output, set between two moves."""
+    """MOVEOUTX: load the state of one output, set between two moves."""
     values = {checked(channel, LAST_CHANNEL, "output"): int(value != 0)}
     environment.controller.load_output(axis, values, row.name, line)
 
@@ -159,7 +162,7 @@ def put_bit(environment: Environment, row: Keyword, axis: int, channel: int, val
 def put_pulse(
     environment: Environment, row: Keyword, axis: int, channel: int, milliseconds: float, line: int
 ) -> None:
-    """MOVEPULSEOUTX: a pulse of an output, ms, that begins between two moves."""
+    """MOVEPULSEOUTX: load an output pulse in ms, which begins between two moves."""
     check(row, milliseconds)
     output = checked(channel, LAST_CHANNEL, "output")
     environment.controller.load_pulse(axis, output, milliseconds / 1000.0, row.name, line)

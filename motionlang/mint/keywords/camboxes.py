@@ -1,7 +1,8 @@
-"""Cam boxes: outputs that are switched at positions of an axis or an encoder, at the very moment of each.
+"""Cam boxes: outputs that switch at exact positions of an axis or an encoder.
 
-The positions are pairs, on and off, in a table of the program whose element 1 is the count. A box goes by what the
-table, the scale and the wrap are when it is switched on: another scale leaves the counts at which it switches.
+The positions are pairs, on and off, in an array of the program whose element 1 is the count. A box uses the
+array, the scale and the wrap as they are when it is switched on. A later change of the scale does not move
+the counts at which it switches.
 """
 
 from __future__ import annotations
@@ -28,12 +29,12 @@ if TYPE_CHECKING:
 
 
 LAST_BOX = 31
-# The sources, numbered as LATCHSOURCE numbers them.
+# The sources, with the numbers of LATCHSOURCE.
 AXIS, ENCODER, AUX_ENCODER = 0, 1, 2
 
 
 class Source:
-    """What a box looks at: a track, and how the positions of the program become its counts."""
+    """The source of a cam box: a track, and the conversion of positions to counts."""
 
     def __init__(
         self, track: Axis, zero: float, per_unit: float, wrap: float, physical: bool = False
@@ -46,7 +47,10 @@ class Source:
 
 
 def source_of(environment: Environment, kind: int, channel: int) -> Source:
-    """The track a cam box watches, and what its counts are in user units. Refusal where there is none."""
+    """Return the track that a cam box watches, with its conversion to user units.
+
+    Raises Refusal if there is no such source.
+    """
     controller = environment.controller
     if kind == AXIS:
         scale = scale_of(environment, channel)
@@ -66,7 +70,7 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
 
 
 class CamBox:
-    """One box: what drives its output, where, and how many seconds ahead."""
+    """One cam box: its source, its output, and the lead in seconds."""
 
     def __init__(self, environment: Environment, number: int) -> None:
         self._environment, self.number = environment, number
@@ -80,7 +84,10 @@ class CamBox:
         return self._cells is not None
 
     def enable(self, enabled: bool) -> None:
-        """Begin to switch the output, which at once shows where the source is, or leave it as it is."""
+        """Start to switch the output, or stop and leave it as it is.
+
+        On start the output takes the state of the present position.
+        """
         if self._cells is not None:
             self._cells.remove()
             self._cells = None
@@ -113,7 +120,10 @@ class CamBox:
         self._environment.controller.set_output(self.output, state)
 
     def _edges(self, source: Source) -> tuple[list[float], list[int]]:
-        """Where the output changes, rising, and what it is from there on, forward."""
+        """Return the positions at which the output changes, and the states after them.
+
+        The positions are in ascending order. The states hold for forward motion.
+        """
         places = self._positions()
         found: list[tuple[float, int]] = []
         for begin, end in zip(places[::2], places[1::2], strict=True):
@@ -148,7 +158,7 @@ class CamBox:
 
 
 class CamBoxes:
-    """The boxes, each from its first use on."""
+    """The cam boxes, created on first use."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
@@ -162,7 +172,7 @@ class CamBoxes:
 
 
 def write_box(boxes: CamBoxes, number: int, enabled: int) -> None:
-    """CAMBOX: begin with the data as they are now, or end."""
+    """CAMBOX: start the box with its present data, or stop it."""
     boxes.box(number).enable(bool(enabled))
 
 
@@ -175,7 +185,7 @@ def do_data(
     time: int,
     table: Sequence[float] | None,
 ) -> None:
-    """CAMBOXDATA: output, source, lead in ms and table; a box at work begins anew with them."""
+    """CAMBOXDATA: set output, source, lead in ms and table; restart an enabled box."""
     box = boxes.box(number)
     checked(output, LAST_CHANNEL, "output")
     checked(kind, AUX_ENCODER, "source of a cam box")

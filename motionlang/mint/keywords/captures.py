@@ -1,6 +1,6 @@
-"""Data capture: quantities recorded at instants of its own, from a trigger on and for a while before it.
+"""Data capture: quantities recorded at a fixed period, before and after a trigger.
 
-Nothing is sampled while it runs. What a point is, is worked out when the program reads it, from the exact motion.
+Nothing is sampled while it runs. A point is computed from the exact motion when the program reads it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,10 @@ NEVER, RISING, FALLING, EITHER = 0, 1, 2, 3
 
 @record
 class Channel:
-    """What one channel records; the axis of a quantity of axes, the parameter is the channel of any other."""
+    """The quantity that one channel records.
+
+    `axis` applies to quantities of axes, `parameter` is the channel of any other quantity.
+    """
 
     mode: int = quantities.OFF
     axis: int = 0
@@ -46,29 +49,31 @@ class Channel:
 
 
 class Trigger:
-    """When a capture that waits begins to record."""
+    """The condition that starts the recording of a waiting capture."""
 
     def __init__(self) -> None:
         self.mode, self.source, self.channel, self.value, self.absolute = NEVER, quantities.OFF, 0, 0.0, 0
 
 
 class Capture:
-    """The capture of a controller: its settings, and the one that runs or was run last."""
+    """The capture of a controller: its settings, and the present or last recording."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment, self._clock = environment, environment.clock
         self.channels = [Channel() for _ in range(LAST_CHANNEL + 1)]
         self.triggers = [Trigger() for _ in range(LAST_TRIGGER + 1)]
         self.points, self.before = POINTS, 0
-        # How far apart the points are: the setting that was written last, and its value.
+        # The setting that gives the period: the one that was written last, and its value.
         self._given = ("CAPTUREINTERVAL", 1.0)
         self.status, self.command = IDLE, 0
         self.tells_progress = False
-        # The capture: when it began to wait, when its first point is, how far apart they are, and how many.
+        # The recording: when it began to wait, the time of its first point, its period, the number of points,
+        # and how many of these come before the trigger.
         self._begun, self._first, self._period, self._count, self._ahead = 0.0, 0.0, 1e-3, 0, 0
         self._recorded: list[Channel] = []
         self._columns: dict[int, list[float]] = {}
-        # The zeros of axes whose encoders are recorded, by time; what ends the noting of them, and that of triggers.
+        # The zeros, by time, of axes whose encoders are recorded, and the callbacks that stop recording zeros
+        # and watching triggers.
         self._datums: dict[int, list[tuple[float, float]]] = {}
         self._notes: list[Callable[[], None]] = []
         self._ends: list[Callable[[], None]] = []
@@ -91,12 +96,12 @@ class Capture:
         return value * 1e-6 if name == "CAPTUREPERIOD" else value * 1e-3 / self.points
 
     def space(self, name: str, value: float) -> None:
-        """Set how far apart the points are, by one of three words."""
+        """Set the period by one of three keywords."""
         self.refuse_running()
         self._given = (name, value)
 
     def spacing(self, name: str) -> int:
-        """How far apart the points are: in ticks, in us, or as the whole time in ms."""
+        """Return the period in ticks, in µs, or as the total time in ms."""
         if name == "CAPTUREINTERVAL":
             return round(self.period / self.tick)
         return round(self.period * 1e6) if name == "CAPTUREPERIOD" else round(self.period * self.points * 1e3)
@@ -108,7 +113,7 @@ class Capture:
     # -------------------------------------------------------------------------------------------- its course
 
     def start(self, waits: bool) -> None:
-        """Begin; with `waits` for one of the triggers, as far as any is set."""
+        """Start the capture; if `waits`, wait for one of the triggers that are set."""
         self.refuse_running()
         if self.points * self.period <= 0.0:
             raise Refusal("capture-points", "the points of the capture would all be at one time")
@@ -117,7 +122,7 @@ class Capture:
             quantities.check(self._environment, channel.mode, channel.where)
         waits = waits and any(each.mode for each in self.triggers)
         if waits:
-            self._look()  # a trigger that cannot be is refused now
+            self._look()  # raises Refusal now for a trigger that is not possible
         self._forget()
         now = self._clock.now
         self._recorded, self._columns = recorded, {}
@@ -132,7 +137,7 @@ class Capture:
         self._tell_progress(now, self._ahead)
 
     def stop(self) -> None:
-        """End it; the points that were taken stay."""
+        """End the capture; the points recorded so far remain."""
         if self.status == CAPTURING:
             self._count = self.taken()
         if self.status in (WAITING, CAPTURING):
@@ -140,7 +145,7 @@ class Capture:
             self._forget()
 
     def trigger(self) -> None:
-        """Begin to record now."""
+        """Start recording now."""
         if self.status in (IDLE, DONE):
             raise Refusal("capture-stopped", "no capture is running", "CAPTURECOMMAND = 1 begins one")
         if self.status == CAPTURING:
@@ -159,7 +164,7 @@ class Capture:
         self._tell_progress(now, self._count - self._ahead)
 
     def _look(self) -> None:
-        """What is before the trigger is full: from now on one may come."""
+        """Watch the triggers; the time before the trigger has now been recorded."""
         for each in self.triggers:
             if each.mode:
                 told = self._told_by(each.mode)
@@ -178,7 +183,7 @@ class Capture:
         self._forget()
 
     def _forget(self) -> None:
-        """Nothing is waited for, and no zeros are noted any more."""
+        """Stop watching for triggers and recording zeros."""
         for end in (*self._ends, *self._notes):
             end()
         for event in self._events:
@@ -188,7 +193,10 @@ class Capture:
         self._events.clear()
 
     def _note_zeros(self) -> None:
-        """Encoders of axes do not know of new zeros: note them, as the motion has them in it."""
+        """Record changes of zero of axes whose encoders are captured.
+
+        The encoder of an axis does not follow a new zero, but the motion of the axis contains it.
+        """
         axes = self._environment.controller.axes
         self._datums = {}
         for channel in self._recorded:
@@ -213,7 +221,7 @@ class Capture:
     # ------------------------------------------------------------------------------------------- its results
 
     def taken(self) -> int:
-        """How many points there are so far."""
+        """Return the number of points recorded so far."""
         if self.status == DONE:
             return self._count
         if self.status != CAPTURING:
@@ -221,7 +229,7 @@ class Capture:
         return min(int((self._clock.now - self._first) / self._period + 1e-6) + 1, self._count)
 
     def point(self, channel: int, index: int) -> float:
-        """A point, counted from 0."""
+        """Return the value of a point, counted from 0."""
         if not self._recorded or self._recorded[checked(channel, LAST_CHANNEL, "capture channel")].mode == 0:
             raise Refusal(
                 "channel",
@@ -241,7 +249,10 @@ class Capture:
         return column[index]
 
     def progress(self, after: int) -> int:
-        """Percent of the points from the trigger on, or of the time that must pass before it."""
+        """Return progress in percent, after the trigger or before it.
+
+        After the trigger it is the fraction of the points, before it that of the time that must pass.
+        """
         if after:
             share = (self.taken() - self._ahead) / (self._count - self._ahead) if self.taken() else 0.0
         elif self.status == WAITING and self._ahead:
@@ -251,7 +262,7 @@ class Capture:
         return min(int(share * 100.0 + 1e-6), 100)
 
     def _tell_progress(self, begin: float, points: int) -> None:
-        """Let whoever polls look again at each percent."""
+        """Add an event for each percent, so tasks that poll the progress check again."""
         if not self.tells_progress or points <= 1:
             return
 
@@ -267,7 +278,7 @@ class Capture:
 
 
 def _part(capture: Capture, row: Keyword, number: int) -> Channel | Trigger:
-    """The channel or the trigger of which a word is an attribute."""
+    """Return the channel or trigger whose attribute a keyword sets."""
     if row.index == "trigger":
         return capture.triggers[checked(number, LAST_TRIGGER, "trigger")]
     return capture.channels[checked(number, LAST_CHANNEL, "capture channel")]
@@ -278,7 +289,10 @@ def read_attribute(capture: Capture, row: Keyword, number: int) -> object:
 
 
 def write_attribute(capture: Capture, row: Keyword, number: int, value: float) -> None:
-    """What a channel records, and what a trigger waits for; refused while a capture runs."""
+    """Set the quantity of a channel or the condition of a trigger.
+
+    Raises Refusal while a capture runs.
+    """
     part = _part(capture, row, number)
     capture.refuse_running()
     setattr(part, row.attribute, value)
@@ -289,7 +303,7 @@ def read_name(capture: Capture, channel: int) -> str:
 
 
 def write_points(capture: Capture, points: int) -> None:
-    """CAPTURENUMPOINTS; refused while a capture runs."""
+    """CAPTURENUMPOINTS: set the number of points; raise Refusal while a capture runs."""
     capture.refuse_running()
     if not 1 <= points <= MOST_POINTS:
         words = f"a capture cannot have {points} points"
@@ -298,18 +312,21 @@ def write_points(capture: Capture, points: int) -> None:
 
 
 def write_before(capture: Capture, milliseconds: float) -> None:
-    """CAPTUREPRETRIGGERDURATION, ms; refused while a capture runs."""
+    """CAPTUREPRETRIGGERDURATION: set the ms before the trigger.
+
+    Raises Refusal while a capture runs.
+    """
     capture.refuse_running()
     capture.before = int(milliseconds)
 
 
 def read_running(capture: Capture) -> int:
-    """CAPTURE."""
+    """CAPTURE: return 1 while a capture runs."""
     return int(capture.status in (WAITING, CAPTURING))
 
 
 def write_running(capture: Capture, command: int, triggered: bool = False) -> None:
-    """CAPTURE begins a capture at once; 0 ends it."""
+    """CAPTURE: start a capture at once, or end it with 0."""
     if command:
         capture.start(triggered)
     else:
@@ -318,7 +335,7 @@ def write_running(capture: Capture, command: int, triggered: bool = False) -> No
 
 
 def write_command(capture: Capture, command: int) -> None:
-    """CAPTURECOMMAND begins a capture that waits for its triggers; 0 ends it."""
+    """CAPTURECOMMAND: start a capture that waits for its triggers, or end it with 0."""
     write_running(capture, command, triggered=True)
 
 
@@ -338,7 +355,7 @@ def _attribute(name: str) -> Actions:
 
 
 _POINTS = Actions(read=of(Capture, lambda capture: capture.points), write=of(Capture, write_points))
-# CAPTUREINTERVAL in ticks, CAPTUREPERIOD in µs, CAPTUREDURATION in ms: the last one written holds.
+# CAPTUREINTERVAL in ticks, CAPTUREPERIOD in µs, CAPTUREDURATION in ms: the last one written applies.
 _SPACING = Actions(
     read=of_word(Capture, lambda capture, row: capture.spacing(row.name)),
     write=of_word(Capture, lambda capture, row, value: capture.space(row.name, value)),
@@ -347,7 +364,7 @@ _BEFORE = Actions(read=of(Capture, lambda capture: capture.before), write=of(Cap
 _RUNNING = Actions(read=of(Capture, read_running), write=of(Capture, write_running))
 _COMMAND = Actions(read=of(Capture, lambda capture: capture.command), write=of(Capture, write_command))
 
-# The quantities in their order, `motionlang.mint.keywords.captures_quantities.NAMES` in few words.
+# The quantities in order, a short form of `motionlang.mint.keywords.captures_quantities.NAMES`.
 QUANTITIES = (
     "0 nothing, 1 measured position, 2 measured velocity, 3 demand position, 4 demand velocity, 5 demand acceleration, "
     "6 following error, 7 drive output in percent, 8 torque of the motor in N m, 9 encoder, 10 auxiliary encoder, "

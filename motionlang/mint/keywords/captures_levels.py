@@ -1,4 +1,7 @@
-"""The moment at which a quantity of a capture passes a level: solved, or told by what changes it."""
+"""The exact time at which a quantity of a capture crosses a level.
+
+The time is solved for, or comes from the event that changes the quantity.
+"""
 
 from __future__ import annotations
 
@@ -31,9 +34,10 @@ _KINDS = {
 def watch(
     environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: Told
 ) -> Callable[[], None]:
-    """Call `told(rising)` whenever a quantity passes a level, until what this answers with is called.
+    """Call `told(rising)` whenever a quantity crosses a level.
 
-    `absolute` looks at it without its sign. Of digital channels `where` is the channel, and the level is that it is on.
+    The function returned ends this. With `absolute` the sign of the quantity is ignored. For digital channels
+    `where` is the channel, and the quantity crosses when the channel switches.
     """
     if quantity in (quantities.INPUTS, quantities.OUTPUTS):
         return _watch_bit(environment, quantity, where, told)
@@ -59,7 +63,7 @@ def watch(
 
 
 def _as_it_is(profile: Profile) -> Profile:
-    """The demand, where the motor is somewhere else."""
+    """Return the profile itself, to watch the demand when the motor is elsewhere."""
     return profile
 
 

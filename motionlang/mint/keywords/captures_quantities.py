@@ -1,7 +1,7 @@
-"""What a capture can record: a quantity at any past time, exactly.
+"""The quantities that a capture can record, exact at any past time.
 
-Nothing is sampled while time passes: the motion of an axis is known at every time, what a motor did is run once more,
-and channels have a log of what changed when.
+Nothing is sampled as time passes. The motion of an axis is known at every time, the motion of a motor is
+simulated again, and channels have a log of their changes.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ NAMES = (
 )
 OFF, MEASURED, MEASURED_SPEED, DEMAND, SPEED, ACCELERATION, ERROR, OUTPUT, TORQUE = range(9)
 ENCODER, AUX_ENCODER, ADC, DAC, INPUTS, OUTPUTS = range(9, len(NAMES))
-# What a motor did, by the quantity's name in its history; without a motor it is what the axis was told, or nothing.
+# Quantities of the motor, by their name in its history. Without a motor they are the demand, or 0.
 _MOTOR = {
     MEASURED: "actual",
     MEASURED_SPEED: "actual velocity",
@@ -54,12 +54,12 @@ _PERCENT = 10.0  # percent of full scale in one volt
 
 
 def is_of(quantity: int) -> bool:
-    """Whether a quantity is an axis's, not a channel's."""
+    """True if a quantity belongs to an axis and not to a channel."""
     return OFF < quantity < ENCODER
 
 
 def check(environment: Environment, quantity: int, where: int) -> None:
-    """Refuse an axis, an encoder, a channel or a bank that does not exist."""
+    """Raise Refusal if the axis, encoder, channel or bank does not exist."""
     if is_of(quantity):
         axis_of(environment, where)
     elif quantity == ENCODER:
@@ -78,9 +78,9 @@ def check(environment: Environment, quantity: int, where: int) -> None:
 def column(
     environment: Environment, quantity: int, where: int, times: Sequence[float], datums: Datums
 ) -> list[float]:
-    """The values of a quantity at rising times, none of them later than now.
+    """Return the values of a quantity at ascending times, none later than now.
 
-    `datums` are the times at which the zero of the axis changed, with what it then was, counts.
+    `datums` are the times at which the zero of the axis changed, with the new zero in counts.
     """
     if quantity == AUX_ENCODER:
         return _auxiliary(environment, where, times)
@@ -166,7 +166,10 @@ def _bank(environment: Environment, quantity: int, bank: int, times: Sequence[fl
 
 
 def _stepped(steps: Sequence[tuple[float, float]], times: Sequence[float]) -> list[float]:
-    """What was in force at rising times, by the times of its changes; 0 before the first."""
+    """Return the values in force at ascending times, from the times of change.
+
+    The value before the first change is 0.
+    """
     found, k, value = [], 0, 0.0
     for time in times:
         while k < len(steps) and steps[k][0] <= time:

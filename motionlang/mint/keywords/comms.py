@@ -1,4 +1,4 @@
-"""The comms array and NetData, read and written by the program, and the events of what the host writes there."""
+"""The comms array and NetData, and the events raised when the host writes there."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
 
-# Which elements raise an event, by product (ABB AN00198 p. 19): first, last, only where the value has changed.
+# The elements that raise an event, by product (ABB AN00198 p. 19): first, last, and True if only a change of
+# value does.
 Span = tuple[int, int, bool]
 EVENTS: dict[str, dict[str, Span]] = {
     "es": {"comms": (1, 5, False)},
@@ -25,7 +26,7 @@ EVENTS: dict[str, dict[str, Span]] = {
 
 
 class HostEvents:
-    """Raises COMMS1, NETDATA0 and so on for what the host writes."""
+    """Raises COMMS1, NETDATA0 and so on when the host writes."""
 
     def __init__(self, environment: Environment) -> None:
         self._raise = environment.events.raise_
@@ -38,13 +39,16 @@ class HostEvents:
             self._raise(area, element)
 
 
-# MODBUSPARAMETER: the area that clients see, and its values.
+# MODBUSPARAMETER: the memory area that clients see, and its values.
 ENABLE, MAPPING = 0, 3
 MAPPINGS = ("comms", "netdata")
 
 
 class ModbusParameters:
-    """The set-up of Modbus servers, by bus and parameter. A served program's clients see what the mapping says."""
+    """The configuration of the Modbus servers, by bus and parameter.
+
+    MAPPING selects the area that clients of a served program see.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self._host = environment.machine.host
@@ -62,7 +66,7 @@ class ModbusParameters:
 
 
 def element(name: str) -> Maker:
-    """A method of the host's memory, of the area that the verb ends in."""
+    """Make an operation from a method of the host memory, for the area of the row."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         return with_first(getattr(environment.machine.host, name), row.attribute)
@@ -126,5 +130,5 @@ ROWS = (
             "A word of the dual-port RAM as an Integer; it shares its 32 bits with DPRFLOAT.",
             "DPRLONG(100) = 7\nPRINT DPRLONG(100)", default=0.0, group="comms", driven="dpr"),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"comms": HostEvents, "netdata": HostEvents}

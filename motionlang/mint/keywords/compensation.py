@@ -1,6 +1,7 @@
-"""BACKLASH and PRECISION words: what the motor does on top of what POS shows, which ENCODER reads.
+"""BACKLASH and PRECISION keywords: motion of the motor in addition to POS.
 
-A setting that changes leaves the motor where it is: ENCODER goes on from what it read.
+ENCODER shows this motion. When a setting changes, the motor does not move: ENCODER continues from its last
+value.
 """
 
 from __future__ import annotations
@@ -27,21 +28,22 @@ _AT_REST = ("BACKLASH", "BACKLASHINTERVAL")
 
 
 class Compensation(Settings):
-    """The settings of every axis, in user units, and what its motor does for them, in counts."""
+    """The settings of every axis in user units, and its compensation in counts."""
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self.tables: dict[int, tuple[Array, Array | None]] = {}
         self._screws: dict[int, tuple[Leadscrew, Leadscrew]] = {}
         self._takeups: dict[int, Takeup] = {}
-        # What keeps ENCODER where it is when a setting changes.
+        # Offsets that keep ENCODER continuous when a setting changes.
         self._bases: dict[int, float] = {}
         environment.part(Encoders).compensation = self
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; Refusal of modes that lack what they need, and of play in motion.
+        """Write a setting.
 
-        BACKLASH: the motor is taken to stand at the end that the sign says.
+        Raises Refusal for a mode that lacks its data, and for backlash while the axis moves. After a write to
+        BACKLASH the motor is taken to be at the end of the play that the sign gives.
         """
         if name in _AT_REST and not self.controller.is_idle(axis):
             raise Refusal("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
@@ -57,21 +59,21 @@ class Compensation(Settings):
         self._bases[axis] = self._bases.get(axis, 0.0) + before - self.shift(axis)
 
     def default(self, axis: int) -> None:
-        """DEFAULT: the screw and its play are what they are."""
+        """Ignore DEFAULT, because the screw and its backlash are mechanical."""
 
     def attach(self, axis: int, forward: Array, reverse: Array | None) -> None:
-        """PRECISIONTABLE; a mode that is on goes by it at once."""
+        """PRECISIONTABLE: set the tables; a mode that is on uses them at once."""
         before = self.shift(axis)
         self.tables[axis] = forward, reverse
         self._renew(axis)
         self._bases[axis] = self._bases.get(axis, 0.0) + before - self.shift(axis)
 
     def shift(self, axis: int) -> float:
-        """How far the motor is from where POS is, counts."""
+        """Return the offset of the motor from POS in counts."""
         return self._bases.get(axis, 0.0) + self._advance(axis) + self._screwed(axis)[0]
 
     def rate(self, axis: int) -> float:
-        """How fast that changes, counts/s."""
+        """Return the rate of change of the offset in counts/s."""
         self._advance(axis)
         takeup = self._takeup(axis)
         slope = self._screwed(axis)[1]
@@ -90,7 +92,7 @@ class Compensation(Settings):
         return found
 
     def _screwed(self, axis: int) -> tuple[float, float]:
-        """What the table asks for on top, counts, and its slope there."""
+        """Return the correction of the table in counts, and its slope there."""
         screws = self._screws.get(axis)
         if screws is None:
             return 0.0, 1.0
@@ -100,7 +102,7 @@ class Compensation(Settings):
         return scale.to_counts(screw.motor(nut) - nut), screw.slope(nut)
 
     def _renew(self, axis: int) -> None:
-        """Take the settings over."""
+        """Apply the settings."""
         environment, takeup = self.environment, self._takeup(axis)
         mode = self.setting("PRECISIONMODE", axis)
         if mode == DUAL and self.setting("BACKLASHMODE", axis):
@@ -137,7 +139,7 @@ class Compensation(Settings):
 def do_table(
     compensation: Compensation, row: Keyword, axis: int, forward: Array | None, reverse: Array | None
 ) -> None:
-    """PRECISIONTABLE: the positions of the nut, forward and in reverse."""
+    """PRECISIONTABLE: set the positions of the nut, forward and in reverse."""
     if forward is None:
         raise Refusal(
             "range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL"

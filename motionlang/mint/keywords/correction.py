@@ -1,4 +1,4 @@
-"""What corrects motion from outside: another end for the move in progress, another base of time."""
+"""External corrections of motion: another target of a move, another unit of time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def write_correction(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """MOVECORRECTION: user units more of the move under way; refused where the axis is idle."""
+    """MOVECORRECTION: extend the move in progress by user units.
+
+    Raises Refusal if the axis is idle.
+    """
     controller = environment.controller
     if controller.is_idle(axis):
         words = f"axis {axis} is on no move that could be corrected"
@@ -18,7 +21,7 @@ def write_correction(environment: Environment, row: Keyword, axis: int, value: f
 
 
 class TimeScales:
-    """The seconds in the unit of time of every axis, through whatever changes its other factors."""
+    """The seconds in the unit of time of each axis, unaffected by its other factors."""
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
@@ -26,12 +29,12 @@ class TimeScales:
         environment.controller.listeners.append(self._heard, "scale")
 
     def set(self, axis: int, seconds: float) -> None:
-        """TIMESCALE: the seconds in the axis's unit of time."""
+        """TIMESCALE: set the seconds in the axis's unit of time."""
         self._seconds[axis] = seconds
         self._controller.set_time_unit(axis, seconds)
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         self._seconds.pop(axis, None)
         self._controller.set_time_unit(axis, 1.0)
 

@@ -1,11 +1,11 @@
-"""What settings are until a program writes them, for the rows of the table and for the operations that go by them."""
+"""Default values of settings, for the rows of the table and for the operations."""
 
 from __future__ import annotations
 
 # Bit patterns of a bank of inputs.
 PATTERNS = {"INPUTMODE": 0, "INPUTPOSTRIGGER": -1, "INPUTNEGTRIGGER": 0, "IMASK": -1}
 ANALOGUE = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0, "ADCDEADBAND": 0.0, "ADCDEADBANDOFFSET": 0.0, "ADCMODE": 0}
-# What an axis does about an error: one of the _em constants.
+# The reaction of an axis to an error: one of the _em constants.
 MODES = {
     "LIMITMODE": 1,
     "SOFTLIMITMODE": 1,
@@ -16,7 +16,7 @@ MODES = {
 }
 STOP_INPUT_MODE = 3
 IDLE = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
-# The gains of the servo loop by the quantity that they set (`servo/gains.py` has the same, a test says).
+# The gains of the servo loop, by quantity. A test checks that `servo/gains.py` has the same values.
 GAINS = {
     "proportional": 0.0,
     "integral": 0.0,
@@ -27,12 +27,13 @@ GAINS = {
     "velocity_ff": 0.0,
     "accel_ff": 0.0,
 }
-# The quantity of LOOPTIME.
+# The quantity that LOOPTIME sets.
 PERIOD = "period"
 LOOP_TIME, FATAL_ERROR = 1000.0, 8388607.0
 HOME_SPEED, HOME_BACKOFF = 4000.0, 10.0
-# HOME: the constant, the direction of the search, what is looked for, whether an index mark follows. From memory; the
-# sources only say that 1 homes on the switch and the encoder's index (MN1270 p. 86).
+# HOME: the constant, the direction of the search, what is searched for, and True if an index mark follows.
+# The numbers are from memory. The sources only say that 1 homes on the switch and the encoder's index (MN1270
+# p. 86).
 HOME_TYPES: tuple[tuple[str, int, str, bool], ...] = (
     ("_hmNEGATIVE_SWITCH", -1, "home", False),
     ("_hmNEGATIVE_SWITCH_INDEX", -1, "home", True),

@@ -17,19 +17,22 @@ from motionlang.mint.runtime.changes import moving, repeatable
 from motionlang.mint.runtime.environment import Environment
 from motionlang.planners.reference import Slope
 
-# Settings that are not 0 until they are written.
+# Settings with a default other than 0.
 DEFAULTS = {"SPEEDREFENABLE": 1.0}
 
 
 class Drives(Settings):
-    """The settings of drives, by keyword and axis (speeds in counts/s, times in ms), and their references."""
+    """The settings of drives, by keyword and axis, and their references.
+
+    Speeds are in counts/s, times in ms.
+    """
 
     defaults = DEFAULTS
     in_counts = unsigned = True
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
-        # The line of the program that wrote a reference last, by its word and axis.
+        # The program line that last wrote a reference, by keyword and axis.
         self._lines: dict[tuple[str, int], int] = {}
         self.controller.analogue_inputs.listeners.append(self._analogue)
 
@@ -41,13 +44,16 @@ class Drives(Settings):
             self.run(axis)
 
     def refer(self, name: str, axis: int, velocity: float, line: int) -> None:
-        """A speed reference is written: SPEEDREF or SPEEDTESTREF, counts/s."""
+        """Take a new speed reference, SPEEDREF or SPEEDTESTREF, in counts/s."""
         self._settings[name, axis] = velocity
         self._lines[name, axis] = line
         self.run(axis, name, velocity != 0.0)
 
     def run(self, axis: int, name: str = "SPEEDREF", takes: bool = False) -> None:
-        """Let the axis follow its reference; from another motion only a reference `takes` it that was just written."""
+        """Let the axis follow its reference.
+
+        A reference replaces another motion only if it was just written (`takes`).
+        """
         velocity, most = self.wanted(axis, name), self.setting("DRIVESPEEDMAX", axis) or inf
         if not self.runs(axis, name) and not (velocity and (takes or self.controller.is_idle(axis))):
             return
@@ -58,12 +64,15 @@ class Drives(Settings):
         self.controller.refer_speed(axis, limited, self._slopes(axis, name), rate, name, line)
 
     def runs(self, axis: int, name: str) -> bool:
-        """Whether a reference has the axis."""
+        """True if the axis follows this reference."""
         move = self.controller.axes[axis].move
         return move is not None and move.command == name
 
     def wanted(self, axis: int, name: str = "SPEEDREF") -> float:
-        """The reference in force, counts/s: what was written, or an analogue input of the highest speed."""
+        """Return the reference in force in counts/s.
+
+        It is the value written, or an analogue input as a fraction of the highest speed.
+        """
         if name != "SPEEDREF":
             return self.setting(name, axis)
         if not self.setting("SPEEDREFENABLE", axis):
@@ -92,7 +101,7 @@ class Drives(Settings):
 
 
 def top_speed(environment: Environment, axis: int) -> float:
-    """The highest speed of an axis, counts/s: DRIVESPEEDMAX, else MAXSPEED, else SPEED."""
+    """Return the highest speed in counts/s: DRIVESPEEDMAX, else MAXSPEED, else SPEED."""
     a = environment.controller.axes[axis]
     most = environment.part(Drives).setting("DRIVESPEEDMAX", axis)
     return most or (a.max_speed if a.max_speed < INFINITY else a.speed)
@@ -102,17 +111,20 @@ def top_speed(environment: Environment, axis: int) -> float:
 
 
 def write_speed(drives: Drives, row: Keyword, axis: int, value: float, line: int) -> None:
-    """SPEEDREF and SPEEDTESTREF, user units a second."""
+    """SPEEDREF and SPEEDTESTREF: write a reference in user units per second."""
     drives.refer(row.name, axis, drives.scale(axis).to_counts(value, row.unit), line)
 
 
 def read_speed(drives: Drives, row: Keyword, axis: int) -> float:
-    """SPEEDREF and SPEEDTESTREF: the reference in force, from an analogue input where one is its source."""
+    """SPEEDREF and SPEEDTESTREF: return the reference in force.
+
+    It may come from an analogue input.
+    """
     return drives.scale(axis).to_user(drives.wanted(axis, row.name), row.unit)
 
 
 def write_velocity(drives: Drives, row: Keyword, axis: int, value: float, line: int) -> None:
-    """VELREF: within a period of the profiler the axis has the velocity."""
+    """VELREF: reach the velocity within one period of the profiler."""
     controller, velocity = drives.controller, drives.scale(axis).to_counts(value, row.unit)
     if velocity == drives.setting(row.name, axis) and drives.runs(axis, row.name):
         return
@@ -123,20 +135,20 @@ def write_velocity(drives: Drives, row: Keyword, axis: int, value: float, line: 
 
 
 def write_position(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """POSREF."""
+    """POSREF: write a position reference."""
     controller = environment.controller
     place = controller.axes[axis].scale.position_to_counts(value + environment.turn(axis))
     controller.refer_position(axis, place, row.name, line)
 
 
 def read_position(environment: Environment, axis: int) -> float:
-    """Where the reference is, or would begin: the target of the axis, as far as it has one."""
+    """Return the position reference: the target of the axis, or else its demand."""
     target = environment.controller.axes[axis].target
     return environment.place(axis, target if abs(target) < INFINITY else environment.controller.demand(axis))
 
 
 def read_error(environment: Environment, row: Keyword, axis: int) -> float:
-    """Demanded minus measured velocity."""
+    """Return demanded minus measured velocity."""
     controller = environment.controller
     error = controller.demand_velocity(axis) - controller.velocity(axis)
     return controller.axes[axis].scale.to_user(error, row.unit)

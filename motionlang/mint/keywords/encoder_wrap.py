@@ -1,4 +1,4 @@
-"""How often wrapped positions have begun again, and motion that older controllers have words for."""
+"""The number of position wraps, and motion keywords of older controllers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ NEGATIVE_INDEX = 4
 
 
 def _turns(environment: Environment, axis: int, place: float) -> int:
-    """The number of turns of a position in counts; where that has no end, of the axis as it stands."""
+    """Return the number of wraps at a position in counts.
+
+    If the position is infinite, the present position is used instead.
+    """
     wrap = environment.wraps.get(axis)
     if not wrap:
         return 0
@@ -25,14 +28,14 @@ def _turns(environment: Environment, axis: int, place: float) -> int:
 
 
 def do_datum(environment: Environment, row: Keyword, axes: tuple[int, ...], line: int) -> None:
-    """DATUM: HOME of type _hmNEGATIVE_INDEX."""
+    """DATUM: start a HOME of type _hmNEGATIVE_INDEX."""
     homes = environment.part(Homes)
     for axis in [axis_of(environment, axis) for axis in axes]:
         homes.begin(axis, NEGATIVE_INDEX, line)
 
 
 def write_frequency(environment: Environment, row: Keyword, axis: int, pulses: float, line: int) -> None:
-    """FREQ, pulses a second; 0 ends it, as it ends a jog."""
+    """FREQ: run at pulses per second; 0 ends the motion, as it ends a jog."""
     environment.controller.jog(axis, pulses, row.name, line, None, not pulses)
 
 

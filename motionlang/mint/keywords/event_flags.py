@@ -1,8 +1,8 @@
-"""Events that the program raises or drops by itself, and those of keys.
+"""Events that the program itself raises or cancels, and keyboard events.
 
-The type of an event is the place of its kind in the order of urgency, which is also its bit in EVENTPENDING. What
-follows says which of the kind: a bank and a bit pattern of inputs, the number of a latch, a bit pattern of elements,
-locations or buses.
+The type of an event is the index of its kind in the order of urgency, and also its bit in EVENTPENDING. The
+arguments after it select events of that kind: a bank and a bit pattern of inputs, the number of a latch, or a
+bit pattern of elements, locations or buses.
 """
 
 from __future__ import annotations
@@ -16,12 +16,13 @@ from motionlang.mint.runtime.binding import of_word
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.events import Events
 
-# Kinds whose first datum is a bank, and kinds whose first datum is a number; the others take a bit pattern.
+# Kinds whose first argument is a bank, and kinds whose first argument is a number. The others take a bit
+# pattern.
 _BANKED, _NUMBERED = ("in", "fastin"), ("latch",)
 
 
 class Keys:
-    """The event of the terminal: keys have been pressed."""
+    """Raises the terminal event when keys are pressed."""
 
     def __init__(self, environment: Environment) -> None:
         events = environment.events
@@ -40,7 +41,7 @@ def _kind(row: Keyword, type_: int) -> str:
 
 
 def _numbers(kind: str, first: int, second: int) -> list[int]:
-    """Which events of a kind the data name."""
+    """Return the numbers of the events of a kind that the arguments select."""
     if kind in SINGLE:
         return [0]
     if kind in _NUMBERED:
@@ -50,7 +51,7 @@ def _numbers(kind: str, first: int, second: int) -> list[int]:
 
 
 def do_pend(events: Events, row: Keyword, type_: int, first: int, second: int) -> None:
-    """EVENTPEND."""
+    """EVENTPEND: raise events."""
     kind = _kind(row, type_)
     numbers = [number for number in _numbers(kind, first, second) if events.handles(kind, number)]
     if not numbers:
@@ -62,7 +63,10 @@ def do_pend(events: Events, row: Keyword, type_: int, first: int, second: int) -
 
 
 def do_unpend(events: Events, row: Keyword, type_: int, first: int, second: int) -> None:
-    """EVENTUNPEND: what waits is dropped; of a kind with numbers all that wait where the data name none."""
+    """EVENTUNPEND: cancel pending events of a kind.
+
+    For a kind with numbers, all pending events are cancelled if the arguments select none.
+    """
     numbers = _numbers(_kind(row, type_), first, second)
     events.pending[:] = [
         (rank, number)
@@ -90,5 +94,5 @@ ROWS = (
             _TIMER.format("EVENTDISABLE = 0x20\nEVENTPEND(5, 0, 0)\nEVENTUNPEND(5, 0, 0)\nEVENTDISABLE = 0\n"
                           "PRINT EVENTPENDING\n"), group="events"),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"terminalreceive": Keys}

@@ -1,25 +1,26 @@
-"""The kinds of event that a program may handle: their names, their order of urgency, and which have a number.
+"""The kinds of event that a program may handle: names, order of urgency, numbers.
 
 The sources give the order only from memory (docs/fidelity.md).
 """
 
 from __future__ import annotations
 
-# Most urgent first. The place of a kind is also its bit in EVENTACTIVE, EVENTPENDING and EVENTDISABLE.
+# Most urgent first. The index of a kind is also its bit in EVENTACTIVE, EVENTPENDING and EVENTDISABLE.
 KINDS = (
     "onerror", "bus", "stop", "fastin", "latch", "timer", "in", "netdata", "comms", "dpr", "axisidle", "mblow",
     "terminalreceive", "serialreceive", "busmessage", "modbus", "knife", "reset",
 )  # fmt: skip
-# The keyword whose file raises the events of a kind for programs that handle them: `SOURCES` there says what does.
+# The keyword whose file raises the events of a kind for programs that handle them. `SOURCES` in that file
+# names the source.
 RAISED_BY = {
     "in": "IN", "latch": "LATCH", "fastin": "FASTENABLE", "stop": "STOPINPUT", "comms": "COMMS", "netdata": "NETFLOAT",
     "bus": "NODELIVE", "terminalreceive": "EVENTPEND", "serialreceive": "SERIALCHAR",
 }  # fmt: skip
-# Kinds that only EVENTPEND raises here: nothing of the simulated machine is their source.
+# Kinds that only EVENTPEND raises here, because the simulated machine has no source for them.
 SOURCELESS = frozenset(("dpr", "busmessage", "modbus", "knife", "reset"))
-# What a kind is called too: COMMSX in the manuals, and CAN by v4.
+# Other names of a kind: COMMSX in the manuals, and CAN in v4.
 _OTHER_NAMES = {"commsx": "comms", "can": "bus"}
-# Kinds that exist once; the others have a number (`Event IN3`).
+# Kinds with a single event. The others have a number (`Event IN3`).
 SINGLE = frozenset((
     "onerror", "stop", "timer", "dpr", "axisidle", "mblow", "terminalreceive", "serialreceive", "modbus", "knife",
     "reset",
@@ -27,7 +28,7 @@ SINGLE = frozenset((
 
 
 def kind_and_number(name: str) -> tuple[str, int] | None:
-    """The kind and the number of a handler's name, None when no event is called so."""
+    """Return the kind and number in a handler's name, None if it names no event."""
     word = name.lower()
     kind = word.rstrip("0123456789")
     number = word[len(kind) :]

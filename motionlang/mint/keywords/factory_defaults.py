@@ -1,4 +1,4 @@
-"""Every parameter as it was at power-up."""
+"""Reset every parameter to its power-up value."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def do_defaults(environment: Environment) -> None:
-    """SYSTEMDEFAULTS and FACTORYDEFAULTS: DEFAULTALL, and what was kept is forgotten."""
+    """SYSTEMDEFAULTS and FACTORYDEFAULTS: do DEFAULTALL and clear all stored settings."""
     for axis in environment.controller.axes:
         default(environment, axis)
     environment.part(Kept).values.clear()

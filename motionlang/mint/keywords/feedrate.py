@@ -1,4 +1,4 @@
-"""Which speed a move goes at: FEEDRATE, its modes and its override; limits; times and percentages of ramps."""
+"""The speed of a move: FEEDRATE, its modes, override, limits, and ramps by time."""
 
 from __future__ import annotations
 
@@ -10,19 +10,22 @@ from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 
-# FEEDRATEPARAMETER: what each parameter is, in user units.
+# FEEDRATEPARAMETER: the unit of each parameter.
 PARAMETERS = ("uu/s", "uu/s2", "uu/s2")
 
 
 class TimesToMost:
-    """Which rates were given as times to MAXSPEED: the rate that was made of each, by keyword and axis."""
+    """The rates that were given as times to MAXSPEED, by keyword and axis.
+
+    Each is stored with the rate that was computed from it.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
         self._given: dict[tuple[str, int], tuple[float, float]] = {}
 
     def set(self, name: str, axis: int, seconds: float) -> None:
-        """Have the axis reach its highest speed in a time."""
+        """Set the time in which the axis reaches its highest speed."""
         most = self._controller.axes[axis].max_speed
         if most == inf:
             raise Refusal("range", f"{name} needs the highest speed of axis {axis}", "set MAXSPEED first")
@@ -31,7 +34,10 @@ class TimesToMost:
         self._controller.configure(axis, _rate(name), rate)
 
     def renew(self, axis: int) -> None:
-        """MAXSPEED has changed: so do the rates that are still those made of it."""
+        """Recompute these rates after a change of MAXSPEED.
+
+        A rate that was written in another way since then does not change.
+        """
         for (name, each), (seconds, rate) in list(self._given.items()):
             a = self._controller.axes[axis]
             if each == axis and getattr(a, _rate(name)) == rate and getattr(a, f"{_rate(name)}_time") is None:
@@ -53,13 +59,16 @@ def _parameter(parameter: int) -> str:
 
 
 def read_parameter(environment: Environment, axis: int, parameter: int) -> float:
-    """FEEDRATEPARAMETER, user units; 0 where moves have the axis's own rate."""
+    """FEEDRATEPARAMETER: return a rate in user units, 0 if moves use that of the axis."""
     a, unit = environment.controller.axes[axis], _parameter(parameter)
     return a.scale.to_user((a.own_rates[parameter] if a.own_rates is not None else None) or 0.0, unit)
 
 
 def write_parameter(environment: Environment, axis: int, parameter: int, value: float) -> None:
-    """FEEDRATEPARAMETER: a rate for the moves that are loaded from now on, user units; 0 takes it back."""
+    """FEEDRATEPARAMETER: set a rate for moves loaded from now on, in user units.
+
+    0 cancels it.
+    """
     a, unit = environment.controller.axes[axis], _parameter(parameter)
     own = list(a.own_rates or (None, None, None))
     own[parameter] = abs(a.scale.to_counts(value, unit)) or None
@@ -67,26 +76,29 @@ def write_parameter(environment: Environment, axis: int, parameter: int, value: 
 
 
 def read_time_to_most(environment: Environment, row: Keyword, axis: int) -> int:
-    """ACCELTIMEMAX and DECELTIMEMAX, ms; 0 without MAXSPEED."""
+    """ACCELTIMEMAX and DECELTIMEMAX: return the time in ms, 0 without MAXSPEED."""
     a = environment.controller.axes[axis]
     rate = a.rates(a.speed)[_rate(row.name) == "decel"]
     return round(a.max_speed / rate * 1000.0) if rate and a.max_speed < inf else 0
 
 
 def write_time_to_most(times: TimesToMost, row: Keyword, axis: int, milliseconds: float) -> None:
-    """ACCELTIMEMAX and DECELTIMEMAX, ms from rest to MAXSPEED."""
+    """ACCELTIMEMAX and DECELTIMEMAX: set the time from rest to MAXSPEED in ms."""
     times.set(row.name, axis, milliseconds / 1000.0)
 
 
 def read_jerk_time(environment: Environment, row: Keyword, axis: int) -> int:
-    """In ms, also where the jerk itself was written."""
+    """Return a jerk time in ms, even if the jerk itself was written."""
     a = environment.controller.axes[axis]
     accel, decel = a.rates(a.speed)
     return round((accel / a.accel_jerk if _rate(row.name) == "accel" else decel / a.decel_jerk) * 1000.0)
 
 
 def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
-    """SRAMP: the percentage of a ramp that is rounded; it replaces jerk times, and 0 makes trapezoids."""
+    """SRAMP: set the percentage of a ramp that is rounded.
+
+    It replaces jerk times. 0 gives trapezoidal profiles.
+    """
     configure = environment.controller.configure
     for name in ("accel_jerk_time", "decel_jerk_time"):
         configure(axis, name, None)
@@ -95,14 +107,17 @@ def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
 
 
 def read_limit(environment: Environment, row: Keyword, axis: int) -> float:
-    """MAXSPEED and the like; without a limit the largest number that they take."""
+    """MAXSPEED and the like: return the limit, without one the largest valid value."""
     a = environment.controller.axes[axis]
     value: float = getattr(a, row.verb)
     return 8388607.0 if value == inf else a.scale.to_user(value, row.unit)
 
 
 def write_limit(environment: Environment, row: Keyword, axis: int, value: float) -> None:
-    """MAXSPEED, MAXACCEL and MAXDECEL, user units; rates that were times to MAXSPEED follow it."""
+    """MAXSPEED, MAXACCEL and MAXDECEL: set a limit in user units.
+
+    Rates that were given as times to MAXSPEED change with it.
+    """
     counts = abs(environment.controller.axes[axis].scale.to_counts(value, row.unit))
     environment.controller.configure(axis, row.verb, counts)
     if row.verb == "max_speed":

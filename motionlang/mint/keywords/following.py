@@ -1,4 +1,4 @@
-"""Following a master: gearing, flying shears, cams, offsets on top, and what the master is."""
+"""Following a master: gearing, flying shears, cams, superposed offsets, masters."""
 
 from __future__ import annotations
 
@@ -39,25 +39,25 @@ def _follow(masters: Masters, axis: int, line: int) -> None:
 
 
 def read_follow(masters: Masters, axis: int) -> float:
-    """The ratio while the axis follows, 0 otherwise."""
+    """Return the ratio while the axis follows, else 0."""
     return masters.ratios.get(axis, 0.0) if masters.controller.master_of(axis) is not None else 0.0
 
 
 def write_follow(masters: Masters, axis: int, ratio: float, line: int) -> None:
-    """FOLLOW: the ratio of slave to master from now on; 0 brings the slave to rest."""
+    """FOLLOW: set the ratio of follower to master; 0 brings the follower to rest."""
     masters.ratios[axis] = ratio
     _follow(masters, axis, line)
 
 
 def write_part(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
-    """An axis that follows already takes the new ratio."""
+    """Set one factor of the ratio; an axis that already follows uses it at once."""
     masters.set(row.name, axis, value)
     if masters.controller.master_of(axis) is not None and masters.ratios.get(axis):
         _follow(masters, axis, line)
 
 
 def put_fly(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """FLY: user units of the slave while the master goes MASTERDISTANCE."""
+    """FLY: travel user units while the master travels MASTERDISTANCE."""
     found, over = distance(environment, axis, row.name)
     found.refuse(environment, axis)
     counts = scale_of(environment, axis).to_counts(value)
@@ -65,7 +65,7 @@ def put_fly(environment: Environment, row: Keyword, axis: int, value: float, lin
 
 
 def put_offset(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
-    """OFFSET: user units on top of what the axis follows, over OFFSETDISTANCE of the master."""
+    """OFFSET: add user units to the following over OFFSETDISTANCE of the master."""
     finite(row, value)
     mode = int(masters.setting("OFFSETMODE", axis))
     over = masters.setting("OFFSETDISTANCE", axis) * masters.of(axis).per_unit
@@ -75,7 +75,7 @@ def put_offset(masters: Masters, row: Keyword, axis: int, value: float, line: in
 
 @by_axis
 def read_offset(environment: Environment, row: Keyword, axis: int) -> Operation:
-    """What is still to go: of the offset of a slave, of the move of another axis."""
+    """Return the remaining distance of a follower's offset, or of another axis's move."""
     return environment.controller.reader("offset_remaining", axis, row.unit, environment)
 
 

@@ -1,4 +1,7 @@
-"""Auxiliary encoders: turned by the machine file's `[[encoder]]`, or virtual: then they run at AUXENCODERSPEED."""
+"""Auxiliary encoders: driven by the machine file's `[[encoder]]`, or virtual.
+
+A virtual encoder runs at AUXENCODERSPEED.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ VIRTUAL = 8
 
 
 class AuxEncoders(Encoders):
-    """The auxiliary encoders, which are no axis's."""
+    """The auxiliary encoders, which belong to no axis."""
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
@@ -44,17 +47,17 @@ class AuxEncoders(Encoders):
         return self._controller.encoder_velocity(AUXILIARY + channel)
 
     def virtual_speed(self, channel: int) -> float:
-        """The speed that was given to an encoder as a virtual axis, in its units."""
+        """Return the speed set for an encoder as a virtual axis, in its units."""
         return self._speeds.get(channel, 0.0)
 
     def turn(self, channel: int, speed: float) -> None:
-        """Give an encoder a speed, in its units: a virtual one runs at it from now on."""
+        """Set the speed of an encoder in its units; a virtual encoder runs at it at once."""
         self._speeds[channel] = speed
         if self.modes.get(channel) == VIRTUAL:
             self._controller.drive_encoder(AUXILIARY + channel, speed * self.per_unit(channel))
 
     def set_mode(self, channel: int, mode: int) -> None:
-        """Make an encoder a virtual axis, or no longer one: then it stands."""
+        """Make an encoder a virtual axis, or end that, which stops it."""
         before = self.modes.get(channel, 0)
         self.modes[channel] = mode
         if mode == VIRTUAL:
@@ -71,7 +74,10 @@ def _channel(channel: int) -> int:
 
 
 def write_mode(encoders: AuxEncoders, row: Keyword, channel: int, mode: int) -> None:
-    """AUXENCODERMODE: 8 makes the encoder a virtual axis; any other mode has no effect, which the report says."""
+    """AUXENCODERMODE: 8 makes the encoder a virtual axis.
+
+    Any other mode has no effect, which the report states.
+    """
     encoders.set_mode(_channel(channel), mode)
     if mode not in (0, VIRTUAL):
         encoders.machine.without_effect.setdefault(row.name, [])

@@ -1,4 +1,4 @@
-"""Masters: what MASTERSOURCE and MASTERCHANNEL name, and the settings of following."""
+"""Masters, named by MASTERSOURCE and MASTERCHANNEL, and the settings of following."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from motionlang.record import record
 
 AXIS, ENCODER, AUX_ENCODER = range(3)
 LAST_ENCODER = 63
-# What is not 0 until it is written.
+# Settings with a default other than 0.
 DEFAULTS = {
     "FOLLOWNUMERATOR": 1.0,
     "FOLLOWDENOM": 1.0,
@@ -29,7 +29,10 @@ DEFAULTS = {
 
 @record
 class Master:
-    """An axis or an encoder that others follow: its track, its number for the controller, counts per unit."""
+    """An axis or encoder that others follow.
+
+    It has a track, its number in the controller, and counts per unit.
+    """
 
     track: Axis
     number: int
@@ -38,18 +41,18 @@ class Master:
     zero: float = 0.0
 
     def refuse(self, environment: Environment, axis: int) -> None:
-        """Refuse to be the master of itself."""
+        """Raise Refusal if the axis would follow itself."""
         if self.track is environment.controller.axes[axis]:
             words = f"axis {axis} cannot follow axis {self.number}: it would follow itself"
             raise Refusal("axis", words, f"write MASTERCHANNEL({axis}) first")
 
     def to_counts(self, position: float) -> float:
-        """A position in units of the master, in counts."""
+        """Convert a position from units of the master to counts."""
         return position * self.per_unit + self.zero
 
 
 def master(environment: Environment, source: int, channel: int) -> Master:
-    """The master that a source and a channel name; the refusal of one that does not exist."""
+    """Return the master for a source and a channel; raise Refusal if there is none."""
     controller = environment.controller
     if source == AXIS:
         a = controller.axes[axis_of(environment, channel)]
@@ -74,13 +77,16 @@ class Masters(Settings):
         self.ratios: dict[int, float] = {}
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Whom an axis follows, and how; a GEARINGMODE is noted, for it corrects nothing."""
+        """Set the master or the manner of following.
+
+        A GEARINGMODE is reported, because it has no effect.
+        """
         super().set(name, axis, value)
-        if name == "GEARINGMODE" and value:  # what it corrects a lag by is not told
+        if name == "GEARINGMODE" and value:  # no source says how it corrects a lag
             self.environment.machine.without_effect.setdefault(name, [])
 
     def of(self, axis: int) -> Master:
-        """The master of an axis."""
+        """Return the master of an axis."""
         return master(
             self.environment,
             int(self.setting("MASTERSOURCE", axis)),
@@ -88,13 +94,13 @@ class Masters(Settings):
         )
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
         self.ratios.pop(axis, None)
 
 
 def distance(environment: Environment, axis: int, word: str) -> tuple[Master, float]:
-    """The master of an axis and its MASTERDISTANCE in counts."""
+    """Return the master of an axis, and its MASTERDISTANCE in counts."""
     masters = environment.part(Masters)
     over = masters.setting("MASTERDISTANCE", axis)
     if not over:

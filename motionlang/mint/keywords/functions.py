@@ -1,4 +1,7 @@
-"""Functions of numbers and of text; `index` lists the arguments, `verb` names one in `runtime/functions.py`."""
+"""Functions of numbers and strings.
+
+`index` lists the arguments, `verb` names a function in `runtime/functions.py`.
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""HTA: an axis that is moved so that an analogue input holds its value (MN1270 p. 87 to 91).
+"""HTA: an axis that moves to hold an analogue input at a value (MN1270 p. 87-91).
 
-Velocity = HTAKPROP error + HTADAMPING change of the error + HTAKINT sum of the errors, once a tick of the profiler; the
-error is the value that is wanted minus the one that is measured, percent, and 0 within HTADEADBAND, which is in counts
-of the converter. The sum begins anew there and when HTAKINT is written.
+Velocity = HTAKPROP × error + HTADAMPING × change of the error + HTAKINT × sum of the errors, once per tick of
+the profiler. The error is the wanted value minus the measured one in percent, and 0 within HTADEADBAND, which
+is in counts of the converter. There, and when HTAKINT is written, the sum starts again from 0.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
 
-# Steps of the converter over the range of an input, -100 to 100 percent or 0 to 100.
+# Steps of the converter over the range of an input, which is -100 to 100 percent or 0 to 100 percent.
 COUNTS = 4096.0
 
 
 class Hold:
-    """One axis that holds an input: what is wanted, percent, and what its law remembers."""
+    """One axis that holds an input: the wanted value in percent, and the loop state."""
 
     track: Track
 
@@ -35,7 +35,10 @@ class Hold:
         self.total = 0.0
 
     def decide(self) -> tuple[float, bool]:
-        """The velocity for the next period, counts/s, and whether it may yet change while the input stays."""
+        """Compute the velocity for the next period in counts/s.
+
+        The second value is True if the velocity may still change while the input does not.
+        """
         setting, axis = self.holds.setting, self.axis
         error, lively = self._error()
         if not error:
@@ -72,7 +75,10 @@ class Holds(Settings):
         environment.controller.analogue_inputs.listeners.append(self._changed)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; an axis that holds goes by it at once, and a new HTAKINT begins a new sum."""
+        """Write a setting; an axis that holds uses it at once.
+
+        A new HTAKINT clears the sum of errors.
+        """
         if name == "HTACHANNEL":
             analogue_input(int(value))
         super().set(name, axis, value)
@@ -83,17 +89,20 @@ class Holds(Settings):
             hold.track.wake()
 
     def holding(self, axis: int) -> Hold | None:
-        """What holds an axis now."""
+        """Return the hold that is active on an axis, None if there is none."""
         hold = self._holding.get(axis)
         return hold if hold is not None and hold.track.holds else None
 
     def wanted(self, axis: int) -> float:
-        """The value that an axis holds, percent, or held last; 0 before it held any."""
+        """Return the value in percent that an axis holds or held last, 0 before the first."""
         hold = self._holding.get(axis)
         return hold.wanted if hold is not None else 0.0
 
     def start(self, axis: int, wanted: float, line: int) -> None:
-        """Let an axis that is idle and without error hold a value, percent; one that holds already goes on with it."""
+        """Let an idle axis hold a value in percent; an axis that already holds continues.
+
+        Raises Refusal if the axis has an error.
+        """
         hold = self.holding(axis)
         if hold is not None:
             hold.wanted = wanted

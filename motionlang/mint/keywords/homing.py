@@ -1,4 +1,4 @@
-"""HOME: its types, its speeds, and what it leaves behind."""
+"""HOME: its types, its speeds and its results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _DEFAULTS = {"HOMESPEED": HOME_SPEED, "HOMEBACKOFF": HOME_BACKOFF}
 
 
 class Homes(Settings):
-    """The homing of every axis: settings in counts, what is going on, what was found."""
+    """The homing of every axis: settings in counts, present state and results."""
 
     defaults = _DEFAULTS
     in_counts = True
@@ -26,13 +26,13 @@ class Homes(Settings):
         self._active: dict[int, Homing] = {}
         self.types: dict[int, int] = {}
         self.found: dict[int, bool] = {}
-        # Where the datum was found, as the axis counted until then.
+        # The position of the datum in the coordinates before homing.
         self._before: dict[int, float] = {}
         # The rates of the axes that home at those of HOMEACCEL and HOMEDECEL.
         self._own_rates: dict[int, dict[str, float | None]] = {}
 
     def setting(self, name: str, axis: int) -> float:
-        """A setting, or what stands for it while it has not been written."""
+        """Return a setting, or the value that replaces it until it is written."""
         if (name, axis) not in self._settings:
             if name == "HOMECREEPSPEED":
                 return self.setting("HOMESPEED", axis) / self.setting("HOMEBACKOFF", axis)
@@ -42,16 +42,16 @@ class Homes(Settings):
         return super().setting(name, axis)
 
     def position_before(self, axis: int) -> float:
-        """HOMEPOS: what POS was at the datum before homing gave it another value."""
+        """HOMEPOS: return POS at the datum before homing changed it."""
         return self.environment.place(axis, self._before[axis]) if axis in self._before else 0.0
 
     def phase(self, axis: int) -> int:
-        """Where the homing is, as the place among `STATES`."""
+        """Return the state of the homing as its index in `STATES`."""
         homing = self._active.get(axis)
         return 0 if homing is None else STATES.index(homing.state)
 
     def begin(self, axis: int, kind: int, line: int) -> None:
-        """HOME(axis) = kind."""
+        """HOME: start homing of a kind."""
         if not self.controller.is_idle(axis):
             raise Refusal("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
         _, direction, switch, index = HOME_TYPES[kind]
@@ -87,7 +87,7 @@ class Homes(Settings):
             self._before[homing.axis] = homing.before
 
     def _borrow(self, axis: int) -> None:
-        """HOMEACCEL and HOMEDECEL stand in for ACCEL and DECEL for as long as the homing lasts."""
+        """Use HOMEACCEL and HOMEDECEL in place of ACCEL and DECEL during homing."""
         accel, decel = (self._settings.get((name, axis)) for name in ("HOMEACCEL", "HOMEDECEL"))
         own = self.controller.lend_rates(axis, accel, decel)
         self._own_rates[axis] = own | self._own_rates.get(axis, {})
@@ -96,7 +96,7 @@ class Homes(Settings):
         self.controller.return_rates(axis, self._own_rates.pop(axis))
 
     def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
-        """Whether the machine has all that is looked for; says beforehand what it lacks."""
+        """True if the machine has everything that is searched for; warn beforehand if not."""
         a = self.controller.axes[axis]
         missing = []
         if switch == HOME and not self._has_switch(axis):
@@ -131,7 +131,7 @@ def write_type(homes: Homes, axis: int, kind: int) -> None:
 
 
 def write_status(homes: Homes, axis: int, value: int) -> None:
-    """HOMESTATUS: the program says itself whether the axis is homed."""
+    """HOMESTATUS: let the program set whether the axis is homed."""
     homes.found[axis] = bool(value)
 
 

@@ -1,6 +1,6 @@
-"""What the virtual controller knows of itself: what it is, what it has, and that nothing of it is broken.
+"""Properties of the virtual controller: its type, its equipment, and no defects.
 
-The machine file can give each of them another answer, in its section `[mint.readings]`.
+The machine file can override each value in its section `[mint.readings]`.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Maker, Operation
 
 
-# What the library of WorkBench calls its own simulated controller.
-# What NUMBEROF counts.
+# AXES is the item of NUMBEROF that counts axes. VIRTUAL is the name that WorkBench's library gives its own
+# simulated controller.
 AXES = 0
 VIRTUAL = "Virtual Controller"
 _POWER_UP = "2000-01-01 00:00:00"
@@ -27,7 +27,10 @@ _DATE = "%Y-%m-%d %H:%M:%S"
 
 
 def answers(known: Callable[..., object]) -> Maker:
-    """What the machine file says, or what this program knows: of the environment and what stands in the brackets."""
+    """Make an operation that reads a value of the machine file, or else `known`.
+
+    `known` is called with the environment and the indices.
+    """
 
     def made(environment: Environment, row: Keyword) -> Operation:
         find, of_axis = environment.part(Kept).told.find, row.index == "axis"
@@ -50,7 +53,10 @@ def version(environment: Environment) -> str:
 
 
 def count(environment: Environment, item: int) -> int:
-    """NUMBEROF: the axes; of other items what the machine file says, else the run ends."""
+    """NUMBEROF: return the number of axes, or of other items by the machine file.
+
+    The run ends if the machine file has none.
+    """
     if item == AXES:
         return len(environment.controller.axes)
     from motionlang.lang.run_errors import NotSimulated
@@ -60,7 +66,7 @@ def count(environment: Environment, item: int) -> int:
 
 
 def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:
-    """OKTOLOADMOVE: 1 where every axis of the array could take a move into its buffer now."""
+    """OKTOLOADMOVE: return 1 if every axis of the array could load a move now."""
     controller = environment.controller
 
     def takes(axis: int) -> bool:
@@ -75,7 +81,7 @@ def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> in
 
 
 class Calendar:
-    """Date and time at a moment of machine time; both from the machine file or the program."""
+    """Date and time at a machine time, set by the machine file or the program."""
 
     def __init__(self, environment: Environment) -> None:
         told = environment.part(Kept).told.find("REALTIMECLOCK", "text", ())
@@ -83,7 +89,7 @@ class Calendar:
         self.set(str(told) if told is not None else _POWER_UP, 0.0)
 
     def set(self, text: str, now: float) -> None:
-        """Refuses what is no date."""
+        """Set date and time; raise Refusal for an invalid date."""
         from datetime import datetime
 
         from motionlang.controller.faults import Refusal
@@ -97,7 +103,7 @@ class Calendar:
         self.since = now
 
     def text(self) -> str:
-        """Whole seconds."""
+        """Return date and time in whole seconds."""
         from datetime import timedelta
 
         try:
@@ -110,7 +116,7 @@ class Calendar:
 
 _LOCAL = Actions(read=answers(lambda environment, *where: 0))
 _FIT = Actions(read=answers(lambda environment, *where: 1))
-# What is not there needs no clearing.
+# There is nothing to clear.
 _NOTHING_WRONG = Actions(read=_LOCAL.read, write=lambda environment, row: lambda *given: None)
 _DATE_ACTIONS = Actions(
     read=always(of(Calendar, Calendar.text)),

@@ -1,8 +1,8 @@
-"""Digital inputs as the program sees them: active levels, debouncing, latched edges, and the events they raise.
+"""Digital inputs: active levels, debouncing, latched edges, and events.
 
-A bank is 32 channels. An input's value in the machine file is its electrical level. INSTATE is that level; IN and INX
-are the state that remains after INPUTDEBOUNCE and INPUTACTIVELEVEL or, for an input whose INPUTMODE bit says so, the
-edge that has come since it was read last.
+A bank is 32 channels. The value of an input in the machine file is its electrical level, and INSTATE shows
+it. IN and INX show the state after INPUTDEBOUNCE and INPUTACTIVELEVEL or, if the INPUTMODE bit of the input
+is set, an edge that came since the last read.
 """
 
 from __future__ import annotations
@@ -28,14 +28,17 @@ SAMPLE = 1e-3
 
 
 class Inputs:
-    """All digital inputs of one program; `listeners` hear (channel, on) of every change of a state."""
+    """All digital inputs of one program.
+
+    `listeners` are called with (channel, on) at every change of a state.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
         self._environment = environment
         self._patterns: dict[tuple[str, int], int] = {}
         self._debounce: dict[int, int] = {}
-        # Channels whose state lags behind their level: the state they still have, and when it will change.
+        # Channels that are being debounced: the state that they still show, and the event of its change.
         self._held: dict[int, tuple[bool, Event]] = {}
         self._edges: set[int] = set()
         self.listeners: list[Callable[[int, bool], None]] = []
@@ -68,12 +71,12 @@ class Inputs:
     # --------------------------------------------------------------------------------------------- reading
 
     def is_on(self, channel: int) -> bool:
-        """The state of an input."""
+        """Return the state of an input."""
         held = self._held.get(channel)
         return self._controller.inputs.inverted(channel) if held is None else held[0]
 
     def read(self, channel: int) -> bool:
-        """The state of an input, or whether its edge has come; reading forgets the edge."""
+        """Return the state of an input, or its latched edge, which reading clears."""
         if not self._bit("INPUTMODE", channel):
             return self.is_on(channel)
         found = channel in self._edges
@@ -97,7 +100,7 @@ class Inputs:
         if held is not None:
             held[1].cancel()
             if held[0] is state:
-                return  # it has bounced back
+                return  # the input has bounced back
         event = clock.at(clock.now + samples * SAMPLE, lambda: self._settled(channel))
         self._held[channel] = (not state, event)
 
@@ -119,14 +122,14 @@ def _signed(bits: int) -> int:
 
 
 def bits_of(bank: int, is_on: Callable[[int], object]) -> int:
-    """The channels of a bank as an Integer."""
+    """Return the channels of a bank as an Integer."""
     checked(bank, LAST_CHANNEL // BANK, "bank")
     first = bank * BANK
     return _signed(sum(1 << k for k in range(BANK) if is_on(first + k)))
 
 
 def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
-    """The number, or the refusal of a channel or bank that does not exist."""
+    """Return the number; raise Refusal if there is no such channel or bank."""
     if not 0 <= number <= last:
         raise Refusal("channel", f"there is no {what} {number}", f"they are numbered 0 to {last}")
     return number
@@ -165,7 +168,7 @@ _ACTIVE_LEVEL = Actions(
     read=of(Inputs, lambda inputs, bank: inputs.active_level(_bank(bank))),
     write=of(Inputs, lambda inputs, bank, bits: inputs.set_active_level(_bank(bank), bits)),
 )
-# Samples for which an input must stay as it is.
+# Samples for which an input must be stable.
 _DEBOUNCE = Actions(
     read=of(Inputs, lambda inputs, bank: inputs.debounce(_bank(bank))),
     write=of(Inputs, lambda inputs, bank, samples: inputs.set_debounce(_bank(bank), samples)),
@@ -209,5 +212,5 @@ ROWS = (
     _pattern("IMASK", "Bit pattern of the inputs that may raise an event IN0, IN1 …",
              "IMASK(0) = 8\nPRINT IMASK(0)"),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"in": Inputs}

@@ -1,4 +1,4 @@
-"""Digital outputs, in banks of 32, and analogue channels in percent."""
+"""Digital outputs in banks of 32, and analogue channels in percent."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def write_bit(environment: Environment, row: Keyword) -> Operation:
 
 
 def write_active_level(environment: Environment, bank: int, bits: int) -> None:
-    """OUTPUTACTIVELEVEL: a bit of 0 makes an output of the bank active low."""
+    """OUTPUTACTIVELEVEL: a 0 bit makes an output of the bank active low."""
     outputs = environment.controller.outputs
     first = checked(bank, LAST_BANK, "bank") * BANK
     low = {first + k for k in range(BANK) if not bits >> k & 1}
@@ -71,11 +71,11 @@ class Analogue:
         self._settings[name, channel] = value
 
     def read(self, channel: int) -> float:
-        """Percent: the input times the gain plus the offset, without the dead band, within the range."""
+        """Return an input in percent, after gain, offset, dead band and range limits."""
         return self.shown(channel, float(self._inputs[channel]))
 
     def shown(self, channel: int, level: float) -> float:
-        """The same of any level of the input."""
+        """Return the value that a level of the input would give, like `read`."""
         value = level * self.setting("ADCGAIN", channel) / 100.0
         value += self.setting("ADCOFFSET", channel)
         if abs(value - self.setting("ADCDEADBANDOFFSET", channel)) < self.setting("ADCDEADBAND", channel):
@@ -84,7 +84,7 @@ class Analogue:
         return max(lowest, min(highest, value))
 
     def range(self, channel: int) -> tuple[float, float]:
-        """The lowest and the highest value of an input, percent."""
+        """Return the lowest and the highest value of an input in percent."""
         return (0.0 if self.setting("ADCMODE", channel) else -100.0), 100.0
 
 
@@ -97,12 +97,12 @@ def analogue_output(channel: int) -> int:
 
 
 def write_adc_setting(analogue: Analogue, row: Keyword, channel: int, value: float) -> None:
-    """ADCGAIN, ADCOFFSET and the like, percent, and ADCMODE."""
+    """ADCGAIN, ADCOFFSET and the like in percent, and ADCMODE: write a setting."""
     analogue.set(row.name, analogue_input(channel), value)
 
 
 def write_dac(environment: Environment, channel: int, value: float) -> None:
-    """DAC, percent."""
+    """DAC: set an analogue output in percent."""
     environment.controller.set_analogue_output(analogue_output(channel), value)
 
 

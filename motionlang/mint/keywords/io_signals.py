@@ -1,4 +1,4 @@
-"""Outputs that show the state of the controller: that an axis is on, that something is wrong."""
+"""Outputs that show the state of the controller: an enabled axis, an error."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ NONE = -1
 
 
 class Signals(Settings):
-    """The outputs, by axis for DRIVEENABLEOUTPUT; an output that is assigned shows the state at once."""
+    """The assigned outputs, for DRIVEENABLEOUTPUT by axis.
+
+    An output shows the state as soon as it is assigned.
+    """
 
     otherwise = NONE
 
@@ -22,12 +25,12 @@ class Signals(Settings):
         self.controller.listeners.append(self._heard, "fault", "switched", "cleared")
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
+        """DRIVEENABLEOUTPUT: assign the output that is on while the axis is enabled."""
         super().set(name, axis, value)
         self._show(axis)
 
     def assign_errors(self, output: int) -> None:
-        """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
+        """GLOBALERROROUTPUT: assign the output that is on while any axis has an error."""
         self.errors = output
         self._show_errors()
 

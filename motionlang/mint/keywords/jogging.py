@@ -1,4 +1,7 @@
-"""JOG, and jogging by a command at a preset speed: JOGCOMMAND, JOGSPEED, JOGMODE, JOGDURATION."""
+"""JOG, and jogging by command at a preset speed.
+
+The keywords of the latter are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
+"""
 
 from __future__ import annotations
 
@@ -24,25 +27,28 @@ _RAMPS = ("JOGACCELTIMEMAX", "JOGDECELTIMEMAX")
 
 
 class Jogs(Settings):
-    """What jogs go by, by keyword and axis (speeds in counts/s, times in ms), and the commands in force."""
+    """The settings of jogs, by keyword and axis, and the commands in force.
+
+    Speeds are in counts/s, times in ms.
+    """
 
     in_counts = unsigned = True
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self.commands: dict[int, int] = {}
-        # When the jog of a command began, and the end of one whose time is limited.
+        # The start time of a commanded jog, and the end event of one with limited time.
         self._began: dict[int, float] = {}
         self._ends: dict[int, Event] = {}
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Set a value; a new JOGSPEED acts at once on a jog that JOGCOMMAND keeps going."""
+        """Write a setting; a new JOGSPEED also changes a jog in progress from JOGCOMMAND."""
         super().set(name, axis, value)
         if name == "JOGSPEED" and self.commanded(axis):
             self._jog(axis, self.commands[axis], self.controller.axes[axis].move.line)  # type: ignore[union-attr]
 
     def rates(self, axis: int) -> Rates | None:
-        """Acceleration and deceleration of jogs, None where they are those of moves."""
+        """Return acceleration and deceleration of jogs, None if they are those of moves."""
         times = [self.setting(name, axis) for name in _RAMPS]
         if not any(times):
             return None
@@ -52,13 +58,16 @@ class Jogs(Settings):
         return accel, decel
 
     def jog(self, axis: int, velocity: float, command: str, line: int) -> None:
-        """Ramp to a velocity, counts/s, and keep it; 0 brings the axis to rest, which is the end of it."""
+        """Ramp to a velocity in counts/s and hold it; 0 brings the axis to rest."""
         rates = self.rates(axis) if self._settings else None
         more = (rates, True) if rates is not None or not velocity else ()
         self.controller.jog(axis, velocity, command, line, *more)
 
     def command(self, axis: int, direction: int, line: int) -> None:
-        """Jog by JOGCOMMAND: 1 forwards, -1 in reverse, 0 to rest; with JOGMODE 1 for a time, once a command."""
+        """JOGCOMMAND: jog forward (1), in reverse (-1), or ramp to rest (0).
+
+        With JOGMODE 1 the jog lasts for a limited time, once per command.
+        """
         timed, before = self.setting("JOGMODE", axis) == TIMED, self.commands.get(axis, 0)
         if timed and direction and direction == before:
             return
@@ -69,18 +78,18 @@ class Jogs(Settings):
             self._limit(axis, self.setting("JOGDURATION", axis) / 1000.0 if timed and direction else None)
 
     def commanded(self, axis: int) -> bool:
-        """Whether the axis jogs by a command now."""
+        """True if the axis jogs by command now."""
         move = self.controller.axes[axis].move
         return (
             move is not None and move.command == COMMAND and not move.ended and bool(self.commands.get(axis))
         )
 
     def elapsed(self, axis: int, level: float | None = None) -> int:
-        """Milliseconds since the jog of a command began, 0 while there is none."""
+        """Return the ms since the start of a commanded jog, 0 if there is none."""
         return self.environment.elapsed(self._began[axis], level) if self.commanded(axis) else 0
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
         self.commands.pop(axis, None)
 
@@ -109,7 +118,10 @@ class Jogs(Settings):
 
 
 def write_velocity(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """JOG: user units a second, the sign the direction, kept until something else is said."""
+    """JOG: run at a velocity in user units per second until another command.
+
+    The sign is the direction.
+    """
     velocity = environment.controller.axes[axis].scale.to_counts(value, row.unit)
     environment.part(Jogs).jog(axis, velocity, row.name, line)
     environment.jogs[axis] = value

@@ -1,4 +1,4 @@
-"""The words of the language itself."""
+"""The keywords of the language itself."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Latches: a position caught at the very moment of an edge, not at the next tick of anything.
+"""Latches: positions captured at the exact time of an edge, not at the next tick.
 
-LATCH… has channels that say what triggers them and what they catch; FAST… is the older set, one latch an axis. A latch
-sees the input itself, without INPUTDEBOUNCE. What the numbers of the modes mean is from memory.
+LATCH… keywords have channels with settings for the trigger and the source. FAST… keywords are the older set,
+with one latch per axis. A latch sees the input directly, without INPUTDEBOUNCE. The meanings of the mode
+numbers are from memory.
 """
 
 from __future__ import annotations
@@ -29,7 +30,10 @@ AXIS_POSITION, ENCODER = 0, 1
 
 
 class Latch:
-    """One latch. `again` keeps it armed after it has caught something; positions are counts."""
+    """One latch; positions are in counts.
+
+    `again` rearms it after each capture.
+    """
 
     def __init__(self, environment: Environment, axis: int, fired: Callable[[Latch], None]) -> None:
         self.environment, self._controller = environment, environment.controller
@@ -49,7 +53,7 @@ class Latch:
         return scale_of(self.environment, self.axis)
 
     def arm(self, armed: bool) -> None:
-        """Switch the latch on, which forgets what it caught, or off."""
+        """Arm the latch, which clears its captured value, or disarm it."""
         self._unwatch()
         self.armed = armed
         if armed:
@@ -57,14 +61,14 @@ class Latch:
             self._watch()
 
     def set(self, name: str, value: float) -> None:
-        """Change a setting; a latch that is armed goes by it from now on."""
+        """Change a setting; an armed latch uses it at once."""
         setattr(self, name, value)
         self._unwatch()
         if self.armed:
             self._watch()
 
     def read(self) -> bool:
-        """Whether something was caught; of a latch that goes on by itself, since this was asked last."""
+        """Return True if a position was captured; with `again`, since the last read."""
         caught = self.caught
         if caught and self.again:
             self.caught = False
@@ -72,7 +76,7 @@ class Latch:
         return caught
 
     def _watch(self) -> None:
-        """The next mark of the encoder to either side, as far as a mark is the trigger."""
+        """Watch the next index mark in both directions, if a mark is the trigger."""
         if self.trigger_mode != BY_INDEX:
             return
         for direction in (1, -1):
@@ -108,20 +112,20 @@ class Latch:
         self._fired(self)
 
     def _place(self) -> float:
-        """What is caught: where the axis is, or what its encoder has counted."""
+        """Return the position to capture: that of the axis, or the count of its encoder."""
         position = self._controller.position(self.axis)
         return position - self._controller.axes[self.axis].datum if self.source == ENCODER else position
 
 
 class Latches:
-    """The latch channels, each from its first use on; a catch raises LATCH."""
+    """The latch channels, created on first use; a capture raises LATCH."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._latches = Each(lambda number: self.made(self.checked(number)))
 
     def latch(self, number: int) -> Latch:
-        """The latch of a channel or of an axis, made on first use."""
+        """Return the latch of a channel or an axis, created on first use."""
         return self._latches[number]
 
     def checked(self, number: int) -> int:
@@ -133,7 +137,7 @@ class Latches:
 
 
 class FastLatches(Latches):
-    """The fast latch of every axis; a catch raises FASTIN."""
+    """The fast latch of every axis; a capture raises FASTIN."""
 
     kind = Latch
 
@@ -145,7 +149,7 @@ class FastLatches(Latches):
         return self.kind(self._environment, number, lambda fired: events.raise_("fastin", fired.input))
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         if axis in self._latches:
             self._latches.pop(axis).arm(False)
 
@@ -154,30 +158,33 @@ class FastLatches(Latches):
 
 
 def read_setting(latch: Latch, row: Keyword) -> float:
-    """What a latch goes by; positions in user units of its axis, times in ms."""
+    """Read a setting of a latch: positions in user units of its axis, times in ms."""
     value: float = getattr(latch, row.attribute)
     return latch.scale.to_user(value) if row.unit == "uu" else int(value)
 
 
 def write_setting(latch: Latch, row: Keyword, value: float) -> None:
-    """What a latch goes by; positions in user units of its axis, times in ms."""
+    """Write a setting of a latch: positions in user units of its axis, times in ms."""
     if row.attribute == "axis":
         axis_of(latch.environment, int(value))
     latch.set(row.attribute, latch.scale.to_counts(value) if row.unit == "uu" else value)
 
 
 def read_value(latch: Latch, row: Keyword) -> float:
-    """What was caught: a position in user units, within POSWRAP as POS shows it, an encoder's count in counts."""
+    """Return the captured value.
+
+    A position is in user units, within POSWRAP like POS. The count of an encoder is in counts.
+    """
     return latch.value if latch.source == ENCODER else latch.environment.place(latch.axis, latch.value)
 
 
 def read_encoder(latch: Latch, row: Keyword) -> float:
-    """FASTENCODER: what the encoder had counted."""
+    """FASTENCODER: return the captured encoder count."""
     return latch.value - latch.environment.controller.axes[latch.axis].datum
 
 
 def on_latch(function: Callable[..., object]) -> Maker:
-    """What does something with the latch of a channel, or with the fast one of an axis: those of words in FAST."""
+    """Make an operation on a latch: of a channel, or of an axis for FAST keywords."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         latches = environment.part(FastLatches if row.name.startswith("FAST") else Latches)
@@ -251,5 +258,5 @@ ROWS = (
     _reading("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),
              "What the encoder had counted when the fast latch caught.", _FAST),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"latch": Latches, "fastin": FastLatches}

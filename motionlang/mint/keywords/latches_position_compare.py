@@ -1,4 +1,4 @@
-"""Position compare: an output that is switched at the very moment an axis passes a position."""
+"""Position compare: an output that switches exactly as an axis passes a position."""
 
 from __future__ import annotations
 
@@ -16,12 +16,16 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
 
-# COMPAREMODE, from memory: the output comes on at position 0 and stays on; it is on between positions 0 and 1.
+# COMPAREMODE, from memory. AT: the output turns on at position 0 and remains on. BETWEEN: it is on between
+# positions 0 and 1.
 AT, BETWEEN = 0, 1
 
 
 class Compare:
-    """The compare of one axis: `positions` in counts, the output it drives (-1: none)."""
+    """The position compare of one axis.
+
+    `positions` are in counts, `output` is the output that it drives, -1 for none.
+    """
 
     def __init__(self, environment: Environment, axis: int) -> None:
         self._environment, self._controller = environment, environment.controller
@@ -33,7 +37,7 @@ class Compare:
         self._watch: Watch | None = None
 
     def enable(self, enabled: bool) -> None:
-        """Begin to compare with the positions as they are now, or end it."""
+        """Start to compare with the present positions, or stop."""
         self._forget()
         self.enabled = enabled
         if not enabled:
@@ -50,12 +54,12 @@ class Compare:
             self._watch = self._controller.watch(self._axis, self.positions[0], lambda _: self._inside(True))
 
     def _turn(self) -> float:
-        """The counts of a turn, 0 where the axis does not wrap."""
+        """Return the counts of a wrap, 0 if the axis does not wrap."""
         wrap = self._environment.wraps.get(self._axis)
         return abs(self._controller.axes[self._axis].scale.to_counts(wrap, "uu")) if wrap else 0.0
 
     def _watched(self, positions: list[float], turn: float, change: Callable[[int], None]) -> Cells:
-        """Positions to watch; on an axis that wraps they come again in every turn."""
+        """Watch positions; on an axis that wraps they recur in every wrap."""
         track = self._controller.axes[self._axis]
         edges = [position % turn for position in positions] if turn else positions
         return Cells(self._controller, track, sorted(edges), change, turn)
@@ -66,13 +70,16 @@ class Compare:
             self.enable(True)
 
     def place(self, register: int, position: float) -> None:
-        """Set a position; a compare that is at work goes by it from now on."""
+        """Set a position; an active compare uses it at once."""
         self.positions[register] = position
         if self.enabled:
             self.enable(True)
 
     def _moved(self, index: int) -> None:
-        """Below both positions, between them, or above both; a new zero may jump from one to another."""
+        """Switch the output on between the positions, and off outside.
+
+        `index` is 0 below both positions, 1 between them and 2 above both. A new zero may skip one.
+        """
         self._inside(bool(index % 2))
 
     def _inside(self, inside: bool) -> None:
@@ -89,7 +96,7 @@ class Compare:
 
 
 class Compares:
-    """The compare of every axis, from its first use on."""
+    """The position compare of every axis, created on first use."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
@@ -99,12 +106,12 @@ class Compares:
         return self._compares[axis]
 
     def of_output(self, output: int) -> list[Compare]:
-        """Those that drive an output."""
+        """Return the compares that drive an output."""
         checked(output, LAST_CHANNEL, "output")
         return [each for each in self._compares.values() if each.output == output]
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         if axis in self._compares:
             self._compares.pop(axis).enable(False)
 
@@ -118,18 +125,18 @@ def read_setting(compares: Compares, row: Keyword, axis: int) -> int:
 
 
 def write_setting(compares: Compares, row: Keyword, axis: int, value: int) -> None:
-    """COMPAREMODE and COMPAREOUTPUT; a compare at work begins anew."""
+    """COMPAREMODE and COMPAREOUTPUT: write a setting; restart an active compare."""
     compares.compare(axis).set(row.attribute, value)
 
 
 def read_position(compares: Compares, axis: int, register: int) -> float:
-    """COMPAREPOS, user units."""
+    """COMPAREPOS: return a position in user units."""
     position = compares.compare(axis).positions[checked(register, 1, "compare register")]
     return scale_of(compares.environment, axis).position_to_user(position)
 
 
 def write_position(compares: Compares, axis: int, register: int, value: float) -> None:
-    """COMPAREPOS, user units; a compare at work goes by it at once."""
+    """COMPAREPOS: set a position in user units; an active compare uses it at once."""
     checked(register, 1, "compare register")
     position = scale_of(compares.environment, axis).position_to_counts(value)
     compares.compare(axis).place(register, position)
@@ -140,7 +147,7 @@ def read_enable(compares: Compares, output: int) -> int:
 
 
 def write_enable(compares: Compares, output: int, enabled: int) -> None:
-    """COMPAREENABLE: every compare that drives the output."""
+    """COMPAREENABLE: start or stop every compare that drives the output."""
     found = compares.of_output(output)
     if enabled and not found:
         what = f"output {output} is that of no position compare"

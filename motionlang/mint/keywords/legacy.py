@@ -1,4 +1,7 @@
-"""Words of Mint v4 that MintMT has others for. A program may use their names for its own where it declares them."""
+"""Keywords of Mint v4 that have other names in MintMT.
+
+A program that declares one of these names may use it for its own purposes.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ from motionlang.mint.runtime.errors import AXIS, Error, Errors
 
 
 def last(errors: Errors, of_axis: bool = False) -> Error | None:
-    """The newest error that stands, and when they have all been read, the one that was read last."""
+    """Return the newest active error or, once all are read, the one read last."""
     known = [*errors.found, *([] if errors.found or errors.shown is None else [errors.shown])]
     return next((each for each in reversed(known) if not of_axis or each.group == AXIS), None)
 
@@ -30,7 +33,7 @@ def read_axis(errors: Errors) -> int:
 
 
 def do_contour(environment: Environment, row: Keyword, axes: tuple[int, ...], line: int) -> None:
-    """CONTOURON and CONTOUROFF."""
+    """CONTOURON and CONTOUROFF: switch contour mode."""
     for axis in axes:
         set_mode(environment, "CONTOURMODE", axis_of(environment, axis), row.name.endswith("ON"))
 

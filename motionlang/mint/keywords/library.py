@@ -1,4 +1,4 @@
-"""The rest of Mint's type library: words that are recognised and explained, and not simulated."""
+"""The rest of Mint's type library: keywords that are recognised but not simulated."""
 
 from __future__ import annotations
 
@@ -43,9 +43,10 @@ def _rows() -> Iterator[Keyword]:
 
 
 def _lines(file: str) -> Iterator[list[str]]:
-    """The fields of a file of the type library.
+    """Yield the fields of each line of a type library file.
 
-    `values`: NAME, short form, index, type, access, what becomes of it, meaning; the commands have no type and access.
+    `values`: NAME, short form, index, type, access, treatment, meaning. The commands have no type and no
+    access.
     """
     path = os.path.join(os.path.dirname(__file__), "type_library", f"{file}.txt")
     for line in __loader__.get_data(path).decode("utf-8").splitlines():  # type: ignore[name-defined]

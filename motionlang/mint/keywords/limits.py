@@ -1,8 +1,8 @@
-"""Errors of an axis: what brings them about, what the axis does about each, and how they are cleared.
+"""Errors of an axis: their causes, the reactions to them, and clearing them.
 
-The modes are the same for every error: 0 nothing, 1 a crash stop, 2 a crash stop and the drive off, 3 a stop at
-ERRORDECEL, 4 the same and then the drive off, 5 only the event ONERROR. Their numbers are from memory, and so are the
-defaults (docs/fidelity.md).
+Every error has the same modes: 0 nothing, 1 a crash stop, 2 a crash stop and the drive off, 3 a stop at
+ERRORDECEL, 4 the same and then the drive off, 5 only the event ONERROR. Their numbers and the defaults are
+from memory (docs/fidelity.md).
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 ACTIONS = ("ignore", "abort", "off", "error-stop", "error-stop", "event")
 STOP_THEN_OFF = 4
-# Keyword -> the errors it is about.
+# The errors that each keyword concerns.
 ERRORS: dict[str, tuple[int, ...]] = {
     "LIMITMODE": (LIMIT_FORWARD, LIMIT_REVERSE),
     "SOFTLIMITMODE": (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE),
@@ -46,7 +46,7 @@ SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_
 
 
 class AxisErrors(Settings):
-    """The modes of every axis, its software limits, and the switches that keywords assign to it."""
+    """The modes of every axis, its software limits, and its assigned switches."""
 
     defaults = MODES
 
@@ -61,7 +61,7 @@ class AxisErrors(Settings):
     # ---------------------------------------------------------------------------------------------- modes
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Say what an axis does about a kind of error."""
+        """Set the reaction of an axis to a kind of error."""
         super().set(name, axis, value)
         mode = int(value)
         for bit in ERRORS[name]:
@@ -73,7 +73,7 @@ class AxisErrors(Settings):
                     condition.action = ACTIONS[mode]
 
     def action(self, axis: int, bit: int) -> str:
-        """What an axis does about an error."""
+        """Return the reaction of an axis to an error."""
         return ACTIONS[self._mode_of(axis, bit)]
 
     def _mode_of(self, axis: int, bit: int) -> int:
@@ -98,7 +98,7 @@ class AxisErrors(Settings):
     # --------------------------------------------------------------------------------------------- limits
 
     def limit(self, axis: int, bit: int) -> Limit:
-        """The limit of an axis for an error: the machine's own switch, or one that is made now."""
+        """Return the limit of an axis for an error; create one if there is no switch."""
         for limit in self.controller.axes[axis].limits:
             if limit.bit == bit:
                 return limit
@@ -106,9 +106,9 @@ class AxisErrors(Settings):
         return self.controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
 
     def set_input(self, axis: int, bit: int, active: bool, channel: int = 0) -> None:
-        """An input of an axis that is an error in every direction has come to be so, or is so no longer.
+        """Set or clear an error that an input causes in both directions.
 
-        `channel` tells apart several inputs that are the same error, each of which is one by itself.
+        `channel` distinguishes several inputs that cause the same error; each counts separately.
         """
         found = self._inputs.get((axis, bit, channel))
         if found is None:
@@ -122,11 +122,11 @@ class AxisErrors(Settings):
         return any(limit.active for limit in self.controller.axes[axis].limits if limit.bit == bit)
 
     def soft_limit(self, axis: int, bit: int) -> float:
-        """The position of a software limit in counts."""
+        """Return the position of a software limit in counts."""
         return self._soft[axis, bit][1] if (axis, bit) in self._soft else 0.0
 
     def set_soft_limit(self, axis: int, bit: int, position: float) -> None:
-        """Set a software limit, counts; two of 0 are none."""
+        """Set a software limit in counts; the limits are off if both are 0."""
         self._soft[axis, bit] = (self.limit(axis, bit), position)
         for each in (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE):
             limit, where = self._soft.setdefault((axis, each), (self.limit(axis, each), 0.0))
@@ -134,7 +134,7 @@ class AxisErrors(Settings):
             limit.place(None if none else where)
 
     def default(self, axis: int) -> None:
-        """DEFAULT: modes and limits as at power-up."""
+        """Reset modes and limits to their power-up values (DEFAULT)."""
         for name in MODES:
             if (name, axis) in self._settings:
                 self.set(name, axis, MODES[name])
@@ -151,22 +151,22 @@ def _soft_bit(row: Keyword) -> int:
 
 
 def read_soft(errors: AxisErrors, row: Keyword, axis: int) -> float:
-    """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
+    """SOFTLIMITFORWARD and SOFTLIMITREVERSE: return a limit in user units."""
     return errors.scale(axis).to_user(errors.soft_limit(axis, _soft_bit(row)))
 
 
 def write_soft(errors: AxisErrors, row: Keyword, axis: int, value: float) -> None:
-    """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
+    """SOFTLIMITFORWARD and SOFTLIMITREVERSE: set a limit in user units."""
     errors.set_soft_limit(axis, _soft_bit(row), errors.scale(axis).to_counts(value))
 
 
 def is_at(*bits: int) -> Maker:
-    """What tells whether an axis is at one of some limits."""
+    """Make an operation that returns 1 while an axis is at one of these limits."""
     return of(AxisErrors, lambda errors, axis: int(any(errors.is_active(axis, bit) for bit in bits)))
 
 
 def do_abort(errors: AxisErrors) -> None:
-    """ABORT: every axis does what its ABORTMODE says."""
+    """ABORT: let every axis react as its ABORTMODE says."""
     for axis in errors.controller.axes:
         action = errors.action(axis, ABORT)
         if action != "ignore":
@@ -174,7 +174,7 @@ def do_abort(errors: AxisErrors) -> None:
 
 
 def do_line(environment: Environment, row: Keyword) -> Operation:
-    """The program has come to a line at which the machine file lets something happen."""
+    """Return the operation that reports a line with a machine file event to the world."""
     world = environment.machine.world
     assert world is not None
     return world.reach

@@ -1,4 +1,4 @@
-"""Ending motion and starting afresh: STOP and its mode, RESET, DEFAULT."""
+"""Ending motion and resetting: STOP and its mode, RESET, DEFAULT."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class StopModes(Settings):
 
 
 def stop(environment: Environment, axis: int, mode: float) -> None:
-    """Bring an axis to rest in one of the ways of STOPMODE."""
+    """Bring an axis to rest in the manner of a STOPMODE."""
     controller = environment.controller
     if mode == CRASH:
         controller.abort(axis, "stop")
@@ -36,7 +36,7 @@ def stop(environment: Environment, axis: int, mode: float) -> None:
 
 
 def reset(environment: Environment, axis: int) -> None:
-    """Errors cleared, moves forgotten, position zero, drive on."""
+    """Clear errors, discard moves, set the position to zero and enable the drive."""
     controller = environment.controller
     controller.abort(axis)
     controller.clear_faults(axis)
@@ -45,7 +45,7 @@ def reset(environment: Environment, axis: int) -> None:
 
 
 def default(environment: Environment, axis: int) -> None:
-    """Settings as at power-up; refused in motion."""
+    """Reset the settings to their power-up values; raise Refusal in motion."""
     controller = environment.controller
     if not controller.is_idle(axis):
         raise Refusal("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
@@ -64,7 +64,7 @@ def default(environment: Environment, axis: int) -> None:
 
 
 def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
-    """STOP: each axis as its STOPMODE says; one that there is not stops none."""
+    """STOP: stop each axis in its STOPMODE; an axis that does not exist stops none."""
     setting = environment.part(StopModes).setting
     for axis in axes:
         axis_of(environment, axis)
@@ -73,7 +73,10 @@ def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
 
 
 def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) -> object:
-    """What STOP changes of its axes beside their motion, of which the clock tells."""
+    """Return what STOP changes in its axes, apart from motion.
+
+    The clock reports changes of motion.
+    """
     controller = environment.controller
     return [
         (controller.room(axis), controller.is_suspended(axis), controller.homings.get(axis))

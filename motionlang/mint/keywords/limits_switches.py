@@ -1,6 +1,9 @@
-"""Digital inputs that are given a meaning for an axis: limits, error, stop, suspend, reset, home.
+"""Digital inputs with a function for an axis.
 
-An assignment is a channel, -1 for none. What an input means happens when its state changes, at that very moment.
+The functions are limit, error, stop, suspend, reset and home.
+
+An assignment is a channel, -1 for none. The function is carried out exactly when the state of the input
+changes.
 """
 
 from __future__ import annotations
@@ -38,19 +41,19 @@ class Switches(Settings):
         return int(self.setting(name, axis))
 
     def is_on(self, name: str, axis: int) -> bool:
-        """Whether the input that is assigned is active; one that is not assigned is not."""
+        """True if the assigned input is active; False without one."""
         channel = self.channel(name, axis)
         return channel != NONE and self._inputs.is_on(channel)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Give an input a meaning; one that is active already acts at once."""
+        """Assign an input; if it is already active, it takes effect at once."""
         before = self.is_on(name, axis)
         super().set(name, axis, value)
         if self.is_on(name, axis) is not before:
             _MEANINGS[name](self, axis, not before)
 
     def default(self, axis: int) -> None:
-        """DEFAULT: no input has a meaning for the axis."""
+        """Remove all assignments of the axis (DEFAULT)."""
         for name, each in list(self._settings):
             if each == axis:
                 self.set(name, axis, NONE)
@@ -100,7 +103,7 @@ _MEANINGS: dict[str, Callable[[Switches, int, bool], None]] = {
     "RESETINPUT": Switches._reset,
     "HOMEINPUT": Switches._home,
 }
-# Reading keyword -> the assignment whose input it shows.
+# The assignment whose input each of these keywords shows.
 SHOWN = {"ERRORSWITCH": "ERRORINPUT", "STOPSWITCH": "STOPINPUT", "SUSPENDSWITCH": "SUSPENDINPUT"}
 
 
@@ -129,5 +132,5 @@ ROWS = (
     switch_row("SUSPENDSWITCH", "", _SWITCH, "1 while the suspend input of the axis is active."),
     _input("RESETINPUT", "rsi", "The input that resets the axis when it becomes active"),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"stop": Switches}

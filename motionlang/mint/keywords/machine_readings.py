@@ -1,8 +1,10 @@
-"""What the machine file says of words whose value this program cannot know: the section `[mint.readings]`.
+"""Values from the machine file for keywords that cannot be computed.
 
-[mint.readings]
-DRIVEBUSVOLTS = 325                     # whatever stands in the brackets
-TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by what stands there; "0, 1" where there are two
+They are in the section `[mint.readings]`:
+
+    [mint.readings]
+    DRIVEBUSVOLTS = 325                     # for any index
+    TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by index; "0, 1" where there are two
 """
 
 from __future__ import annotations
@@ -17,12 +19,12 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 SECTION = "mint.readings."
-# Words that know an answer of their own take one from the machine file all the same.
+# Groups of keywords with a value of their own that the machine file may override.
 ANSWERED = frozenset(("identity",))
 
 
 class Told:
-    """The values, by word and by what stands in its brackets; None for every bracket."""
+    """The values, by keyword and index; None stands for any index."""
 
     def __init__(self, settings: Mapping[str, object]) -> None:
         self.values: dict[tuple[str, tuple[object, ...] | None], object] = {}
@@ -32,7 +34,7 @@ class Told:
                 self.values[word.upper(), _numbers(where) if where else None] = value
 
     def find(self, word: str, unit: str, where: tuple[object, ...]) -> object | None:
-        """The value of a word as its unit has it, None where the machine file does not say."""
+        """Return the value of a keyword in its unit, None if the machine file has none."""
         if not self.values:
             return None
         found = self.values.get((word, where), self.values.get((word, None)))
@@ -42,7 +44,7 @@ class Told:
 
 
 def words(settings: Mapping[str, object]) -> frozenset[str]:
-    """The words of which the machine file says anything."""
+    """Return the keywords for which the machine file has a value."""
     return frozenset(
         key[len(SECTION) :].partition(".")[0].upper() for key in settings if key.startswith(SECTION)
     )
@@ -54,7 +56,7 @@ def _numbers(where: str) -> tuple[object, ...]:
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
-    """What is wrong with one entry, and a hint; None when nothing is."""
+    """Return the problem with an entry and a hint, None if the entry is valid."""
     from motionlang.errors import nearest
 
     word, _, where = key[len(SECTION) :].partition(".")
@@ -70,7 +72,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
 
 
 def can_be_told(row: Keyword) -> bool:
-    """Whether a word has a value that the run does not work out by itself."""
+    """True if a keyword has a value that the run does not compute itself."""
     return "R" in row.access and (not row.simulated or row.group in ANSWERED)
 
 

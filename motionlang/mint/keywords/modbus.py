@@ -1,8 +1,7 @@
-"""Modbus servers as the machine file has them, which the program reaches as a client, and what the controller's own
-server holds.
+"""Modbus: the program as a client of servers, and the controller's own server.
 
-A register is a word of 16 bits. Of the two registers of an Integer or a float the first has the lower half, as in
-Mint's own server (ABB AN00198 p. 5). Requests take no time of their own.
+The machine file defines the servers. A register is a word of 16 bits. Of the two registers of an Integer or a
+Float the first has the lower half, as in Mint's own server (ABB AN00198 p. 5). Requests take no time.
 """
 
 from __future__ import annotations
@@ -28,11 +27,11 @@ if TYPE_CHECKING:
 
 LAST = 65535
 _INFINITY = float("inf")
-_LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
+_LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
 
 
 class Server:
-    """One server: its registers from `first` to `last`, what they hold, and when it answers."""
+    """One server: its registers `first` to `last`, and when it answers."""
 
     def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = _INFINITY) -> None:
         self.first, self.last, self.begin, self.end = first, last, begin, end
@@ -41,7 +40,7 @@ class Server:
 
 
 class Servers:
-    """Every server that the machine file names; where it names none, any that the program speaks to."""
+    """The servers of the machine file or, if it defines none, any in use."""
 
     def __init__(self, environment: Environment) -> None:
         self._clock, self._machine = environment.clock, environment.machine
@@ -66,10 +65,13 @@ class Servers:
         server.words.update((int(register), word & LAST) for register, word in given.items())
         for time in (begin, end):
             if self._clock.now < time < _INFINITY:
-                self._clock.at(time, _nothing)  # whoever waits for the server must look again
+                self._clock.at(time, _nothing)  # tasks that wait for the server check again
 
     def _schedule(self, entry: Entry) -> None:
-        """One change; of the world it is, so that it may also reach registers that clients may not."""
+        """Schedule a change of registers.
+
+        The world makes it, so it may also reach registers that clients may not.
+        """
         server = self._servers.setdefault(entry["server"], Server())  # type: ignore[arg-type]
         value: float = entry["value"]  # type: ignore[assignment]
         width = str(entry.get("as", "word" if isinstance(value, int) else "float"))
@@ -84,7 +86,7 @@ class Servers:
     # ------------------------------------------------------------------------------------------ the client's side
 
     def read(self, number: int, register: int, count: int) -> list[int]:
-        """Registers of a server, or the refusal."""
+        """Return registers of a server; raise Refusal if it does not answer."""
         words = self._reached(number, register, count).words
         return [words.get(register + k, 0) for k in range(count)]
 
@@ -114,7 +116,7 @@ class Servers:
         return server
 
     def written(self) -> list[dict[str, object]]:
-        """What the registers hold that the program wrote."""
+        """Return the registers that the program wrote, as rows of the report."""
         return [
             {"server": number, "what": "register", "number": register, "value": server.words[register]}
             for number, server in sorted(self._servers.items())
@@ -128,11 +130,11 @@ def _put(server: Server, register: int, words: Sequence[int]) -> None:
 
 
 def _nothing() -> None:
-    """A moment at which something may have changed."""
+    """Do nothing: the event lets tasks check again."""
 
 
 def words_of(value: float, width: str) -> list[int]:
-    """A value as registers, the lowest first: a "word", an "integer" or a "float"."""
+    """Return a "word", an "integer" or a "float" as registers, the lowest first."""
     if width == "word":
         return [int(value) & LAST]
     whole = int(value) & 0xFFFFFFFF if width == "integer" else _bits(value)
@@ -154,7 +156,7 @@ def read_word(servers: Servers, server: int, register: int) -> int:
 
 
 def unpacked(code: str) -> Maker:
-    """What reads two registers of a server as one number."""
+    """Make an operation that reads two registers of a server as one number."""
 
     def read(servers: Servers, server: int, register: int) -> object:
         return unpack(code, pack("<HH", *servers.read(server, register, 2)))[0]
@@ -163,7 +165,7 @@ def unpacked(code: str) -> Maker:
 
 
 def writes(width: str) -> Maker:
-    """What writes a value into the registers of a server, as one of the widths of `words_of`."""
+    """Make an operation that writes a value to a server; for widths see `words_of`."""
 
     def write(servers: Servers, server: int, register: int, value: float) -> None:
         servers.write(server, register, words_of(value, width))
@@ -172,7 +174,7 @@ def writes(width: str) -> Maker:
 
 
 def _own(environment: Environment, register: int) -> tuple[str, int]:
-    """The area and the element to which a register of the controller's own server belongs."""
+    """Return the area and element of a register in the controller's own server."""
     host = environment.machine.host
     if not host.has_registers(host.mapping, register, 1):
         raise Refusal(
@@ -182,13 +184,13 @@ def _own(environment: Environment, register: int) -> tuple[str, int]:
 
 
 def read_own_register(environment: Environment, register: int) -> int:
-    """HOLDINGREGISTER: half an element of the memory that hosts write too, 0 to 65535."""
+    """HOLDINGREGISTER: return half an element of the host memory, 0 to 65535."""
     area, element = _own(environment, register)
     return environment.machine.host.integer(area, element) >> 16 * (register & 1) & LAST
 
 
 def write_own_register(environment: Environment, register: int, value: int) -> None:
-    """The program writes: no event comes of it."""
+    """Write a register of the controller's own server; no event is raised."""
     host, (area, element) = environment.machine.host, _own(environment, register)
     halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
     halves[register & 1] = value & LAST
@@ -196,7 +198,10 @@ def write_own_register(environment: Environment, register: int, value: int) -> N
 
 
 class Coils:
-    """The coils of the controller's own server, and when the machine file's client writes them."""
+    """The coils of the controller's own server, and their scheduled changes.
+
+    The changes are those of the machine file's client.
+    """
 
     def __init__(self, environment: Environment) -> None:
         clock = environment.clock
@@ -216,13 +221,13 @@ class Coils:
 
 
 def write_coil(coils: Coils, coil: int, value: int) -> None:
-    """COIL."""
+    """COIL: set a coil."""
     coils.values[coils.checked(coil)] = int(value != 0)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-# MODBUSTCP16: one register of a server; the others are two.
+# MODBUSTCP16: one register of a server. The other keywords use two.
 _WORD = Actions(read=of(Servers, read_word), write=writes("word"))
 _WHOLE = Actions(read=unpacked("<i"), write=writes("integer"))
 _REAL = Actions(read=unpacked("<f"), write=writes("float"))

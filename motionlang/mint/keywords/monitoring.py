@@ -1,4 +1,4 @@
-"""What is watched beside motion: analogue inputs, following errors that warn, drives; and masks of errors."""
+"""Monitoring: analogue inputs, warnings of following error, drives, error masks."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ ALL_BITS = -1
 
 
 class Monitors:
-    """The limits of analogue inputs, and which inputs each axis minds; an input beyond its limits is its error."""
+    """The limits of analogue inputs, and the inputs that each axis monitors.
+
+    An input beyond its limits is an error of the axis.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
@@ -40,17 +43,17 @@ class Monitors:
         self._look()
 
     def mind(self, axis: int, pattern: int) -> None:
-        """Say which inputs the axis minds from now on; one that is beyond its limits already counts at once."""
+        """Set the inputs that the axis monitors; one beyond its limits counts at once."""
         before, self.minded[axis] = self.minded.get(axis, 0), pattern
         self._look_at(axis, before | pattern)
 
     def beyond(self, axis: int) -> int:
-        """The inputs that an axis minds and that are beyond their limits."""
+        """Return the monitored inputs that are beyond their limits, as bits."""
         pattern = self.minded.get(axis, 0)
         return sum(1 << k for k in range(MONITORED) if pattern >> k & 1 and self._is_beyond(k))
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         self._look_at(axis, self.minded.pop(axis, 0))
 
     def _is_beyond(self, channel: int) -> bool:
@@ -59,12 +62,12 @@ class Monitors:
         )
 
     def _look(self) -> None:
-        """A value or a limit has changed."""
+        """Check all axes after a change of a value or a limit."""
         for axis, pattern in self.minded.items():
             self._look_at(axis, pattern)
 
     def _look_at(self, axis: int, pattern: int) -> None:
-        """Let the axis know of the inputs of a pattern, each of which is an error of its own while it is beyond."""
+        """Set or clear the error of the axis for each input of a pattern."""
         beyond = self.beyond(axis)
         for k in range(MONITORED):
             if pattern >> k & 1:
@@ -72,7 +75,7 @@ class Monitors:
 
 
 def do_trim(environment: Environment, channel: int) -> None:
-    """ADCOFFSETTRIM: what the input shows now is its zero."""
+    """ADCOFFSETTRIM: make the present value of the input its zero."""
     inputs = environment.part(Analogue)
     gain = inputs.setting("ADCGAIN", analogue_input(channel)) / 100.0
     inputs.set("ADCOFFSET", channel, -float(environment.controller.analogue_inputs[channel]) * gain)
@@ -82,7 +85,10 @@ def do_trim(environment: Environment, channel: int) -> None:
 
 
 class Warnings(Settings):
-    """The warnings of axes: bit 0, the following error was beyond FOLERRORWARNING. They stay until they are cleared."""
+    """The warnings of axes, which remain until they are cleared.
+
+    Bit 0 means that the following error exceeded FOLERRORWARNING.
+    """
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
@@ -90,17 +96,20 @@ class Warnings(Settings):
         self.levels: dict[int, float] = {}
 
     def set_level(self, axis: int, level: float) -> None:
-        """The following error, counts, beyond which an axis warns."""
+        """Set the following error in counts that triggers a warning."""
         self.levels[axis] = level
         self._watch(axis, level)
 
     def clear(self, axis: int) -> None:
-        """Forget the warnings of an axis; what is beyond its level still, or again, warns anew."""
+        """Clear the warnings of an axis.
+
+        A following error that exceeds the level, still or again, triggers a new warning.
+        """
         self.bits.pop(axis, None)
         self._watch(axis, self.levels.get(axis, float("inf")))
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
         if self.levels.pop(axis, None) is not None:
             self._watch(axis, float("inf"))
@@ -114,7 +123,7 @@ class Warnings(Settings):
 
 
 def read_level(environment: Environment, axis: int) -> float:
-    """FOLERRORWARNING, user units."""
+    """FOLERRORWARNING: return the level in user units."""
     levels = environment.part(Warnings).levels
     return (
         environment.controller.axes[axis].scale.to_user(levels[axis], "uu") if axis in levels else FATAL_ERROR
@@ -122,7 +131,10 @@ def read_level(environment: Environment, axis: int) -> float:
 
 
 def write_level(environment: Environment, row: Keyword, axis: int, value: float) -> None:
-    """FOLERRORWARNING, user units; without a motor it has no effect, which the report tells."""
+    """FOLERRORWARNING: set the level in user units.
+
+    Without a motor it has no effect, which the report states.
+    """
     level = abs(environment.controller.axes[axis].scale.to_counts(value, "uu"))
     environment.part(Warnings).set_level(axis, level)
     if not environment.controller.has_motor(axis):
@@ -133,7 +145,7 @@ def write_level(environment: Environment, row: Keyword, axis: int, value: float)
 
 
 class Masks(Settings):
-    """The errors that call no ONERROR: by the bits of an axis, and by their numbers."""
+    """The errors that do not call ONERROR, by the bits of an axis and by number."""
 
     otherwise = ALL_BITS
 
@@ -144,7 +156,10 @@ class Masks(Settings):
         environment.errors.masked = self.is_masked
 
     def is_masked(self, error: Error) -> bool:
-        """Whether an error calls no ONERROR: its code, its bit of the axis or of MISCERROR is masked."""
+        """True if an error does not call ONERROR.
+
+        Its code, its bit of the axis or its bit of MISCERROR is masked.
+        """
         first = error.data[0] if error.data else 0
         if (error.number, first) in self.codes:
             return True
@@ -154,7 +169,7 @@ class Masks(Settings):
 
 
 def write_code_mask(masks: Masks, code: int, data: int, masked: int) -> None:
-    """ERRORMASKCODE: one code, with its first datum, calls ONERROR no more or again."""
+    """ERRORMASKCODE: mask or unmask one code with its first data value."""
     (masks.codes.add if masked else masks.codes.discard)((code, data))
 
 
@@ -166,19 +181,19 @@ def write_misc_disable(masks: Masks, pattern: int) -> None:
 
 
 def drive_errors(environment: Environment, axis: int) -> int:
-    """DRIVEERROR."""
+    """DRIVEERROR: return the drive errors of the axis."""
     world = environment.machine.world
     return 0 if world is None else world.drive_errors.get(axis, 0)
 
 
 def read_misc(environment: Environment) -> int:
-    """MISCERROR."""
+    """MISCERROR: return the errors of the controller that are not disabled."""
     world, disabled = environment.machine.world, environment.part(Masks).misc_disabled
     return 0 if world is None else world.misc & ~disabled
 
 
 def write_misc(environment: Environment, value: int) -> None:
-    """MISCERROR: clears the errors of the controller."""
+    """MISCERROR: clear the errors of the controller."""
     if environment.machine.world is not None:
         environment.machine.world.misc = 0
 

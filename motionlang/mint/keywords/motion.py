@@ -1,4 +1,4 @@
-"""Loading moves, starting them, and giving them up."""
+"""Loading moves, starting them, and cancelling them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 def load_move(relative: bool) -> Maker:
-    """What loads a move by a distance, or to a place: true while the buffer is full."""
+    """Make an operation that loads a move; it returns True while the buffer is full.
+
+    The value is a distance if `relative`, else a position.
+    """
 
     def made(environment: Environment, row: Keyword) -> Operation:
         controller, name = environment.controller, row.name
@@ -42,26 +45,29 @@ def load_move(relative: bool) -> Maker:
 
 
 def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, Callable[[float, int], bool]]:
-    """What loads a move about which nothing is special, by axis; it answers false where anything is."""
+    """Return fast-path loaders of moves, by axis.
+
+    A loader returns False for a move that needs the general path.
+    """
     loader = environment.controller.loader
     return Each(lambda axis: loader(axis_of(environment, axis), relative, name))
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:
-    """An axis that is coming to rest takes no move: Mint's error 236."""
+    """Raise Refusal if the axis is stopping: Mint's error 236."""
     move = environment.controller.axes[axis].move
     if move is not None and move.ended in ("stop", "fault"):
         raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it stands")
 
 
 def finite(row: Keyword, value: float) -> None:
-    """Refuse a distance without an end."""
+    """Raise Refusal for an infinite distance."""
     if not -1e300 < value < 1e300:
         raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
 
 
 def do_go(environment: Environment, row: Keyword) -> Operation:
-    """GO: an axis that there is not starts none."""
+    """GO: start the axes; an axis that does not exist starts none."""
 
     known, start = environment.controller.axes, environment.controller.go
 
@@ -75,7 +81,7 @@ def do_go(environment: Environment, row: Keyword) -> Operation:
 
 
 def cancel(environment: Environment, axis: int) -> None:
-    """Motion and buffer are given up, errors forgotten."""
+    """Cancel motion, empty the buffer and clear the errors."""
     environment.controller.abort(axis)
     environment.controller.clear_faults(axis)
 

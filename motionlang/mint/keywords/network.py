@@ -1,6 +1,6 @@
-"""What nodes hold beyond inputs and outputs, the state of the buses and their events.
+"""Memory and objects of network nodes, the state of buses, and bus events.
 
-The machine file's `[[remote]]` and `[[bus]]` say what happens; the numbers of events are those of MN1274 p. 113.
+The machine file's `[[remote]]` and `[[bus]]` schedule events. The event numbers are those of MN1274 p. 113.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 LAST_OBJECT, LAST_SUB = 0xFFFF, 255
 STATUS_REGISTER = 0x1002
-# CANopen's types of data: bits, and whether there is a sign.
+# CANopen data types: the number of bits, and True if the type is signed.
 _TYPES = {
     1: (1, False),
     2: (8, True),
@@ -35,7 +35,7 @@ _TYPES = {
 
 
 def read_event(nodes: Nodes, bus: int) -> int:
-    """BUSEVENT: takes the event off."""
+    """BUSEVENT: return the next event and remove it."""
     code = nodes.bus(bus).take()
     if code:
         nodes.environment.acts += 1
@@ -46,19 +46,19 @@ def read_event(nodes: Nodes, bus: int) -> int:
 
 
 def read_real(nodes: Nodes, bus: int, node: int, element: int) -> float:
-    """An element of a node's memory as a number with a fraction."""
+    """Return an element of a node's memory as a float."""
     return nodes.node(bus, node).memory.real("comms", element)
 
 
 def write_real(nodes: Nodes, bus: int, node: int, element: int, value: float) -> None:
-    """An element of a node's memory as a number with a fraction."""
+    """Write an element of a node's memory as a float."""
     found = nodes.node(bus, node)
     found.memory.set_real("comms", element, value)
     found.written["element", element] = value
 
 
 def write_whole(nodes: Nodes, bus: int, node: int, element: int, value: int) -> None:
-    """REMOTECOMMSINTEGER: an element of a node's memory."""
+    """REMOTECOMMSINTEGER: write an element of a node's memory."""
     found = nodes.node(bus, node)
     found.memory.set_integer("comms", element, value)
     found.written["element", element] = value
@@ -68,12 +68,12 @@ def write_whole(nodes: Nodes, bus: int, node: int, element: int, value: int) -> 
 
 
 def read_encoder(nodes: Nodes, bus: int, node: int, channel: int) -> int:
-    """REMOTEENCODER, counts."""
+    """REMOTEENCODER: return the counts."""
     return nodes.node(bus, node).encoders.get(checked(channel, LAST_CHANNEL, "encoder"), 0)
 
 
 def write_encoder(nodes: Nodes, bus: int, node: int, channel: int, value: int) -> None:
-    """REMOTEENCODER, counts."""
+    """REMOTEENCODER: set the counts."""
     nodes.node(bus, node).encoders[checked(channel, LAST_CHANNEL, "encoder")] = value
 
 
@@ -86,7 +86,7 @@ def _object(index: int, sub: int) -> tuple[int, int]:
 
 
 def read_value(nodes: Nodes, bus: int, node: int, index: int, sub: int) -> float:
-    """REMOTEOBJECTFLOAT: an object of a node; 0 where it is a text or was never given a value."""
+    """REMOTEOBJECTFLOAT: return an object of a node, 0 if it is a string or not set."""
     value = nodes.node(bus, node).objects.get(_object(index, sub), 0.0)
     return float(value) if not isinstance(value, str) else 0.0
 
@@ -96,13 +96,13 @@ def write_value(nodes: Nodes, bus: int, node: int, index: int, sub: int, value: 
 
 
 def read_text(nodes: Nodes, bus: int, node: int, index: int, sub: int) -> str:
-    """REMOTEOBJECTSTRING: an object of a node as text."""
+    """REMOTEOBJECTSTRING: return an object of a node as a string."""
     value = nodes.node(bus, node).objects.get(_object(index, sub), "")
     return value if isinstance(value, str) else f"{value:g}"
 
 
 def _of_type(value: int, type: int) -> int:
-    """A value in as many bits as a type of CANopen has."""
+    """Reduce a value to the bits of a CANopen type."""
     if type not in _TYPES:
         raise Refusal(
             "range", f"{type} is no type of an object", "1 Boolean, 2 to 4 integers, 5 to 7 without a sign"
@@ -113,18 +113,18 @@ def _of_type(value: int, type: int) -> int:
 
 
 def read_object(nodes: Nodes, bus: int, node: int, index: int, sub: int, type: int) -> int:
-    """REMOTEOBJECT: an object of a node in the width of its type; a text reads 0."""
+    """REMOTEOBJECT: return an object in the width of its type, 0 for a string."""
     value = nodes.node(bus, node).objects.get(_object(index, sub), 0)
     return _of_type(0 if isinstance(value, str) else int(value), type)
 
 
 def write_object(nodes: Nodes, bus: int, node: int, index: int, sub: int, type: int, value: int) -> None:
-    """REMOTEOBJECT: an object of a node, in the width of its type."""
+    """REMOTEOBJECT: write an object of a node in the width of its type."""
     nodes.node(bus, node).write_object(_object(index, sub), _of_type(value, type))
 
 
 def register(index: int) -> Maker:
-    """What reads an object of a node that is a whole number."""
+    """Make an operation that reads an integer object of a node."""
 
     def read(nodes: Nodes, bus: int, node: int) -> int:
         value = nodes.node(bus, node).objects.get((index, 0), 0)
@@ -142,7 +142,7 @@ def read_emergency_stop(nodes: Nodes, bus: int, node: int) -> int:
 
 
 def write_emergency_stop(nodes: Nodes, bus: int, node: int, value: int) -> None:
-    """REMOTEESTOP: what the program asks of the node is in the report."""
+    """REMOTEESTOP: set the request to the node, which is in the report."""
     nodes.node(bus, node).written["estop",] = int(value != 0)
 
 
@@ -150,7 +150,7 @@ def write_emergency_stop(nodes: Nodes, bus: int, node: int, value: int) -> None:
 
 
 def levels(kind: str) -> Actions:
-    """What reads and writes the active levels of the channels of a node, a bit each."""
+    """Make operations for the active levels of the channels of a node, as bits."""
 
     def read(nodes: Nodes, bus: int, node: int) -> int:
         low = nodes.channels(bus, node, kind).active_low
@@ -170,7 +170,7 @@ def read_data(nodes: Nodes, bus: int, cobid: int, bank: int) -> int:
 
 
 def do_send(nodes: Nodes, bus: int, node: int, data: int) -> None:
-    """REMOTEPDOOUT: what is sent is in the report."""
+    """REMOTEPDOOUT: send data to a node; they are in the report."""
     nodes.node(bus, node).written["pdo",] = data
 
 
@@ -218,7 +218,7 @@ def network_row(
     high: float | None = None,
     default: float = 0.0,
 ) -> Keyword:
-    """The row of a keyword of a bus."""
+    """Return the row of a bus keyword."""
     kind = "command" if access == "C" else "setting" if "W" in access else "reading"
     first = None if access == "C" else "" if unit == "text" else default
     return Keyword(name, "", kind, access, index, unit, actions, help, example, default=first, low=low, high=high,
@@ -226,7 +226,7 @@ def network_row(
 
 
 def _bus(name: str, actions: Actions, help: str, default: float = 0.0) -> tuple[Keyword, Keyword]:
-    """A word of the bus, and the older word that says CAN."""
+    """Return the rows of a bus keyword and of its older name with CAN."""
     words = (f"BUS{name}", "CANBUSSTATE" if name == "STATE" else f"CAN{name}")
     rest = ("", " The older word for CAN buses.")
     new, old = (

@@ -1,4 +1,4 @@
-"""Groups of nodes, who is connected with whom, and the controller's own number on a bus."""
+"""Groups of nodes, connections of nodes, and the controller's own node number."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LAST_GROUP = 31
 
 
 class Groups:
-    """Who belongs to which group, their masters, who is connected, and the controller's own number, by bus."""
+    """The groups of nodes, their masters, the connections, and the own number, by bus."""
 
     def __init__(self, environment: Environment) -> None:
         self.nodes = environment.part(Nodes)
@@ -27,7 +27,7 @@ class Groups:
 
 
 def write_comms(groups: Groups, bus: int, group: int, element: int, value: float) -> None:
-    """GROUPCOMMS: an element of every node of a group."""
+    """GROUPCOMMS: write an element of every node of a group."""
     checked_bus(bus)
     checked(group, LAST_GROUP, "group")
     for where, number, node in sorted(groups.members):
@@ -40,7 +40,7 @@ def read_connection(groups: Groups, bus: int, start: int, end: int) -> int:
 
 
 def write_connection(groups: Groups, bus: int, start: int, end: int, value: int) -> None:
-    """CONNECT: two nodes that both answer are connected or not."""
+    """CONNECT: connect or disconnect two nodes; both must answer."""
     groups.nodes.node(bus, start)
     groups.nodes.node(bus, end)
     (groups.connected.add if value else groups.connected.discard)((bus, start, end))
@@ -51,7 +51,7 @@ def read_connections(groups: Groups, bus: int, start: int) -> int:
 
 
 def write_member(groups: Groups, bus: int, group: int, node: int, value: int) -> None:
-    """GROUP: a node joins a group or leaves it."""
+    """GROUP: add a node to a group or remove it."""
     (groups.members.add if value else groups.members.discard)(_place(bus, group, node))
 
 
@@ -60,7 +60,7 @@ def _place(bus: int, group: int, node: int) -> tuple[int, int, int]:
 
 
 def read_info(groups: Groups, bus: int, node: int) -> int:
-    """GROUPINFO: the groups of a node, a bit each, as a signed number of 32 bits."""
+    """GROUPINFO: return the groups of a node as bits, a signed 32-bit number."""
     members = groups.members
     bits = sum(1 << group for where, group, each in members if (where, each) == (checked_bus(bus), node))
     return bits - (1 << 32) if bits >> 31 else bits
@@ -75,12 +75,12 @@ def write_master(groups: Groups, bus: int, group: int, node: int) -> None:
 
 
 def write_own_node(groups: Groups, bus: int, node: int) -> None:
-    """BUSNODE: the number that this controller has on a bus."""
+    """BUSNODE: set the number of this controller on a bus."""
     groups.own[checked_bus(bus)] = node
 
 
 def read_is_master(groups: Groups, bus: int, group: int) -> int:
-    """GROUPMASTERSTATUS: whether this controller is the group's master."""
+    """GROUPMASTERSTATUS: return 1 if this controller is the group's master."""
     own = groups.own.get(bus, 0)
     return int(own != 0 and groups.masters.get(_place(bus, group, 0)[:2]) == own)
 

@@ -1,8 +1,9 @@
-"""Settings that are kept and read back but have no effect: of motors, drives, feedback, gains, ports, tests, presets.
+"""Settings that are stored and read back but have no effect on a run.
 
-The program of a real machine begins with pages of them. They are not simulated, and the report says which ones the
-program wrote; it runs unchanged all the same. Until they are written they read 0 or an empty text, which the report
-says, too. They stand in `type_library/values.txt` as "kept"; here are the constants that are written into them.
+They concern motors, drives, feedback, gains, ports, tests and presets. The program of a real machine begins
+with pages of them. They are not simulated, but the program runs unchanged, and the report lists those that it
+wrote. A setting that was not written reads 0 or an empty string, which the report also states. They are in
+`type_library/values.txt` as "kept". This file has the constants that are written to them.
 """
 
 from __future__ import annotations
@@ -18,27 +19,27 @@ if TYPE_CHECKING:
 
 
 class Kept:
-    """What the program has written, by keyword and indices, and what the machine file says."""
+    """The stored values, by keyword and indices: of the program, and the machine file."""
 
     def __init__(self, environment: Environment) -> None:
         self.values: dict[tuple[object, ...], object] = {}
         self.told = Told(environment.machine.settings)
 
     def find(self, row: Keyword, where: tuple[object, ...]) -> object | None:
-        """The value of a word, None where nobody has said it."""
+        """Return the value of a keyword, None if neither source has one."""
         found = self.values.get((row.name, *where))
         return self.told.find(row.name, row.unit, where) if found is None else found
 
 
 def note(words: dict[str, list[int]], name: str, line: int) -> None:
-    """Remember that the program came to a word in a line."""
+    """Record that the program used a keyword in a line."""
     lines = words.setdefault(name, [])
     if line not in lines:
         lines.append(line)
 
 
 def read_value(environment: Environment, row: Keyword) -> Operation:
-    """The value, and until there is one, 0 or an empty text."""
+    """Make an operation that reads the value, or 0 or an empty string without one."""
     kept, name, assumed = environment.part(Kept), row.name, environment.machine.assumed
     nothing: object = "" if row.unit == "text" else 0.0 if row.unit == "number" else 0
 
@@ -54,14 +55,17 @@ def read_value(environment: Environment, row: Keyword) -> Operation:
 
 
 def held_value(environment: Environment, row: Keyword) -> Operation:
-    """What is kept where a writing puts its value; called with all that the writing is, the line last."""
+    """Make an operation that returns the stored value before a write.
+
+    It gets all arguments of the write, the line last.
+    """
     find = environment.part(Kept).find
     return lambda *given: find(row, given[:-2])
 
 
 @repeatable
 def write_value(environment: Environment, row: Keyword) -> Operation:
-    """A setting that is kept and changes nothing here; the report tells that it was written."""
+    """Make an operation that stores a value without effect, which the report states."""
     values, name, without_effect = environment.part(Kept).values, row.name, environment.machine.without_effect
 
     def write(*given: object) -> None:
@@ -76,9 +80,9 @@ def write_value(environment: Environment, row: Keyword) -> Operation:
 
 VERB = "no_effect.value"
 KEPT = Actions(VERB, read=read_value, write=write_value, held=held_value)
-# Those of them that on a controller end what the axis was doing.
+# Settings that end the motion of the axis on a controller.
 SWITCHES = frozenset(("CONFIG",))
-# Those that set a quantity of the servo loop where `motionlang servo` is given them, and none in a run.
+# Settings that `motionlang servo` uses as a quantity of the servo loop. They have no effect in a run.
 TUNES = {"DACLIMITMAX": "output_limit"}
 _TYPES = (("OFF", "no axis"), ("SERVO", "a servo"), ("STEPPER", "a stepper"), ("VIRTUAL", "a virtual axis"))
 

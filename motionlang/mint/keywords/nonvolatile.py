@@ -1,4 +1,4 @@
-"""Memory that outlives a run, addressed by numbers."""
+"""Non-volatile memory, addressed by numbers."""
 
 from __future__ import annotations
 

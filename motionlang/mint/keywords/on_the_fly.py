@@ -1,4 +1,4 @@
-"""INCA, INCR and SUSPEND: what changes the motion in progress."""
+"""INCA, INCR and SUSPEND: changes of the motion in progress."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def write_by(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """INCR: the target moves by user units, of a move under way too."""
+    """INCR: move the target by user units, also that of a move in motion."""
     finite(row, value)
     counts = scale_of(environment, axis).to_counts(value)
     environment.controller.retarget_by(axis, counts, row.name, line)
 
 
 def write_to(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """INCA: a new target, user units, of a move under way too."""
+    """INCA: set a new target in user units, also for a move in motion."""
     finite(row, value)
     counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
     environment.controller.retarget_to(axis, counts, row.name, line)
 
 
 def write_suspend(environment: Environment, axis: int, value: int, line: int) -> None:
-    """SUSPEND: 1 rests, 0 goes on."""
+    """SUSPEND: 1 suspends the axis, 0 resumes it."""
     controller = environment.controller
     (controller.suspend if value else controller.resume)(axis)
 

@@ -1,4 +1,4 @@
-"""Moves of several axes along one path, and how one path goes over into the next."""
+"""Moves of several axes along one path, and the transition between paths."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 
 
 def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float]) -> bool:
-    """Whether all axes have room; refuses what the row does not take, such as with axes that AXES named."""
+    """True if the buffers of all axes have space.
+
+    Raises Refusal if the number of axes or values is wrong, as may happen with axes named by AXES.
+    """
     units = row.unit.split(", ")
     wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
     if len(axes) != wanted or len(values) != count:
@@ -30,7 +33,10 @@ def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: 
 
 
 def loads(put: Callable[..., None]) -> Maker:
-    """What loads a path: true while a buffer of its axes is full; `put` is given the row, axes, values and line."""
+    """Make an operation that loads a path; it returns True while a buffer is full.
+
+    `put` gets the row, axes, values and line.
+    """
 
     def made(environment: Environment, row: Keyword) -> Operation:
         def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
@@ -49,7 +55,7 @@ def loads(put: Callable[..., None]) -> Maker:
 def put_line(
     environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float], line: int
 ) -> None:
-    """VECTORA and VECTORR: a line, user units of each axis."""
+    """VECTORA and VECTORR: load a line in user units of each axis."""
     controller, counts = environment.controller, []
     relative = row.name.endswith("R")
     for axis, value in zip(axes, values, strict=True):
@@ -64,7 +70,10 @@ def put_line(
 def put_arc(
     environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float], line: int
 ) -> None:
-    """CIRCLEA, CIRCLER, HELIXA and HELIXR: the centre in user units, the angle in degrees."""
+    """CIRCLEA, CIRCLER, HELIXA and HELIXR: load an arc or helix.
+
+    The centre is in user units, the angle in degrees.
+    """
     relative, counts = row.name.endswith("R"), []
     x, y, angle, *rest = values
     if environment.machine.readings.get("mint.circle-sense") == "clockwise":
@@ -79,7 +88,10 @@ _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
 
 
 def set_mode(environment: Environment, name: str, axis: int, on: bool) -> None:
-    """A path is either run through or blended: Mint's error 158."""
+    """Switch contouring or blending on or off.
+
+    Raises Refusal (Mint's error 158) if the other one is on.
+    """
     controller, other = environment.controller, next(each for each in _MODES if each != name)
     if on and controller.setting(axis, _MODES[other]):
         raise Refusal("contour-and-blend", f"{name} cannot be set while {other} is",

@@ -1,4 +1,4 @@
-"""Preset moves: a table of motions of which an input, or the program, starts the one that is selected."""
+"""Preset moves: a table of motions, started by an input or by the program."""
 
 from __future__ import annotations
 
@@ -13,14 +13,17 @@ from motionlang.mint.runtime.environment import Environment
 LAST_PRESET = 63
 STAYS, STEPS, GOES_ON = range(3)
 BY_PROGRAM, BY_INPUTS = range(2)
-# What an axis's settings are until they are written; the others are 0.
+# Defaults other than 0 of the settings of an axis.
 DEFAULTS = {"PRESETTRIGGERINPUT": -1, "PRESETSELECTORINPUT": -1, "PRESETINPUTSMAX": 4}
-# The shortest rest, seconds, between two presets that follow each other by themselves.
+# The shortest rest in seconds between two presets that run in sequence.
 _SHORTEST = 1e-3
 
 
 class Presets(Settings):
-    """The table, by keyword, preset and format, in user units; and what starts them, by keyword and axis."""
+    """The table, by keyword, preset and format, in user units, and the start settings.
+
+    The start settings are stored by keyword and axis.
+    """
 
     defaults = DEFAULTS
 
@@ -28,8 +31,8 @@ class Presets(Settings):
         super().__init__(environment)
         self.table: dict[tuple[str, int, int], float] = {}
         self._lines: dict[int, int] = {}
-        # The axes whose next preset follows by itself, with the number of the start it follows: a rest that
-        # began for another one, before the presets were disabled and enabled again, ends nothing.
+        # Axes that continue with the next preset by themselves, each with the number of the start before it.
+        # A rest that began after another start, before presets were disabled and enabled again, has no effect.
         self._going_on: dict[int, int] = {}
         self._starts = 0
         environment.part(Inputs).listeners.append(self._changed)
@@ -39,7 +42,10 @@ class Presets(Settings):
         return self.table.get((name, preset, format), 0.0)
 
     def choose(self, row: Keyword, axis: int, value: int, line: int) -> None:
-        """Set what starts presets; without a trigger input it is the enabling, or the choice of another preset."""
+        """Write a start setting.
+
+        Without a trigger input, enabling presets or choosing another preset starts it.
+        """
         name = row.name
         if name.endswith("INPUT") and value >= 0:
             checked(value, LAST_CHANNEL)
@@ -56,7 +62,7 @@ class Presets(Settings):
                 self.start(axis)
 
     def inputs(self, axis: int) -> int:
-        """The number that the selector inputs say."""
+        """Return the number that the selector inputs give."""
         first, count = (int(self.setting(name, axis)) for name in ("PRESETSELECTORINPUT", "PRESETINPUTSMAX"))
         if first < 0:
             return 0
@@ -64,12 +70,12 @@ class Presets(Settings):
         return sum(1 << k for k in range(count) if is_on(first + k))
 
     def selected(self, axis: int) -> int:
-        """The preset that is next."""
+        """Return the next preset."""
         by_inputs = self.setting("PRESETINDEXSOURCE", axis) == BY_INPUTS
         return self.inputs(axis) if by_inputs else int(self.setting("PRESETINDEX", axis))
 
     def start(self, axis: int) -> None:
-        """Start the preset that is selected, and select the one after it where the mode says so."""
+        """Start the selected preset, and select the next one if the mode says so."""
         preset, mode = self.selected(axis), self.setting("PRESETINDEXMODE", axis)
         self._going_on.pop(axis, None)
         begin(self, axis, preset, self._lines.get(axis, 0))
@@ -82,7 +88,7 @@ class Presets(Settings):
                 self._rest(axis)
 
     def _after(self, preset: int) -> int:
-        """The next preset of the table that is anything, behind the last one the first."""
+        """Return the next preset in use of the table; after the last one, the first."""
         known = sorted(
             number for (name, number, _), kind in self.table.items() if name == "PRESETMOVETYPE" and kind
         )
@@ -99,7 +105,7 @@ class Presets(Settings):
             self._rest(axis)
 
     def _rest(self, axis: int) -> None:
-        """Rest for PRESETDWELLTIME, then go on."""
+        """Rest for PRESETDWELLTIME, then continue."""
         clock = self.environment.clock
         seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _SHORTEST)
         follows = self._going_on[axis]
@@ -110,7 +116,7 @@ class Presets(Settings):
             self._start(axis)
 
     def _start(self, axis: int) -> None:
-        """Start a preset while the program does something else: what goes wrong is told to ONERROR."""
+        """Start a preset while the program does something else; report errors to ONERROR."""
         try:
             self.start(axis)
         except Refusal as refusal:
@@ -126,17 +132,17 @@ def _preset(preset: int) -> int:
 
 
 def read_entry(presets: Presets, row: Keyword, preset: int, number: int = 0) -> float:
-    """A field of a preset in the table, user units; 0 until it is written."""
+    """Return a field of a preset in user units, 0 until it is written."""
     value = presets.entry(row.name, _preset(preset), _second(row, number))
     return int(value) if row.unit == "integer" else value
 
 
 def write_entry(presets: Presets, row: Keyword, preset: int, value: float) -> None:
-    """A field of a preset in the table, user units."""
+    """Write a field of a preset in user units."""
     presets.table[row.name, _preset(preset), 0] = value
 
 
-# What stands behind the preset in the brackets of words that have two numbers there: the last one, and what it is.
+# The second index of keywords that have one: its maximum and its meaning.
 _SECOND = {
     "PRESETMOVETYPE": (0, "0 is the type"),
     "PRESETMOVEPARAMETER": (0, "0 is the percent of a torque reference"),
@@ -153,7 +159,10 @@ def _second(row: Keyword, number: int) -> int:
 
 
 def write_format(presets: Presets, row: Keyword, preset: int, number: int, value: float) -> None:
-    """A field with a format or a parameter of its own; a rate and the time for it replace each other."""
+    """Write a field that has a format or a parameter.
+
+    A rate and the time for it replace each other.
+    """
     presets.table[row.name, _preset(preset), _second(row, number)] = value
     if row.index == "preset, format":
         presets.table.pop((row.name, preset, 1 - number), None)

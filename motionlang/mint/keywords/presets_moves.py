@@ -1,4 +1,4 @@
-"""What the types of presets do, on top of the verbs of moves, jogs and references."""
+"""The types of preset, built on moves, jogs and references."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ class Preset:
         return self.presets.controller.axes[self.axis].scale.to_counts(self.value("PRESETMOVEPOSITION"))
 
     def speed(self, name: str) -> float | None:
-        """A speed in counts/s, None where the axis's own is meant."""
+        """Return a speed in counts/s, None if the axis's own applies."""
         scale = self.presets.controller.axes[self.axis].scale
         return abs(scale.to_counts(self.value(name), "uu/s")) or None
 
     def rate(self, name: str, speed: float | None) -> float | None:
-        """A rate in counts/s², None where the axis's own is meant."""
+        """Return a rate in counts/s², None if the axis's own applies."""
         a = self.presets.controller.axes[self.axis]
         time = self.presets.entry(name, self.number, 1)
         if time:
@@ -54,7 +54,7 @@ class Preset:
 
 
 def begin(presets: Presets, axis: int, number: int, line: int) -> None:
-    """Start a preset on an axis, whatever that is doing."""
+    """Start a preset on an axis, also while the axis moves."""
     kind = int(presets.entry("PRESETMOVETYPE", number))
     if not 0 < kind < len(WAYS):
         raise Refusal("range", f"preset {number} is nothing", f"write PRESETMOVETYPE({number}, 0) first")
@@ -74,7 +74,7 @@ def _jog(preset: Preset) -> None:
 
 
 def _move(preset: Preset, by: bool) -> None:
-    """A move that keeps the preset's own speed and rates, whatever is written meanwhile."""
+    """Start a move at the preset's speed and rates, which later writes do not change."""
     controller, speed = preset.presets.controller, preset.speed("PRESETMOVESPEED")
     a = controller.axes[preset.axis]
     before = a.own_rates

@@ -1,6 +1,6 @@
-"""Relays, pulses of outputs, spare analogue outputs and motor brakes: what a program switches beside OUT and DAC.
+"""Relays, output pulses, spare analogue outputs and motor brakes.
 
-Relays and spare analogue outputs are channels of their own, from `FIRST` on in the log of what was switched.
+Relays and spare analogue outputs have channels of their own, from `FIRST` on, in the log of outputs.
 """
 
 from __future__ import annotations
@@ -19,24 +19,24 @@ LAST_RELAY_BANK = LAST_RELAY // BANK
 
 
 def bank_of_relays(bank: int) -> int:
-    """The first relay of a bank."""
+    """Return the first relay of a bank."""
     return checked(bank, LAST_RELAY_BANK, "bank of relays") * BANK
 
 
 def read_bank(environment: Environment, bank: int) -> int:
-    """RELAYOUT."""
+    """RELAYOUT: return a bank of relays as bits."""
     bank_of_relays(bank)
     outputs = environment.controller.outputs
     return bits_of(bank, lambda relay: outputs[FIRST + relay])
 
 
 def write_bank(environment: Environment, bank: int, bits: int) -> None:
-    """RELAYOUT: a bank of relays, a bit each."""
+    """RELAYOUT: set a bank of relays, a bit each."""
     environment.controller.outputs.set_bank(FIRST + bank_of_relays(bank), BANK, bits)
 
 
 def _relay(row: Keyword, number: int) -> int:
-    """The channel of a relay: of RELAYOUTX(relay), and of RELAY(bank), which is the first one of a bank."""
+    """Return the channel of a relay; RELAY(bank) names the first one of a bank."""
     return FIRST + (bank_of_relays(number) if row.index == "bank" else checked(number, LAST_RELAY, "relay"))
 
 
@@ -45,22 +45,22 @@ def read_relay(environment: Environment, row: Keyword, number: int) -> int:
 
 
 def write_relay(environment: Environment, row: Keyword, number: int, value: int) -> None:
-    """RELAY and RELAYOUTX."""
+    """RELAY and RELAYOUTX: switch a relay."""
     environment.controller.set_output(_relay(row, number), value)
 
 
 def auxiliary(channel: int) -> int:
-    """The channel of a spare analogue output."""
+    """Return the channel of a spare analogue output."""
     return FIRST + checked(channel, LAST_ANALOGUE, "spare analogue output")
 
 
 def write_auxiliary(environment: Environment, channel: int, value: float) -> None:
-    """AUXDAC, percent."""
+    """AUXDAC: set a spare analogue output in percent."""
     environment.controller.set_analogue_output(auxiliary(channel), value)
 
 
 def write_pulse(environment: Environment, channel: int, milliseconds: float) -> None:
-    """PULSEOUTX: an output comes on for so many ms."""
+    """PULSEOUTX: turn an output on for a time in ms."""
     environment.controller.pulse(checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0)
 
 
@@ -72,7 +72,10 @@ NONE = -1
 
 
 class Brake:
-    """The brake of one motor, a spring that its output lifts; one that is set by hand lets no move begin."""
+    """The spring brake of one motor, which its output releases.
+
+    While it is engaged by hand, no move can begin.
+    """
 
     def __init__(self, environment: Environment, axis: int) -> None:
         self._controller, self.axis = environment.controller, axis
@@ -82,7 +85,7 @@ class Brake:
         self._due: Event | None = None
 
     def choose(self, mode: int) -> None:
-        """Let the drive decide from now on, which sets the brake at once, or the program."""
+        """Choose control by the drive, which sets the brake at once, or by the program."""
         self.mode = mode
         if mode == BY_DRIVE:
             self.engage(not self._controller.is_enabled(self.axis))
@@ -92,7 +95,7 @@ class Brake:
         self._show()
 
     def engage(self, engaged: bool) -> None:
-        """Set or lift the brake now."""
+        """Engage or release the brake now."""
         if self._due is not None:
             self._due.cancel()
             self._due = None
@@ -101,13 +104,16 @@ class Brake:
         self._show()
 
     def engage_by_hand(self, engaged: bool) -> None:
-        """The same by MOTORBRAKE: the drive does not know of it, and must not move the motor."""
+        """MOTORBRAKE: engage or release the brake without the drive.
+
+        The drive does not know that the brake is engaged and must not move the motor.
+        """
         self.engage(engaged)
         if engaged:
             self._controller.set_brake(self.axis, True)
 
     def follow_drive(self) -> None:
-        """The drive was switched: the brake follows, so many milliseconds later."""
+        """Schedule the brake after the drive was switched, with its delay in ms."""
         if self.mode != BY_DRIVE:
             return
         engaged = not self._controller.is_enabled(self.axis)
@@ -122,7 +128,7 @@ class Brake:
 
 
 class Brakes:
-    """The brake of every axis, from its first use on."""
+    """The brake of every axis, created on first use."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
@@ -133,7 +139,7 @@ class Brakes:
         return self._brakes[axis]
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         self._brakes.pop(axis, None)
         self._environment.controller.set_brake(axis, False)
 
@@ -147,7 +153,7 @@ def _delay(which: int) -> int:
 
 
 def write_delay(brakes: Brakes, axis: int, which: int, milliseconds: float) -> None:
-    """MOTORBRAKEDELAY, ms."""
+    """MOTORBRAKEDELAY: set a delay in ms."""
     brakes.brake(axis).delays[_delay(which)] = int(milliseconds)
 
 

@@ -1,4 +1,4 @@
-"""Buses and the nodes on them: what the machine file lets become of them, and what the program sets."""
+"""Buses and their nodes: events of the machine file, and values of the program."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
     Entry = Mapping[str, Any]
 
 
-# Powerlink counts its nodes beyond CAN's 127: its manager is 240.
+# Powerlink numbers its nodes beyond CAN's 127: its manager is 240.
 LAST_BUS, LAST_NODE, LAST_CHANNEL = 2, 255, 255
-# Inputs first, then what the program sets.
+# Inputs first, then the channels that the program sets.
 KINDS = ("inputs", "analogue_inputs", "outputs", "analogue_outputs")
-# What the report calls those that the program sets.
+# The names in the report of the channels that the program sets.
 _WRITTEN = {"outputs": "output", "analogue_outputs": "analogue-output"}
-# Events of a bus that nobody reads are forgotten, the oldest first.
+# Maximum number of unread events of a bus. The oldest is dropped first.
 LONGEST_QUEUE = 64
-# Codes of events (MN1274 p. 113); the first three are states of a bus, too.
+# Event codes (MN1274 p. 113). The first three are also states of a bus.
 OPERATIONAL, PASSIVE, OFF = 1, 2, 3
 BUS_CODES = {
     "operational": OPERATIONAL,
@@ -44,9 +44,9 @@ ERROR_REGISTER = 0x1001
 
 
 class Bus:
-    """One bus: its `state`, the events that nobody has read yet, and the process data that came last.
+    """One bus: its `state`, its unread events, and its last process data.
 
-    `taken` is the event that was read last: its code and what it is about.
+    `taken` is the event that was read last: its code and its info.
     """
 
     def __init__(self, number: int, happened: Callable[[str, int], None]) -> None:
@@ -57,14 +57,14 @@ class Bus:
         self.process_data: dict[tuple[int, int], int] = {}
 
     def tell(self, code: int, info: int = 0) -> None:
-        """An event of the bus; BUSEVENT will tell of it."""
+        """Add an event, which BUSEVENT will return."""
         if code in (OPERATIONAL, PASSIVE, OFF):
             self.state = code
         self.queue = [*self.queue[1 - LONGEST_QUEUE :], (code, info)]
         self._happened("bus", self._number)
 
     def take(self) -> int:
-        """The code of the next event, 0 where there is none."""
+        """Return the code of the next event and remove it, 0 if there is none."""
         self.taken = self.queue.pop(0) if self.queue else (0, 0)
         return self.taken[0]
 
@@ -74,7 +74,10 @@ class Bus:
 
 
 class Node:
-    """What one node holds beyond its channels, and what the program has `written` there, by kind and number."""
+    """The data of one node except its channels.
+
+    `written` holds what the program has written there, by kind and number.
+    """
 
     def __init__(self) -> None:
         self.live = True
@@ -90,7 +93,10 @@ class Node:
 
 
 class Nodes:
-    """Every bus and every node on it, from the first use on; `named` are the nodes that the machine file speaks of."""
+    """All buses and nodes, created on first use.
+
+    `named` are the nodes that the machine file mentions.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self.environment, self._clock = environment, environment.clock
@@ -113,14 +119,14 @@ class Nodes:
         environment.machine.written.append(self.written)
 
     def bus(self, bus: int) -> Bus:
-        """A bus, or the refusal of one that does not exist."""
+        """Return a bus; raise Refusal if it does not exist."""
         found = self._buses.get(bus)
         if found is None:
             found = self._buses[bus] = Bus(checked_bus(bus), self._happened)
         return found
 
     def node(self, bus: int, node: int, silent: bool = False) -> Node:
-        """A node, or the refusal of one that does not answer; `silent`: whether it answers or not."""
+        """Return a node; raise Refusal if it does not answer, unless `silent`."""
         if not (silent or self.answers(bus, node)):
             raise Refusal(
                 "no-connection", f"node {node} of bus {bus} does not answer", f"NODELIVE({bus}, {node}) tells"
@@ -132,11 +138,11 @@ class Nodes:
         return found
 
     def answers(self, bus: int, node: int) -> bool:
-        """Whether a node lives and its bus is not off."""
+        """True if a node is alive and its bus is not off."""
         return self.bus(bus).state != OFF and ((bus, node) not in self._nodes or self._nodes[bus, node].live)
 
     def channels(self, bus: int, node: int, kind: str) -> Channels:
-        """The channels of one kind of a node that answers."""
+        """Return the channels of one kind of a node that answers."""
         self.node(bus, node)
         return self._put_into(bus, node, kind)
 
@@ -147,12 +153,12 @@ class Nodes:
         return self._channels[key]
 
     def scan(self, bus: int, node: int) -> None:
-        """NODESCAN: whether the node lives comes as an event."""
+        """NODESCAN: report whether the node is alive as an event."""
         checked(node, LAST_NODE, "node")
         self.bus(bus).tell(NODE_CODES["live" if self.answers(bus, node) else "dead"], node)
 
     def reset(self, bus: int, node: int) -> None:
-        """REMOTERESET."""
+        """REMOTERESET: reset a node."""
         found = self.node(bus, node)
         found.emergency = 0
         found.objects[ERROR_REGISTER, 0] = 0
@@ -161,7 +167,7 @@ class Nodes:
         self.bus(bus).tell(NODE_CODES["live"], node)
 
     def written(self) -> list[dict[str, object]]:
-        """What the program has written into nodes, as rows of the report."""
+        """Return what the program has written to nodes, as rows of the report."""
         rows: list[dict[str, object]] = []
         for (bus, node, kind), channels in sorted(self._channels.items()):
             what = _WRITTEN.get(kind)
@@ -174,7 +180,7 @@ class Nodes:
     # ---------------------------------------------------------------------------------------- the machine file
 
     def _begin(self, entries: Sequence[Entry]) -> None:
-        """A node whose first event is that it comes alive is dead before."""
+        """Set the initial state of nodes: dead if the first event makes them alive."""
         first: dict[tuple[int, int], Entry] = {}
         for entry in sorted(entries, key=lambda each: each.get("at", 0.0)):
             key = entry.get("bus", 1), entry["node"]
@@ -214,7 +220,7 @@ class Nodes:
             self._clock.at(at + entry["for"], partial(put, 0))
 
     def _become(self, bus: int, node: int, event: str, value: int) -> None:
-        """What the machine file lets become of a node."""
+        """Apply an event from the machine file to a node."""
         found = self._nodes[bus, node]
         if event == "emergency":
             found.emergency = value
@@ -225,7 +231,10 @@ class Nodes:
 
 
 def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) -> dict[str, object]:
-    """What one place of a node holds: "estop", "output" and a number, "object" with its index and sub-index."""
+    """Return a report row for one item of a node.
+
+    `place` is "estop", "output" and a number, or "object" with its index and sub-index.
+    """
     return {
         "bus": bus,
         "node": node,
@@ -235,7 +244,7 @@ def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) 
 
 
 def checked_bus(bus: int) -> int:
-    """The number of a bus, or its refusal."""
+    """Return the number of a bus; raise Refusal if there is no such bus."""
     if not 1 <= bus <= LAST_BUS:
         raise Refusal("channel", f"there is no bus {bus}", f"they are numbered 1 to {LAST_BUS}")
     return bus
@@ -250,21 +259,21 @@ def _signed(word: int) -> int:
 
 
 def read_bits(nodes: Nodes, row: Keyword, bus: int, node: int, bank: int = 0) -> int:
-    """REMOTEIN, REMOTEOUT and, with the number of a bank, REMOTEINBANK, REMOTEOUTBANK."""
+    """REMOTEIN, REMOTEOUT, REMOTEINBANK and REMOTEOUTBANK: return a bank."""
     kind = row.attribute
     channels = nodes.channels(bus, node, kind)
     return bits_of(bank, channels.inverted if kind == "inputs" else channels.__getitem__)
 
 
 def write_bits(nodes: Nodes, row: Keyword, bus: int, node: int, *rest: int) -> None:
-    """REMOTEOUT and, with the number of a bank, REMOTEOUTBANK."""
+    """REMOTEOUT and REMOTEOUTBANK: set a bank."""
     bank = rest[0] if len(rest) > 1 else 0
     checked(bank, LAST_CHANNEL // BANK, "bank")
     nodes.channels(bus, node, row.attribute).set_bank(bank * BANK, BANK, rest[-1])
 
 
 def read_bit(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int) -> int:
-    """REMOTEINX and REMOTEOUTX; inputs in terms of their active level."""
+    """REMOTEINX and REMOTEOUTX: return a channel; active levels apply to inputs."""
     kind = row.attribute
     channels = nodes.channels(bus, node, kind)
     checked(channel, LAST_CHANNEL, "channel")
@@ -272,22 +281,22 @@ def read_bit(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int) -> i
 
 
 def write_bit(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int, value: int) -> None:
-    """REMOTEOUTX."""
+    """REMOTEOUTX: set an output."""
     write_percent(nodes, row, bus, node, channel, int(value != 0))
 
 
 def read_percent(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int) -> float:
-    """REMOTEADC and REMOTEDAC, percent."""
+    """REMOTEADC and REMOTEDAC: return a channel in percent."""
     return float(nodes.channels(bus, node, row.attribute)[checked(channel, LAST_CHANNEL, "channel")])
 
 
 def write_percent(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int, value: float) -> None:
-    """REMOTEDAC, percent."""
+    """REMOTEDAC: set an output in percent."""
     nodes.channels(bus, node, row.attribute)[checked(channel, LAST_CHANNEL, "channel")] = value
 
 
 def read_live(nodes: Nodes, bus: int, node: int) -> int:
-    """NODELIVE."""
+    """NODELIVE: return 1 if the node is alive."""
     return int((bus, node) in nodes.named and nodes.answers(bus, node))
 
 
@@ -338,5 +347,5 @@ ROWS = (
     _word("NODELIVE", "R", "bus, node", "bool", Actions(read=of(Nodes, read_live)),
           "1 for a node that the machine file speaks of, while it lives.", "PRINT NODELIVE(1, 2)"),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"bus": Nodes}

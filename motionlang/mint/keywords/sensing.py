@@ -1,4 +1,4 @@
-"""What an axis and its encoder tell: kind of motion, demands, targets, idle windows, encoder counts, wraps."""
+"""State of axes and encoders: motion, targets, idle windows, counts, wraps."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Maker, Operation
 
 
-# AXISMODE: the bit of each kind of motion, by the keyword that began it. 0 is idle; the bits are our own.
+# AXISMODE: the bit of each kind of motion, by the keyword that started it. 0 is idle. The bits are our own
+# choice.
 KINDS: dict[int, tuple[str, ...]] = {
     1: ("MOVEA", "MOVER", "INCA", "INCR", "MOVEDWELL"),
     2: ("JOG", "JOGCOMMAND", "FREQ"),
@@ -40,7 +41,10 @@ _BITS = {word: bit for bit, words in KINDS.items() for word in words}
 
 
 def read_axis_mode(environment: Environment, axis: int) -> int:
-    """AXISMODE: a bit for the kind of motion, 0 at rest, and one more while it is suspended."""
+    """AXISMODE: return the bit of the kind of motion, 0 at rest.
+
+    Another bit is set while the motion is suspended.
+    """
     a = environment.controller.axes[axis]
     if a.move is None:
         return 0
@@ -48,13 +52,16 @@ def read_axis_mode(environment: Environment, axis: int) -> int:
 
 
 def read_acceleration(environment: Environment, axis: int) -> float:
-    """ACCELDEMAND, user units a second squared."""
+    """ACCELDEMAND: return the acceleration in user units per second squared."""
     a = environment.controller.axes[axis]
     return a.scale.to_user(a.at(environment.clock.now).acceleration, "uu/s2")
 
 
 def _shown(environment: Environment, axis: int, target: float) -> float:
-    """An end in user units, within POSWRAP, as POSROLLOVERTARGET tells the turn; the position where there is none."""
+    """Return a target in user units, within POSWRAP; without one, the position.
+
+    POSROLLOVERTARGET gives the number of its wraps.
+    """
     counts = target if abs(target) < 1e300 else environment.controller.position(axis)
     return environment.place(axis, counts)
 
@@ -65,7 +72,7 @@ AT_POSITION, AT_SPEED = 1, 2
 
 
 class IdleWindows(Settings):
-    """What IDLE asks for beyond the end of the move, by keyword and axis, in counts."""
+    """Conditions of IDLE beyond the end of the move, by keyword and axis, in counts."""
 
     defaults = IDLE
     in_counts = True
@@ -81,7 +88,7 @@ class IdleWindows(Settings):
         self._tell_motor(axis)
 
     def _tell_motor(self, axis: int) -> None:
-        """Let a simulated motor know what settling means."""
+        """Pass the conditions for settling to a simulated motor."""
         mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
         self.controller.settle_within(
             axis,
@@ -91,24 +98,27 @@ class IdleWindows(Settings):
         )
 
     def settled(self, axis: int) -> bool:
-        """Whether an axis whose move is over is inside its windows, and has been for IDLETIME."""
+        """True if an axis at rest is inside its windows and has been for IDLETIME."""
         mode = int(self.setting("IDLEMODE", axis))
         if not mode:
             return True
         controller = self.controller
         if controller.is_open(axis):
-            return True  # nothing holds the motor: there is no error to settle
+            return True  # no control loop is closed, so there is no error to settle
         if controller.has_motor(axis) and controller.settled_time(axis) > controller.clock.now:
             return False
         if mode & AT_POSITION and abs(controller.following_error(axis)) > self.setting("IDLEPOS", axis):
             return False
         if mode & AT_SPEED and abs(controller.velocity(axis)) > self.setting("IDLEVEL", axis):
             return False
-        # The sum by which it is looked again: a difference would be less than the whole by its rounding.
+        # The same sum as in the scheduled event. A difference could be too small by rounding.
         return controller.clock.now >= self._since.get(axis, -1e300) + self.setting("IDLETIME", axis) / 1000.0
 
     def settling_time(self, axis: int) -> int:
-        """Milliseconds from the end of the move to IDLE: IDLETIME, and what a simulated motor needed before it."""
+        """Return the ms from the end of the move to IDLE.
+
+        This is IDLETIME, plus the settling time of a simulated motor before it.
+        """
         if not self.setting("IDLEMODE", axis):
             return 0
         late = 0.0
@@ -117,14 +127,14 @@ class IdleWindows(Settings):
         return round(late * 1000.0) + int(self.setting("IDLETIME", axis))
 
     def _heard(self, what: str, axis: int) -> None:
-        """The move is over: IDLETIME later whoever waits for IDLE must look again."""
+        """At the end of a move, schedule the check of IDLE after IDLETIME."""
         if what == "idle":
             clock = self.controller.clock
             self._since[axis] = clock.now
             clock.at(clock.now + self.setting("IDLETIME", axis) / 1000.0, lambda: None)
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
         self._tell_motor(axis)
 
@@ -133,18 +143,20 @@ class IdleWindows(Settings):
 
 
 class Encoders:
-    """The encoders of the axes, which count on whatever zero the program gives to an axis, and those of the machine
-    file, which take the place of an axis's where they have the same number.
+    """The encoders of the axes and of the machine file.
 
-    What an encoder shows is its counts / ENCODERPRESCALE / ENCODERSCALE, from the value it was given, within
-    ENCODERWRAP.
+    An encoder of an axis counts independently of the zero that the program sets. An encoder of the machine
+    file replaces that of the axis with the same number.
+
+    The reading of an encoder is counts / ENCODERPRESCALE / ENCODERSCALE, plus the offset set by writing a
+    value, within ENCODERWRAP.
     """
 
     def __init__(self, environment: Environment) -> None:
         self._environment, self._controller = environment, environment.controller
         self._end_of_motion = end_of_motion(environment)
         self._settings: dict[tuple[str, int], float] = {}
-        # What the motors do on top of what POS shows, where the program compensates.
+        # Motion of the motors in addition to POS, if the program uses compensation.
         self.compensation: Compensation | None = None
 
     def setting(self, name: str, channel: int) -> float:
@@ -163,7 +175,10 @@ class Encoders:
         return self.shown(channel, self.counts(channel))
 
     def until(self, channel: int, level: float | None = None) -> float:
-        """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
+        """Return the time at which an encoder of the machine file crosses a level.
+
+        The encoder of an axis may cross it at any time.
+        """
         track = self.track(channel)
         if level == INFINITY:
             return self._controller.clock.now
@@ -179,15 +194,15 @@ class Encoders:
         )
 
     def checked(self, channel: int) -> int:
-        """The channel, or the refusal of one that does not exist: those of the axes and of the machine file."""
+        """Return the channel; raise Refusal if neither axes nor machine file have it."""
         return channel_of(self._environment, channel)
 
     def track(self, channel: int) -> int:
-        """The number under which the controller has an encoder that the world turns."""
+        """Return the controller's number of an encoder that the world drives."""
         return channel
 
     def shown(self, channel: int, counts: float) -> float:
-        """What an encoder shows at a count."""
+        """Return the reading of an encoder at a count."""
         shown = counts / self.per_unit(channel) + self.setting("zero", channel)
         wrap = self.setting("ENCODERWRAP", channel)
         return shown % wrap if wrap else shown
@@ -199,19 +214,19 @@ class Encoders:
         return self.velocity(channel) / self.per_unit(channel)
 
     def velocity(self, channel: int) -> float:
-        """In counts a second."""
+        """Return the velocity in counts/s."""
         if channel in self._controller.encoders:
             return self._controller.encoder_velocity(channel)
         shift = self.compensation.rate(channel) if self.compensation is not None else 0.0
         return self._controller.velocity(channel) + shift
 
     def per_unit(self, channel: int) -> float:
-        """Counts in one unit of what the encoder shows."""
+        """Return the counts in one unit of the encoder's reading."""
         return self.setting("ENCODERSCALE", channel) * self.setting("ENCODERPRESCALE", channel)
 
 
 def channel_of(environment: Environment, channel: int) -> int:
-    """The encoder channel, or the refusal of one that does not exist: those of the axes and of the machine file."""
+    """Return the channel; raise Refusal if neither axes nor machine file have it."""
     if channel not in environment.controller.axes and channel not in environment.controller.encoders:
         axes = list(environment.controller.axes)
         hint = f"the encoders are those of axes {axes[0]} to {axes[-1]}"
@@ -220,7 +235,7 @@ def channel_of(environment: Environment, channel: int) -> int:
 
 
 def compared(kind: type[Encoders]) -> Maker:
-    """What reads an encoder of a family; it tells when that passes what it is compared with."""
+    """Make an operation that reads an encoder, and finds when it crosses a level."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         encoders = environment.part(kind)
@@ -239,18 +254,18 @@ def read_speed(encoders: Encoders, channel: int) -> float:
 
 
 def _name(row: Keyword) -> str:
-    """The word of any family as that of the encoders of axes."""
+    """Return the keyword of the axis encoders that corresponds to one of any family."""
     return row.name.removeprefix("AUX").replace("STEPPER", "ENCODER")
 
 
 def read_setting(encoders: Encoders, row: Keyword, channel: int) -> float:
-    """The scale, the prescale and the wrap of an encoder."""
+    """Return the scale, the prescale or the wrap of an encoder."""
     value = encoders.setting(_name(row), encoders.checked(channel))
     return int(value) if row.unit == "integer" else value
 
 
 def write_setting(encoders: Encoders, row: Keyword, channel: int, value: float) -> None:
-    """The scale, the prescale and the wrap of an encoder."""
+    """Set the scale, the prescale or the wrap of an encoder."""
     encoders.set(_name(row), encoders.checked(channel), value)
 
 
@@ -258,7 +273,10 @@ def write_setting(encoders: Encoders, row: Keyword, channel: int, value: float) 
 
 
 class Wraps:
-    """POSWRAP of every axis in counts: another scale shows it, as any setting that was made before, in other units."""
+    """POSWRAP of every axis in counts.
+
+    Its value in user units changes with the scale, as for any setting made before.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
@@ -275,14 +293,14 @@ class Wraps:
 
 
 def read_turns(environment: Environment, axis: int) -> int:
-    """POSROLLOVER: how many times POS has wrapped."""
+    """POSROLLOVER: return the number of times POS has wrapped."""
     controller, wrap = environment.controller, environment.wraps.get(axis)
     position = controller.axes[axis].scale.position_to_user(controller.position(axis))
     return floor(position / wrap) if wrap else 0
 
 
 def write_turns(environment: Environment, axis: int, value: int) -> None:
-    """POSROLLOVER: the position grows by the turns that are more, POS stays."""
+    """POSROLLOVER: shift the position by the difference in wraps; POS does not change."""
     controller, wrap = environment.controller, environment.wraps.get(axis, 0.0)
     more = (value - read_turns(environment, axis)) * wrap
     counts = controller.axes[axis].scale.to_counts(more)

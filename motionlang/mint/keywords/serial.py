@@ -1,4 +1,4 @@
-"""Serial ports: characters that come in from the machine file, and those that the program sends."""
+"""Serial ports: characters received from the machine file and sent by the program."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 
 LAST_PORT = 8
-# What a port keeps for a program that does not read.
+# The number of characters that a port stores for a program that does not read.
 MOST = 10_000
 _LINE_END = 13, 10
 
 
 class Ports:
-    """What has come in at each port and was not read yet; SERIALRECEIVE is raised when something does."""
+    """The unread characters of each port; new ones raise SERIALRECEIVE."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment, clock = environment, environment.clock
@@ -42,7 +42,7 @@ class Ports:
         self._environment.events.raise_("serialreceive")
 
     def waiting(self, port: int) -> list[int]:
-        """The characters that wait at a port; 0, as where none is given, is port 1."""
+        """Return the unread characters of a port; port 0, the default, means port 1."""
         if not 0 <= port <= LAST_PORT:
             raise Refusal("channel", f"there is no serial port {port}", f"they are numbered 1 to {LAST_PORT}")
         return self._waiting.setdefault(port or 1, [])
@@ -55,7 +55,10 @@ class Ports:
         return waiting.pop(0)
 
     def send(self, port: int, code: int) -> None:
-        """Characters of a line are shown together; carriage return and line feed, or one of them, end it."""
+        """Send a character; characters of a line are shown together.
+
+        Carriage return and line feed, or one of them, end a line.
+        """
         self.waiting(port)
         stream = self._environment.machine.stream(f"serial {port or 1}")
         ends = code in _LINE_END
@@ -92,5 +95,5 @@ ROWS = (
              "Forget what was not sent yet: nothing, as characters are sent at once."),
     _command("SERIALCLEARERROR", _NOTHING, "Clear the errors of a serial port, of which there are none here."),
 )  # fmt: skip
-# What raises the events of a kind, made for programs that handle them.
+# The event sources of each kind, created for programs that handle these events.
 SOURCES = {"serialreceive": Ports}

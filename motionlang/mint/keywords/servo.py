@@ -1,7 +1,7 @@
-"""The servo loop of an axis: its gains, its time, its following-error limit, and torque without a loop.
+"""The servo loop of an axis: gains, period, limit of following error, torque.
 
-They act on the motor that the machine file simulates. Without one they are kept and read back, and the report says
-that they had no effect.
+They act on the motor that the machine file simulates. Without one they are stored and read back, and the
+report states that they had no effect.
 """
 
 from __future__ import annotations
@@ -15,11 +15,10 @@ from motionlang.mint.runtime.environment import Environment
 
 # Volts of one percent of full scale.
 _PERCENT = 0.1
-# What the verb of a gain begins with; the rest is the quantity that it sets.
 
 
 class Loops:
-    """The limits of following errors, counts by axis, and torques in force, percent."""
+    """The following-error limits in counts by axis, and torques in force in percent."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
@@ -31,14 +30,14 @@ class Loops:
         return self.environment.part(TorqueReferences)
 
     def default(self, axis: int) -> None:
-        """DEFAULT."""
+        """Reset the axis to its defaults (DEFAULT)."""
         self.fatal.pop(axis, None)
         self.environment.controller.set_error_limit(axis, float("inf"))
         self.environment.controller.set_gains(axis, {})
 
 
 def _tell(environment: Environment, row: Keyword, axes: tuple[int, ...]) -> None:
-    """Note a word that nothing in this machine goes by."""
+    """Report a keyword that has no effect because no axis has a motor."""
     if not any(environment.controller.has_motor(axis) for axis in axes):
         environment.machine.without_effect.setdefault(row.name, [])
 
@@ -48,14 +47,17 @@ def _quantity(row: Keyword) -> str:
 
 
 def read_gain(environment: Environment, row: Keyword, axis: int) -> float:
-    """A gain of the axis's servo loop, in the units of its word."""
+    """Return a gain of the axis's servo loop in the unit of its keyword."""
     quantity = _quantity(row)
     value = environment.controller.gain(axis, quantity, GAINS[quantity])
     return int(value) if row.unit == "integer" else value
 
 
 def write_gain(loops: Loops, row: Keyword, axis: int, value: float) -> None:
-    """A gain of the axis's servo loop; without a motor it has no effect, which the report tells."""
+    """Set a gain of the axis's servo loop.
+
+    Without a motor it has no effect, which the report states.
+    """
     loops.environment.controller.set_gain(axis, _quantity(row), float(value), row.name)
     _tell(loops.environment, row, (axis,))
 
@@ -66,7 +68,7 @@ def read_loop_time(environment: Environment) -> int:
 
 
 def write_loop_time(environment: Environment, row: Keyword, value: int) -> None:
-    """LOOPTIME, µs, of all axes."""
+    """LOOPTIME: set the servo period of all axes in µs."""
     controller = environment.controller
     for axis in controller.axes:
         controller.set_gain(axis, PERIOD, float(value), row.name)
@@ -74,13 +76,16 @@ def write_loop_time(environment: Environment, row: Keyword, value: int) -> None:
 
 
 def read_fatal_error(loops: Loops, axis: int) -> float:
-    """FOLERRORFATAL, user units."""
+    """FOLERRORFATAL: return the limit in user units."""
     scale, fatal = loops.environment.controller.axes[axis].scale, loops.fatal
     return scale.to_user(fatal[axis], "uu") if axis in fatal else FATAL_ERROR
 
 
 def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> None:
-    """FOLERRORFATAL, user units; without a motor it has no effect, which the report tells."""
+    """FOLERRORFATAL: set the limit in user units.
+
+    Without a motor it has no effect, which the report states.
+    """
     controller = loops.environment.controller
     loops.fatal[axis] = abs(controller.axes[axis].scale.to_counts(value, "uu"))
     controller.set_error_limit(axis, loops.fatal[axis])
@@ -88,13 +93,16 @@ def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> No
 
 
 def read_torque(loops: Loops, axis: int) -> float:
-    """TORQUE, percent of full scale; 0 while the loop is closed, or TORQUEREF has the output."""
+    """TORQUE: return the output in percent of full scale.
+
+    It is 0 while the loop is closed or TORQUEREF controls the output.
+    """
     in_force = loops.environment.controller.is_open(axis) and not loops.references.has(axis)
     return loops.torque.get(axis, 0.0) if in_force else 0.0
 
 
 def write_torque(loops: Loops, axis: int, value: float) -> None:
-    """TORQUE: open the loop and put out percent of full scale."""
+    """TORQUE: open the loop and output a percentage of full scale."""
     loops.references.end(axis)
     loops.environment.controller.open_loop(axis, value * _PERCENT)
     loops.torque[axis] = value

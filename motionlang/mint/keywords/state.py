@@ -1,4 +1,4 @@
-"""What an axis tells about itself: at rest, and where."""
+"""The state of an axis: idle or not, and its position."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 @by_axis
 def read_is_idle(environment: Environment, row: Keyword, axis: int) -> Operation:
-    """IDLE and POSACHIEVED: at rest, and settled where the program asks for that too."""
+    """IDLE and POSACHIEVED: return 1 at rest and, if the program asks for it, settled."""
     is_idle = environment.controller.reader("is_idle", axis)
     return lambda: int(is_idle() and (environment.settled is None or environment.settled(axis)))
 
 
 def place(name: str) -> Maker:
-    """What reads POS or POSDEMAND, within the turn where the axis has one."""
+    """Make an operation that reads POS or POSDEMAND, within POSWRAP if it is set."""
 
     def read(environment: Environment, row: Keyword, axis: int) -> Operation:
         return environment.controller.reader(name, axis, "place", environment)
@@ -29,7 +29,7 @@ def place(name: str) -> Maker:
 
 
 def write_position(environment: Environment, row: Keyword, axis: int, value: float) -> None:
-    """POS: the present position gets a new value."""
+    """POS: set a new value for the present position."""
     counts = scale_of(environment, axis).position_to_counts(value)
     if not -1e300 < counts < 1e300:
         raise Refusal("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")

@@ -1,4 +1,4 @@
-"""Stepper channels: the pulses that the demand of an axis has been made of."""
+"""Stepper channels: the pulses generated from the demand of an axis."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from motionlang.mint.runtime.changes import moving
 
 
 class Steppers(Encoders):
-    """The pulse counters of the axes: channel n counts what axis n is told to do, whatever its motor makes of it."""
+    """The pulse counters of the axes.
+
+    Channel n counts the demand of axis n, independently of its motor.
+    """
 
     def checked(self, channel: int) -> int:
         return axis_of(self._environment, channel)

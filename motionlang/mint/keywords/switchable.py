@@ -1,4 +1,4 @@
-"""The readings of Mint that are values: how numbers are printed, and what settings are until a program writes them."""
+"""The assumptions about Mint that are values: number formats and setting defaults."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
     from motionlang.lang.keyword import Keyword
 
-# `mint.homespeed-default` is what HOMESPEED is at power-up.
+# `mint.homespeed-default` is the value of HOMESPEED at power-up.
 PREFIX, SUFFIX = "mint.", "-default"
-# Readings that are no setting of an axis. The first choice is the one taken.
+# Assumptions other than defaults of axis settings. The first choice is the default.
 OTHERS = {
     "mint.float-decimals": Switch(low=0, high=9, whole=True),
     "mint.float-zeros": Switch("kept", "dropped"),
@@ -22,13 +22,14 @@ OTHERS = {
     "mint.event-queue": Switch("once", "forgotten", "each"),
     "mint.circle-sense": Switch("anticlockwise", "clockwise"),
 }
-# Settings whose value decides what others read: these are found by the others.
+# Settings that determine the values of other settings. Their defaults follow from the assumptions about the
+# others.
 DECISIVE = frozenset({"TIMESCALE", "VELSCALEFACTOR", "ACCELSCALEFACTOR", "SRAMP", "POSROLLOVER"})
 _found: dict[str, Switch] = {}
 
 
 def switches() -> Mapping[str, Switch]:
-    """Every reading that can be set, by its name."""
+    """Return every assumption that can be set, by name."""
     if not _found:
         _found.update(OTHERS)
         _found.update(
@@ -38,7 +39,10 @@ def switches() -> Mapping[str, Switch]:
 
 
 def with_default() -> list[Keyword]:
-    """The words whose defaults are readings; of two names of one setting of the controller the first."""
+    """Return the keywords whose defaults are assumptions.
+
+    If two keywords name one setting of the controller, the first counts.
+    """
     found: dict[str, Keyword] = {}
     for row in table():
         if has_default(row):
@@ -47,9 +51,10 @@ def with_default() -> list[Keyword]:
 
 
 def has_default(row: Keyword) -> bool:
-    """Whether a word is a setting of each axis that is something before a program writes it.
+    """True if a keyword is an axis setting with a default.
 
-    What writing does beside keeping the value is no setting: it moves the axis, or hands it over.
+    A keyword whose write does more than store a value is not a setting: it moves the axis, or transfers
+    control of it.
     """
     return (
         row.simulated
@@ -64,10 +69,10 @@ def has_default(row: Keyword) -> bool:
 
 
 def name_of(row: Keyword) -> str:
-    """The name of the reading of a word's default."""
+    """Return the name of the assumption for a keyword's default."""
     return f"{PREFIX}{row.name.lower()}{SUFFIX}"
 
 
 def word_of(name: str) -> str:
-    """The word whose default a reading is, "" where it is none."""
+    """Return the keyword whose default an assumption is, "" if it is none."""
     return name[len(PREFIX) : -len(SUFFIX)] if name.endswith(SUFFIX) else ""

@@ -1,7 +1,7 @@
-"""Cams: a slave on a table of positions over its master's, from arrays of the program.
+"""Cams: a follower on a table of positions over the master's, from program arrays.
 
-Element 1 of an array is the number of segments; the elements after it belong to one segment each. The arrays are the
-program's own: what it writes into them counts from the next cycle on.
+Element 1 of an array is the number of segments. Each later element belongs to one segment. The arrays belong
+to the program: what it writes to them takes effect in the next cycle.
 """
 
 from __future__ import annotations
@@ -28,7 +28,10 @@ ABSOLUTE, TRULY_ABSOLUTE, CONTINUOUS = 1, 2, 4
 
 
 def elements(array: Sequence[float], word: str) -> list[float]:
-    """What stands in a table behind its count; the refusal of a count that the array does not hold."""
+    """Return the elements of a table after its count.
+
+    Raises Refusal if the array does not hold that many.
+    """
     count = int(array[1]) if len(array) > 1 else 0
     if not 1 <= count <= len(array) - 2:
         words = f"element 1 of the table says that it has {count:g} segments, and the array has room for "
@@ -39,7 +42,10 @@ def elements(array: Sequence[float], word: str) -> list[float]:
 
 
 def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
-    """The segments in use, the first and the one behind the last, from 0; `last` 0 is the table's last."""
+    """Return the range of segments in use: the first, and the end (exclusive), from 0.
+
+    `last` 0 stands for the last segment of the table.
+    """
     end = int(last) or count
     if not 1 <= first <= end <= count:
         words = f"the table has segments 1 to {count}, not {first:g} to {end:g}"
@@ -48,15 +54,15 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
 
 
 class Phase:
-    """CAMPHASE: `delta` of the master more, or less, over some segments, in one cycle."""
+    """CAMPHASE: extra travel `delta` of the master over some segments, in one cycle."""
 
     def __init__(self, first: int, last: int, delta: float) -> None:
         self.first, self.last, self.delta = first, last, delta
-        self.cycle = 0  # the one in which it is done; 0 while it waits
+        self.cycle = 0  # the cycle in which it applies; 0 while it waits
 
 
 class Cams:
-    """The tables of every axis, and what is under way with them."""
+    """The tables of every axis, and the state of the cams in motion."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment, self.masters = environment, environment.part(Masters)
@@ -66,7 +72,10 @@ class Cams:
         self.modes: dict[int, int] = {}
 
     def table(self, axis: int, mode: int, start: float, begins: bool) -> tuple[list[float], list[float]]:
-        """Places of the master and values of the slave, counts; `begins`: a cycle does, it is no mere check."""
+        """Return the positions of the master and of the follower for a cycle, in counts.
+
+        `begins` is True at the start of a cycle, False for a mere check.
+        """
         masters, scale = self.masters, self.masters.scale(axis)
         steps, lengths = self.steps(axis), self.lengths(axis)
         first, end = span(
@@ -91,7 +100,7 @@ class Cams:
         return places, values
 
     def steps(self, axis: int) -> list[float]:
-        """The positions of a table, as the program wrote them."""
+        """Return the positions of a table as the program wrote them."""
         if axis not in self.arrays:
             raise Refusal(
                 "range", f"axis {axis} has no cam table", f"write CAMTABLE({axis}, positions) first"
@@ -99,7 +108,7 @@ class Cams:
         return elements(self.arrays[axis][0], "CAMTABLE")
 
     def lengths(self, axis: int) -> list[float]:
-        """How far the master goes in each segment, counts."""
+        """Return the travel of the master in each segment, in counts."""
         count, array = len(self.steps(axis)), self.arrays[axis][1]
         if array is None:
             return [distance(self.environment, axis, "CAM")[1]] * count
@@ -126,7 +135,7 @@ class Cams:
 def do_table(
     cams: Cams, row: Keyword, axis: int, positions: Array | None, lengths: Array | None, line: int
 ) -> None:
-    """CAMTABLE: the arrays of positions and lengths, user units; without arrays the table is forgotten."""
+    """CAMTABLE: set the arrays of positions and lengths in user units, or clear them."""
     cams.phases.pop(axis, None)
     if positions is None:
         cams.arrays.pop(axis, None)
@@ -136,7 +145,7 @@ def do_table(
 
 
 def put_cam(cams: Cams, row: Keyword, axis: int, mode: int, line: int) -> None:
-    """CAM: follow the table once or for ever, mode by mode; the arrays are read again for each cycle."""
+    """CAM: follow the table once or continuously; each cycle reads the arrays again."""
     check(row, mode)
     found, checking = cams.masters.of(axis), True
     found.refuse(cams.environment, axis)
@@ -155,7 +164,7 @@ def put_cam(cams: Cams, row: Keyword, axis: int, mode: int, line: int) -> None:
 def do_segment(
     part: Cams | Splines, row: Keyword, axis: int, table: int, start: int, data: Array | None, line: int
 ) -> None:
-    """CAMSEGMENT and SPLINESEGMENT: other values for some segments of a table of the axis."""
+    """CAMSEGMENT and SPLINESEGMENT: replace the values of some segments of a table."""
     arrays: Sequence[Array | None] = part.arrays.get(axis, ())
     array = arrays[table] if 0 <= table < len(arrays) else None
     if array is None:
@@ -170,7 +179,7 @@ def do_segment(
 
 
 def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line: int) -> None:
-    """CAMPHASE: in the next cycle the master goes further over some segments."""
+    """CAMPHASE: extend the master's travel over some segments of the next cycle."""
     lengths = cams.lengths(axis)
     first, end = span(index, index + segments - 1, len(lengths), "CAM")
     counts = delta * cams.masters.of(axis).per_unit
@@ -181,7 +190,7 @@ def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line:
 
 
 def read_phase_status(cams: Cams, axis: int) -> int:
-    """1 while a CAMPHASE waits or is under way."""
+    """Return 1 while a CAMPHASE is waiting or active."""
     phase, index = cams.phases.get(axis), cams.environment.controller.cam_index(axis)
     if phase is None or index < 0:
         return 0
@@ -209,7 +218,7 @@ def setting_row(
     low: float,
     high: float,
 ) -> Keyword:
-    """The row of a setting of a cam or a spline."""
+    """Return the row of a setting of a cam or a spline."""
     return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, example, default=default, low=low,
                    high=high, group="tables")  # fmt: skip
 

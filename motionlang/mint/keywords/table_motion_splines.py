@@ -1,7 +1,7 @@
-"""Splines: positions at times, from arrays of the program, with velocities given or chosen.
+"""Splines: positions at times, from arrays, with velocities given or chosen.
 
-SPLINE_1 takes the mean velocity of the two segments that meet at a point, SPLINE_2 the velocities at which the
-acceleration is continuous; which of Mint's two profiles is which is from memory.
+SPLINE_1 uses the mean velocity of the two segments that meet at a point. SPLINE_2 uses the velocities that
+make the acceleration continuous. The assignment of these two to Mint's two profiles is from memory.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 
 SECOND = 8
-# Milliseconds: the least and the greatest time of a segment, and the step in which it counts.
+# Minimum and maximum time of a segment in ms, and the step to which it is rounded.
 SHORTEST, LONGEST, STEP = 4, 60000, 2
 DEFAULTS = {"SPLINESTART": 1, "SPLINETIME": 100}
 
@@ -52,11 +52,14 @@ class Splines(Settings):
         super().__init__(environment)
         self.arrays: dict[int, tuple[Array, Array | None, Array | None]] = {}
         self.modes: dict[int, int] = {}
-        # The last segment of the spline under way.
+        # The last segment of the spline in motion.
         self.ends: dict[int, int] = {}
 
     def motion(self, axis: int, mode: int, start: float, first_time: bool) -> Timed:
-        """The way through the table from `start`, counts; from rest the first time, else as the last one ended."""
+        """Return the motion through the table from `start`, in counts.
+
+        The first run starts from rest, each further one at the velocity of the end before.
+        """
         points, velocities, times = self._points(axis, mode, start)
         cyclic = bool(mode & CONTINUOUS)
         try:
@@ -100,7 +103,10 @@ class Splines(Settings):
 
 
 def seconds(milliseconds: float) -> float:
-    """The time of a segment, in whole steps of the controller; Refusal where it can be none."""
+    """Return the time of a segment in seconds, in whole steps of the controller.
+
+    Raises Refusal if the time is out of range.
+    """
     if not SHORTEST <= milliseconds <= LONGEST:
         words = f"a segment of a spline cannot take {milliseconds:g} ms"
         raise Refusal("range", words, f"it takes {SHORTEST} to {LONGEST} ms, in steps of {STEP}")
@@ -116,7 +122,7 @@ def _part(array: Array, first: int, end: int) -> list[float]:
 
 
 def _seam(points: list[float], times: list[float], smooth: bool) -> float:
-    """The velocity at which a spline that goes on for ever passes from its end to its beginning."""
+    """Return the velocity of a continuous spline between its end and its start."""
     steps = [b - a for a, b in pairwise(points)]
     if smooth and len(times) > 1:
         return spline_slopes(times, [d / h for d, h in zip(steps, times, strict=True)], True)[0]
@@ -135,7 +141,7 @@ def do_table(
     times: Array | None,
     line: int,
 ) -> None:
-    """SPLINETABLE: the arrays of positions, velocities and times; without any the table is forgotten."""
+    """SPLINETABLE: set the arrays of positions, velocities and times, or clear them."""
     if positions is None:
         splines.arrays.pop(axis, None)
         return
@@ -144,7 +150,10 @@ def do_table(
 
 
 def put_spline(splines: Splines, row: Keyword, axis: int, mode: int, line: int) -> None:
-    """SPLINE: run through the table once or for ever. Refusal unless the axis is idle, its buffer empty."""
+    """SPLINE: run through the table once or continuously.
+
+    Raises Refusal unless the axis is idle and its buffer empty.
+    """
     check(row, mode)
     controller = splines.controller
     if not controller.is_idle(axis) or controller.axes[axis].buffer:
@@ -162,13 +171,16 @@ def put_spline(splines: Splines, row: Keyword, axis: int, mode: int, line: int) 
 
 
 def read_index(splines: Splines, axis: int) -> int:
-    """The number of the segment that is executing, 0 where there is no spline; what is ahead is counted."""
+    """Return the number of the executing segment, 0 if there is no spline.
+
+    It is computed from the number of segments that remain.
+    """
     a = splines.controller.axes[axis]
     if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Played):
         return 0
     path, place, _ = a.move.action.state(splines.controller, a)
     ahead = len(path.knots) - 1 - bisect_right(path.knots, place)
-    # A cycle that was suspended near its end has the next one behind it.
+    # A cycle that was suspended near its end is followed by the next one.
     return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
 
 

@@ -1,4 +1,4 @@
-"""Tasks, events and errors: nothing of it concerns the controller."""
+"""Tasks, events and errors, which do not involve the controller."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from motionlang.mint.runtime.events import Events
 
 
 def write_priority(environment: Environment, name: str, value: int) -> None:
-    """TASKPRIORITY, of a task that runs and of one that is started later."""
+    """TASKPRIORITY: set the priority of a task, running or to be started."""
     environment.priorities[name] = value
     if name in environment.tasks:
         environment.tasks[name].priority = value
 
 
 def write_quantum(environment: Environment, name: str, value: int) -> None:
-    """TASKQUANTUM, likewise."""
+    """TASKQUANTUM: set the quantum of a task, running or to be started."""
     environment.quanta[name] = value
     if name in environment.tasks:
         environment.tasks[name].set_turn()
@@ -29,13 +29,16 @@ def read_status(environment: Environment, name: str) -> int:
 
 
 def read_data(errors: Errors, number: int) -> int:
-    """ERRDATA: 0 beyond the last of the error."""
+    """ERRDATA: return a data value of the error, 0 beyond the last one."""
     data = errors.register().data
     return data[number - 1] if 1 <= number <= len(data) else 0
 
 
 def suspend(environment: Environment, name: str, hold: bool = True) -> None:
-    """Hold a task, or let it go on; one that holds itself is held at its next turn."""
+    """Suspend a task or resume it.
+
+    A task that suspends itself stops at its next time slice.
+    """
     task = environment.tasks.get(name)
     if task is None or task.done or task.suspended is hold:
         return
@@ -44,7 +47,7 @@ def suspend(environment: Environment, name: str, hold: bool = True) -> None:
     if scheduler is not None:
         scheduler.stir()
     if hold and task is environment.task:
-        environment.clock.at(environment.clock.now, lambda: None)  # everybody looks around
+        environment.clock.at(environment.clock.now, lambda: None)  # all tasks check again
     elif hold:
         task.held, task.wait = task.wait, task.never()
     else:

@@ -1,7 +1,7 @@
-"""Terminals: where the program prints, and the keys and lines that come from there.
+"""Terminals: printed output, keys and lines.
 
-A terminal is a bit: 1, 2, 4 … 128. TERMINAL is a pattern of them, which each task has for itself; event handlers share
-that of the parent task. Terminal 1 is the console.
+A terminal is a bit: 1, 2, 4 … 128. TERMINAL is a pattern of them, separate for each task; event handlers
+share that of the parent task. Terminal 1 is the console.
 """
 
 from __future__ import annotations
@@ -20,31 +20,32 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Maker, Operation
 
 
-# All terminals that there can be, and what stands for those of TERMINAL.
+# All possible terminals, and the value that stands for those of TERMINAL.
 ALL = 255
 CURRENT = -1
 
 
 class Terminals:
-    """Which terminals each task prints to."""
+    """The terminals that each task prints to."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment, self._machine = environment, environment.machine
-        # By what counts the TIME of a task: handlers share it with the parent, and with it the terminals.
+        # By the timer behind TIME of a task. Handlers share it with the parent task, so they share the
+        # terminals.
         self._chosen: dict[int, tuple[object, int]] = {}
 
     @property
     def current(self) -> int:
-        """TERMINAL of the task that runs."""
+        """TERMINAL of the running task."""
         return self._chosen.get(id(self._environment.task.timer), (None, CONSOLE))[1]
 
     def choose(self, pattern: int) -> None:
-        """TERMINAL: the terminals that PRINT speaks to, a bit each."""
+        """TERMINAL: set the terminals that PRINT uses, a bit each."""
         timer = self._environment.task.timer
         self._chosen[id(timer)] = timer, pattern
 
     def bits(self, pattern: int) -> list[int]:
-        """The terminals of a pattern."""
+        """Return the terminals of a pattern."""
         if pattern == CURRENT:
             pattern = self.current
         elif not 1 <= pattern <= ALL:
@@ -54,7 +55,7 @@ class Terminals:
         return [1 << k for k in range(8) if pattern >> k & 1]
 
     def one(self, pattern: int) -> int:
-        """The only terminal of a pattern."""
+        """Return the only terminal of a pattern; raise Refusal if there are more."""
         found = self.bits(pattern)
         if len(found) != 1:
             known = " and ".join(map(str, found)) or "none"
@@ -62,7 +63,7 @@ class Terminals:
         return found[0]
 
     def write(self, text: str, pattern: int = CURRENT) -> None:
-        """Print on the terminals of a pattern, or on those that TERMINAL has chosen."""
+        """Print on the terminals of a pattern, by default on those of TERMINAL."""
         self._environment.acts += 1
         if not self._chosen and pattern == CURRENT:
             self._machine.terminal.write(text)
@@ -72,12 +73,12 @@ class Terminals:
 
 
 def _pattern(number: int) -> int:
-    """What a word means by the number of a terminal: 0, as where none is given, those of TERMINAL."""
+    """Return the pattern for a terminal number; 0, the default, means TERMINAL."""
     return number or CURRENT
 
 
 def writing(text: str) -> Maker:
-    """What writes a text to a terminal."""
+    """Make an operation that writes a text to a terminal."""
     return of(Terminals, lambda terminals, number: terminals.write(text, _pattern(number)))
 
 
@@ -89,10 +90,12 @@ def do_locate(terminals: Terminals, column: int, row: int) -> None:
 
 
 def read_key(environment: Environment, row: Keyword) -> Operation:
-    """INKEY."""
+    """INKEY: make an operation that reads a key."""
     terminals, operator_at = environment.part(Terminals), environment.machine.operator_at
     for entry in environment.machine.settings.get("key", ()):  # type: ignore[attr-defined]
-        operator_at(entry.get("terminal", CONSOLE))  # keys are pressed also while the program asks elsewhere
+        operator_at(
+            entry.get("terminal", CONSOLE)
+        )  # keys are also pressed while the program reads another terminal
 
     def read(number: int) -> int:
         for each in terminals.bits(_pattern(number)):
@@ -106,13 +109,13 @@ def read_key(environment: Environment, row: Keyword) -> Operation:
 
 
 def ask(environment: Environment, count: float, number: int) -> Wait:
-    """The wait for an answer at a terminal."""
+    """Return the wait for an answer at a terminal."""
     environment.acts += 1
     return wait_for_answer(environment, environment.statements.leave(count), number)
 
 
 def read_held_key(environment: Environment, row: Keyword) -> Operation:
-    """READKEY."""
+    """READKEY: make an operation that reads the held key."""
     return environment.machine.operator.held_key
 
 

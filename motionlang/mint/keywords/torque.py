@@ -1,7 +1,7 @@
-"""TORQUEREF: an output of the motor that ramps, in place of its servo loop; and what the motor demands and draws.
+"""TORQUEREF: a ramped motor output in place of the servo loop; torque and current.
 
-The reference changes once a servo loop, as a drive's does, so a ramp is a flight of steps. It is percent of the full
-output, which is torque where the machine file gives the motor a current amplifier.
+The reference changes once per servo period, as in a drive, so a ramp is a staircase. It is a percentage of
+the full output, which is torque if the machine file gives the motor a current amplifier.
 """
 
 from __future__ import annotations
@@ -15,25 +15,25 @@ from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving
 from motionlang.mint.runtime.environment import Environment
 
-# Volts of one percent of full scale, and the full scale.
+# Volts of one percent of full scale, and full scale in volts.
 _PERCENT, FULL = 0.1, 10.0
 DEFAULTS = {"TORQUEREFENABLE": 1.0}
 
 
 class TorqueReferences(Settings):
-    """The settings of torque references, by keyword and axis, and the ramps that are under way."""
+    """Settings of torque references, by keyword and axis, and the ramps in progress."""
 
     defaults = DEFAULTS
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
-        # The percent in force on axes whose output is the reference's.
+        # The percentage in force on axes whose output is the reference.
         self._present: dict[int, float] = {}
         self._ramping: set[int] = set()
         self.controller.analogue_inputs.listeners.append(self._analogue)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; an axis whose output is the reference's goes by it at once."""
+        """Write a setting; an axis whose output is the reference uses it at once."""
         if name == "TORQUEREFSOURCE" and value:
             analogue_input(int(value) - 1)
         super().set(name, axis, value)
@@ -43,35 +43,35 @@ class TorqueReferences(Settings):
             self.run(axis)
 
     def has(self, axis: int) -> bool:
-        """Whether the output of the axis is the reference's: until something closes the loop again."""
+        """True if the reference controls the output, until the loop is closed again."""
         if axis in self._present and not self.controller.is_open(axis):
             del self._present[axis]
         return axis in self._present
 
     def wanted(self, axis: int) -> float:
-        """Percent: what was written, or an analogue input."""
+        """Return the wanted percentage: the value written, or an analogue input."""
         if not self.setting("TORQUEREFENABLE", axis):
             return 0.0
         source = int(self.setting("TORQUEREFSOURCE", axis))
         return self.environment.part(Analogue).read(source - 1) if source else self.setting("TORQUEREF", axis)
 
     def run(self, axis: int) -> None:
-        """Ramp to the reference, from 0 where the axis has been under control."""
+        """Ramp to the reference, from 0 if the axis was under closed-loop control."""
         if not self.has(axis):
             self._open(axis, 0.0)
         if axis not in self._ramping:
             self._step(axis)
 
     def end(self, axis: int) -> None:
-        """Another word has the output now."""
+        """Give up control of the output, which another keyword has taken."""
         self._present.pop(axis, None)
 
     def present(self, axis: int) -> float:
-        """The percent in force; 0 where the axis is under control."""
+        """Return the percentage in force, 0 under closed-loop control."""
         return self._present[axis] if self.has(axis) else 0.0
 
     def _step(self, axis: int) -> None:
-        """One servo loop of the ramp."""
+        """Carry out one servo period of the ramp."""
         self._ramping.discard(axis)
         if not self.has(axis):
             return
@@ -86,7 +86,10 @@ class TorqueReferences(Settings):
             clock.at(clock.now + seconds, lambda: self._step(axis))
 
     def _next(self, axis: int, present: float, wanted: float, seconds: float) -> float:
-        """The percent a servo loop later: it falls towards 0 and rises away from it."""
+        """Return the percentage one servo period later.
+
+        A change towards 0 uses the fall time, a change away from 0 the rise time.
+        """
         rises = present * wanted >= 0.0 and abs(wanted) > abs(present)
         goal = wanted if present * wanted >= 0.0 else 0.0
         time = self.setting("TORQUEREFRISETIME" if rises else "TORQUEREFFALLTIME", axis) / 1000.0
@@ -107,18 +110,21 @@ class TorqueReferences(Settings):
 
 
 def write_reference(references: TorqueReferences, row: Keyword, axis: int, percent: float, line: int) -> None:
-    """TORQUEREF: ramp the motor's output to a percentage, in place of its servo loop."""
+    """TORQUEREF: ramp the motor's output to a percentage, without the servo loop."""
     references.set(row.name, axis, percent)
     references.run(axis)
 
 
 def demand(environment: Environment, axis: int) -> float:
-    """TORQUEDEMAND: the output to the motor, percent."""
+    """TORQUEDEMAND: return the output to the motor in percent."""
     return 100.0 * environment.controller.servo_output(axis) / FULL
 
 
 def read_current(environment: Environment, row: Keyword, axis: int, channel: int) -> float:
-    """CURRENTMEAS and CURRENTDEMAND: of a simulated motor, whose amplifier does what is asked of it."""
+    """CURRENTMEAS and CURRENTDEMAND: return the current of a simulated motor.
+
+    Its amplifier delivers exactly the current that is demanded.
+    """
     if channel:
         hint = "channel 0 is the current of the motor, the only one that is simulated"
         raise Refusal("channel", f"{row.name}: there is no current {channel}", hint)

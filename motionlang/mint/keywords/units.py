@@ -1,4 +1,7 @@
-"""The factors of positions, speeds and accelerations; settings made before keep their counts."""
+"""The factors of positions, speeds and accelerations.
+
+Settings made before a change preserve their counts.
+"""
 
 from __future__ import annotations
 
@@ -15,12 +18,12 @@ POSITION, SPEED, ACCELERATION = range(3)
 
 
 def factor(power: int) -> Maker:
-    """What reads one of the factors."""
+    """Make an operation that reads one of the factors."""
     return of(Environment, lambda e, axis: float(scale_of(e, axis).factors[power][1]))
 
 
 def write_position(environment: Environment, axis: int, value: float) -> None:
-    """POSSCALEFACTOR, counts; the factors of speeds and accelerations stay."""
+    """POSSCALEFACTOR: set the counts, without changing the other two factors."""
     scale = scale_of(environment, axis)
     speed, acceleration = scale.speed, scale.acceleration
     environment.controller.set_scale(axis, value)
@@ -28,12 +31,12 @@ def write_position(environment: Environment, axis: int, value: float) -> None:
 
 
 def write_speed(environment: Environment, axis: int, value: float) -> None:
-    """VELSCALEFACTOR, counts in the unit of length of speeds."""
+    """VELSCALEFACTOR: set the counts in the length unit of speeds."""
     environment.controller.set_units(axis, value, scale_of(environment, axis).acceleration)
 
 
 def write_acceleration(environment: Environment, axis: int, value: float) -> None:
-    """ACCELSCALEFACTOR, counts in the unit of length of accelerations and jerks."""
+    """ACCELSCALEFACTOR: set the counts in the length unit of accelerations and jerks."""
     environment.controller.set_units(axis, scale_of(environment, axis).speed, value)
 
 

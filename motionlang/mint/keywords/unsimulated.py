@@ -1,11 +1,12 @@
-"""The words that are known and not simulated, sorted by what a program that comes to one of them can be told.
+"""Keywords that are known but not simulated, and their treatment in a run.
 
-They stand in the text files of `type_library/`, each with what becomes of it. A "value" is one that nobody knows here:
-a reading, or drive data. The program may write it and read it back; what it reads without having written it, the
-machine file says, or the run ends there. A "command" has no effect on motion, inputs or outputs: the program goes on,
-and the report names it. A "motion" moves an axis or decides what becomes of the program: the run ends where one is
-written or carried out, as everything after it would be wrong; one that is given 0 is switched off, which needs no
-simulation. Every operation is given the line of its statement and the place of its word, last.
+They are in the text files of `type_library/`, each with its treatment. A "value" cannot be computed here,
+such as a reading or drive data. The program may write it and read it back. If it reads a value that it did
+not write, the machine file supplies it, or else the run ends there. A "command" has no effect on motion,
+inputs or outputs: the program continues, and the report names it. A "motion" moves an axis or changes the
+course of the program: the run ends where one is written or carried out, because everything after it would be
+wrong. Writing 0 switches it off, which needs no simulation. Every operation gets the line of its statement
+and the token of its keyword as last arguments.
 """
 
 from __future__ import annotations
@@ -22,14 +23,17 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Operation
     from motionlang.mint.runtime.environment import Environment
 
-# Words that are simulated when they are read, and what writing them would do.
+# Keywords that are simulated when read, and what writing them would do.
 WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
 
 # ----------------------------------------------------------------------------- values that nobody knows here
 
 
 def read_value(environment: Environment, row: Keyword) -> Operation:
-    """What the program wrote, or the machine file says; otherwise the run ends."""
+    """Make an operation that reads a value of the program or the machine file.
+
+    The run ends if neither has one.
+    """
     kept = environment.part(Kept)
 
     def read(*given: object) -> object:
@@ -51,7 +55,7 @@ def write_value(environment: Environment, row: Keyword) -> Operation:
 
 
 def do_command(environment: Environment, row: Keyword) -> Operation:
-    """A command that changes nothing here."""
+    """Make an operation for a command that has no effect here."""
     name, without_effect = row.name, environment.machine.without_effect
     return lambda *given: note(without_effect, name, given[-2])
 
@@ -64,7 +68,7 @@ def read_motion(environment: Environment, row: Keyword) -> Operation:
 
 
 def write_motion(environment: Environment, row: Keyword) -> Operation:
-    """Given 0 it is switched off and nothing moves; any other value ends the run."""
+    """Make an operation that accepts 0, which has no effect, and else ends the run."""
     keep = _keep(environment, row)
 
     def write(*given: object) -> None:
@@ -80,14 +84,14 @@ def do_motion(environment: Environment, row: Keyword) -> Operation:
 
 
 def write_jump(environment: Environment, row: Keyword) -> Operation:
-    """A word that is simulated where it is read."""
+    """Make an operation that ends the run on a write to a read-only simulated keyword."""
     return lambda *given: _end(
         row, f"writing {row.name} {WRITTEN[row.name]}: this is not simulated", given[-1]
     )
 
 
 def _end(row: Keyword, message: str, at: object, told: bool = False) -> NoReturn:
-    """End the run with the word's meaning, and with what the machine file could say."""
+    """End the run with the keyword's meaning and, if `told`, a machine file hint."""
     from motionlang.lang.run_errors import NotSimulated
 
     hint = f"{row.name}: {row.help.rstrip('.')}"
@@ -106,7 +110,7 @@ ACTIONS = {
     COMMAND: Actions(COMMAND, do=do_command),
     MOTION: Actions(MOTION, read=read_motion, write=write_motion, do=do_motion),
 }
-# What becomes of a word, as the groups of the vocabulary say it.
+# The groups of the vocabulary for each treatment.
 GROUPS = {
     VALUE: "known only if the program writes it or the machine file says it",
     COMMAND: "without an effect",
@@ -116,7 +120,7 @@ KEPT_GROUP = "kept without an effect"
 
 
 def written(row: Keyword) -> Keyword:
-    """The row by which a word is written, where that is another one: some are simulated only where they are read."""
+    """Return the row for writing a keyword that is simulated only for reads."""
     changed = _changed.get(row.name)
     if changed is None:
         from copy import copy
