@@ -1,1 +1,1 @@
-"""From a `.lark` grammar to tables, and from a text to what the tables make of it."""
+"""Table-driven parsing: from a `.lark` grammar to tables, from a text to its tree."""

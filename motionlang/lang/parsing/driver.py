@@ -1,9 +1,10 @@
-"""Writes the loop that runs the table of a grammar, `_run` of its `tables` module.
+"""Generator of `_run`, the loop in a `tables` module that runs a grammar's table.
 
-The loop is written for the grammar, since a call takes longer than most of what reducers do: the reductions that are
-met most often stand in it, as do the tokens that are mostly values by themselves, which are made as they are shifted.
-Every other reduction is a call of its reducer. The stack is a linked list, one tuple for every symbol; of the topmost
-symbol the value is `top` and the state `moves`, so that little is put there to be taken off again.
+The loop is written for one grammar, because a function call takes longer than the work of most reducers. The
+most frequent reductions are inlined. So are the tokens that usually are values by themselves; their nodes are
+made when the token is shifted. Every other reduction calls its reducer. The stack is a linked list with one
+tuple per symbol. The value of the topmost symbol is `top` and its state is `moves`, so few values are pushed
+only to be popped again.
 """
 
 from __future__ import annotations
@@ -50,7 +51,10 @@ S, top = reducer(S, moves, top, T)"""
 
 
 def popped(length: int, used: set[int]) -> list[str]:
-    """The line that takes the values below the topmost of `length` off the stack S, naming those in use."""
+    """Return the line that pops the values below the topmost of `length` off S.
+
+    It names the values in `used` and drops the others.
+    """
     if length < 2:
         return []
     names = [f"v{place}" if place in used else "_" for place in range(length - 1)]
@@ -61,7 +65,10 @@ def popped(length: int, used: set[int]) -> list[str]:
 
 
 def loop(reductions: Iterable[list[str]], leaves: Iterable[list[str]]) -> str:
-    """The text of `_run`; each of both is the lines that put what they make of S and `top` there."""
+    """Return the text of `_run`.
+
+    Each item of `reductions` and `leaves` is the lines that leave their result in S and `top`.
+    """
     chosen = [("code", number, lines) for number, lines in enumerate(reductions)]
     made = [("made", number, lines) for number, lines in enumerate(leaves, 1)]
     return _LOOP.format(

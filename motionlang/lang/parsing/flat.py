@@ -1,6 +1,7 @@
-"""From a rule that does not hold itself to one pattern: what a table would find in several steps, `re` finds in one.
+"""Compile a rule that is not recursive into one regular expression.
 
-The pattern is put together from Lark's own compiled rules and terminals, as its LALR(1) table is.
+`re` matches in one step what a table matches in several. The pattern is built from Lark's own compiled rules
+and terminals, just like its LALR(1) table.
 """
 
 from __future__ import annotations
@@ -13,7 +14,10 @@ if TYPE_CHECKING:
 
 
 class Flat:
-    """A rule of a grammar as a pattern; the parts named in `kept`, rules and terminals, are its groups."""
+    """A rule of a grammar as a pattern.
+
+    Its groups are the rules and terminals named in `kept`.
+    """
 
     def __init__(self, lark: Lark, rule: str, kept: Collection[str]) -> None:
         self._kept = kept
@@ -28,7 +32,10 @@ class Flat:
 
     @property
     def between(self) -> str:
-        """What stands between two of them on a line: the terminals that the rule has no use for, but for line ends."""
+        """The pattern of text that may separate two matches on one line.
+
+        It has all terminals that the rule does not use, except line ends.
+        """
         others = (pattern for name, pattern in sorted(self._terminals.items()) if name not in self._used)
         return "|".join(pattern for pattern in others if pattern != "\\\n")
 
@@ -45,7 +52,10 @@ class Flat:
         return f"({found})" if name in self._kept else found
 
     def _choice(self, ways: Sequence[tuple[str, ...]]) -> str:
-        """The ways that begin alike are written together, so that a group stands in the pattern once."""
+        """Return the pattern of alternatives, with common prefixes merged.
+
+        Merging ensures that a group occurs in the pattern only once.
+        """
         firsts = dict.fromkeys(way[0] for way in ways if way)
         found = []
         for first in firsts:

@@ -1,8 +1,9 @@
-"""From a `.lark` grammar to the tables that `motionlang.lang.parsing.parser` runs; done once, when a grammar changes.
+"""Generator of the tables that `motionlang.lang.parsing.parser` runs.
 
-`python -m motionlang.lang.parsing.generate` writes `syntax/tables.py` of each dialect. A test compares them with their
-grammars, so that they cannot drift apart. Lark makes the LALR(1) table; `states` writes its states, `rules` its
-reducers, `flat` the pattern of a rule that needs no table, and here are the terminals.
+`python -m motionlang.lang.parsing.generate` writes `syntax/tables.py` of each dialect from its `.lark`
+grammar. Run it after a change to a grammar; a test compares the tables with the grammars, so that they cannot
+drift apart. Lark computes the LALR(1) table. `states` writes its states, `rules` its reducers, and `flat` the
+pattern of a rule that needs no table. This module writes the terminals.
 """
 
 from __future__ import annotations
@@ -29,13 +30,13 @@ ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 
 
 def grammar_path(name: str) -> str:
-    """Where a grammar stands: inside an installed package, or beside it in a checkout."""
+    """Return the path of a grammar, in an installed package or in a checkout."""
     inside = os.path.join(ROOT, "grammars", name)
     return inside if os.path.exists(inside) else os.path.join(os.path.dirname(ROOT), "grammars", name)
 
 
 def build_lark(name: str, lexer: str = "basic", **options: Any) -> Lark:
-    """Lark's own parser of a grammar: the maker of the tables, and the judge in the tests."""
+    """Build Lark's parser of a grammar: source of the tables, reference of the tests."""
     path = grammar_path(name)
     with open(path, encoding="utf-8") as file:
         return Lark(
@@ -49,7 +50,7 @@ def build_lark(name: str, lexer: str = "basic", **options: Any) -> Lark:
 
 
 def generate(package: str) -> str:
-    """The text of the tables module of a dialect's grammar, for `motionlang.<package>`."""
+    """Return the text of the tables module for the grammar of `motionlang.<package>`."""
     actions = import_module(f"motionlang.{package}.syntax.actions")  # a layer above: known by name only
     if hasattr(actions, "ACTIONS"):
         return _with_reducers(f"{package}.lark", package, actions)
@@ -64,9 +65,10 @@ def _heading(name: str) -> list[str]:
 
 
 def _with_pattern(name: str, rule: str, kept: tuple[str, ...], piece: str) -> str:
-    """For a grammar with a rule that one pattern matches: that, and the table for what it does not match.
+    """Return the tables of a grammar in which one pattern matches a whole rule.
 
-    PIECE cuts a line into what should match it, group 1, and at the end of the line finds nothing.
+    The table then parses only what the pattern does not match. PIECE cuts a line into the texts that should
+    match, as group 1, and matches nothing at the end of the line.
     """
     lark = build_lark(name, lexer="contextual")
     flat = Flat(lark, rule, kept)
@@ -88,7 +90,10 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], piece: str) -> st
 
 
 def _with_reducers(name: str, package: str, actions: ModuleType) -> str:
-    """For a grammar whose whole text is run through the table, with an action for each alternative."""
+    """Return the tables of a grammar that parses the whole text, with its reducers.
+
+    Each alternative of the grammar has an action.
+    """
     lark = build_lark(name)
     table = lark.parser.parser._parse_table
     nodes = import_module(f"motionlang.{package}.syntax.nodes")
@@ -129,14 +134,20 @@ def _wrapped(mapping: dict[str, str]) -> str:
 # -------------------------------------------------------------------------------------------- the terminals
 
 
-# Texts that no terminal matches, each swallowed whole so that broken text is read once: an open string, `12abc`.
+# Texts that match no terminal. Each is consumed in full, so that broken text is read once: an open string,
+# `12abc`.
 _LEFTOVERS = r'"[^\n]*|[0-9][A-Za-z0-9_]*|.'
-_FIRST = re.compile(r"\[(?:\\.|[^\]\\])++\]|\\?.")  # every class begins with a set of characters or with one
-_JOINED = re.compile(r"(?:\\.|[^\\()\[\]+*?.])+")  # "<>" | "<=": literal texts and nothing else
+_FIRST = re.compile(
+    r"\[(?:\\.|[^\]\\])++\]|\\?."
+)  # every class begins with a character or a set of characters
+_JOINED = re.compile(r"(?:\\.|[^\\()\[\]+*?.])+")  # "<>" | "<=": literal texts only
 
 
 def _terminals(lark: Lark) -> tuple[dict[str, str], dict[str, str]]:
-    """The literal texts (words in lower case, operators) and the patterns of the other kinds of token."""
+    """Split the terminals into literal texts and the patterns of other kinds of token.
+
+    Literal texts are keywords, in lower case, and operators.
+    """
     literals, classes = {}, {}
     for terminal in lark.terminals:
         if terminal.name in lark.ignore_tokens:
@@ -153,24 +164,30 @@ def _terminals(lark: Lark) -> tuple[dict[str, str], dict[str, str]]:
 
 
 def _spellings(lark: Lark) -> dict[str, str]:
-    """From the kind of a fixed token to its text as the grammar spells it, for messages and completion."""
+    """Map the kind of a fixed token to its spelling, for messages and completion."""
     return {str(each.name): each.pattern.value for each in lark.terminals if each.pattern.type == "str"}
 
 
 def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str]) -> tuple[str, str]:
-    """One pattern for every token, without and with continued lines; words are told apart afterwards."""
+    """Return a pattern that matches any token, without and with continued lines.
+
+    Keywords are recognized afterwards.
+    """
     ignored = {
         each.name: each.pattern.to_regexp() for each in lark.terminals if each.name in lark.ignore_tokens
     }
     operators = [re.escape(text) for text in literals if len(text) > 1 and not text[0].isalpha()]
     found = "|".join([_signs(literals, classes), *classes.values(), *operators, _LEFTOVERS])
     blank = ignored.pop("BLANK")
-    some = re.sub(r"(?<=\])\+\+$", "*+", blank)  # of one set of characters, any number: no group is as quick
+    some = re.sub(r"(?<=\])\+\+$", "*+", blank)  # no group repeats a set of characters as fast
     return f"{some}({found})", f"(?:{'|'.join([blank, *ignored.values()])})*({found})"
 
 
 def _signs(literals: dict[str, str], classes: dict[str, str]) -> str:
-    """The set of the signs with which no other token begins: they are the most frequent, and need one look."""
+    """Return the set of one-character tokens with which no other token begins.
+
+    These are the most frequent tokens; a set matches them in one step.
+    """
     others = [text[0] for text in literals if len(text) > 1]
     firsts = [re.compile(_FIRST.match(pattern)[0]) for pattern in classes.values()]  # type: ignore[index]
     alone = [
@@ -182,7 +199,7 @@ def _signs(literals: dict[str, str], classes: dict[str, str]) -> str:
 
 
 def main() -> int:
-    """Write the tables of every dialect that says, in an `actions` module, what its grammar builds."""
+    """Write the tables of every dialect whose `actions` module defines a tree."""
     for file in sorted(glob(os.path.join(ROOT, "*", "syntax", "actions.py"))):
         package = os.path.basename(os.path.dirname(os.path.dirname(file)))
         with replacing(os.path.join(ROOT, package, "syntax", "tables.py")) as tables:

@@ -1,8 +1,8 @@
-"""The stack of the table parser as a linked list, for texts that are wrong.
+"""The parser's stack as a linked list, for texts with mistakes.
 
-`motionlang.lang.parsing.parser` parses at full speed and forgets how it came to where it stands. Here nothing is
-forgotten: a stack is a `Cell`, feeding a token makes a new one, and the old one is still good. So a mistake
-is undone by keeping the cell from before it, and "what could stand here" is found by trying.
+`motionlang.lang.parsing.parser` parses at full speed and does not record how it reached its state. Here every
+state is preserved: a stack is an immutable `Cell`, and feeding a token makes a new one. To undo a mistake, go
+back to the cell before it. To find which tokens may come next, try each of them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 
 
 class Cell:
-    """A stack: its top symbol (a kind of token or a rule), the first token of that, and what lies below."""
+    """A stack: its top symbol, the first token of that symbol, and the stack below.
+
+    The symbol is a kind of token or a rule.
+    """
 
     __slots__ = ("at", "below", "depth", "state", "symbol")
 
@@ -26,7 +29,7 @@ class Cell:
         self.depth: int = below.depth + 1 if below else 0
 
     def __iter__(self) -> Iterator[Cell]:
-        """The cells from the top down."""
+        """Iterate over the cells from the top down."""
         cell: Cell | None = self
         while cell:
             yield cell
@@ -39,7 +42,10 @@ def empty(tables: Automaton) -> Cell:
 
 
 def feed(top: Cell, kind: str, at: int) -> tuple[Cell, bool]:
-    """Reduce and shift; when the token does not fit, the stack as far reduced as it goes, and False."""
+    """Reduce and shift a token; return the new stack and True if the token fits.
+
+    If it does not fit, return the stack after all possible reductions, and False.
+    """
     while True:
         action = top.state.step(kind)
         if isinstance(action, State):
@@ -60,7 +66,7 @@ def _reduced(top: Cell, rule: Rule, at: int) -> Cell:
 
 
 def feed_all(top: Cell, kinds: tuple[str, ...], at: int) -> Cell | None:
-    """Feed made-up tokens that stand at `at`; None when they do not fit."""
+    """Feed synthetic tokens at `at`; return None if they do not fit."""
     for kind in kinds:
         top, fits = feed(top, kind, at)
         if not fits:

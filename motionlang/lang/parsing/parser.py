@@ -1,14 +1,14 @@
-"""The table parser: runs the LALR tables that `motionlang.lang.parsing.generate` made from a `.lark` file.
+"""The table parser, which runs the LALR tables that `generate` writes.
 
-It exists because Lark's own driver, exact as it is, is ten times slower and costs 40 ms at start-up. Lark
-still decides everything: which states there are, what they shift and what they reduce. What is done here:
+Lark's own driver is exact, but ten times slower, and it costs 40 ms at start-up. Lark still decides which
+states there are, what they shift and what they reduce. This module does the rest:
 
-* the text is cut up by one `re.findall`; a token's kind is looked up once for every distinct text;
-* a state is read from its row of the table when first visited, and what it does is a look into a dict from then on;
-* a run of symbols that are only renamed (an operand climbs eleven levels of operators) is worked out once for each
-  (state, kind, state below) and is one dict lookup from then on;
-* the loop itself is written for the grammar (`motionlang.lang.parsing.driver`). The value of a token is its ordinal, so
-  that every node knows where it stands at no cost; its text is `texts[ordinal]`.
+* One `re.findall` splits the text; the kind of a token is looked up once for every distinct text.
+* A state is read from its row of the table on the first visit; from then on each of its actions is a dict lookup.
+* A sequence of symbols that are only renamed (an operand climbs eleven levels of operators) is resolved once for
+  each (state, kind, state below) and is one dict lookup from then on.
+* The loop itself is generated for the grammar (`motionlang.lang.parsing.driver`). The value of a token is its
+  ordinal, so that every node knows its position at no cost; its text is `texts[ordinal]`.
 """
 
 from __future__ import annotations
@@ -22,33 +22,37 @@ if TYPE_CHECKING:
     from typing import Any
 
     Moves = dict[str, Any]
-    # The stack below its topmost value, the moves of the state there, and that value: None below the first.
+    # The stack below its topmost value, the moves of its state, and that value. None is the stack below the
+    # first.
     Stack = Any
-    # From the stack, the moves of the state on it, the topmost value and the texts of the tokens to stack and value.
+    # Takes the stack, the moves of its top state, the topmost value and the texts of the tokens; returns the
+    # stack and the new topmost value.
     Reducer = Callable[[Stack, Moves, Any, list[str]], tuple[Stack, Any]]
-    # Number of symbols, name of the left side, reducer: None where the value stays as it is, a code where the driver
-    # makes it itself.
+    # Number of symbols, name of the left side, and the reducer: None if the value stays unchanged, a code if
+    # the driver has inlined the reduction.
     Rule = tuple[int, str, Reducer | int | None]
     Driver = Callable[[Moves, list[str], list[str]], Any]
 
 END = "$END"  # Lark's name for the end of the text
-BAD = "BAD"  # the kind of a token that no grammar knows
+BAD = "BAD"  # the kind of a token that is in no grammar
 CONTINUING = (
     "_ ",
     "_\t",
     "_\n",
     "_'",
-)  # what the end of a line that goes on may begin with, besides a backslash
-new = object.__new__  # for the reducers, which fill in what they make
+)  # how a line continuation may begin, apart from a backslash
+new = object.__new__  # for the reducers, which fill in the nodes that they make
 
-# What a state does on a kind of token is a code and what goes with it:
-SHIFT = -1  # the moves of the state that follows
-LEAF = -2  # a shift to what the token after it may show to be a value by itself: what `leaf` knows of that
-CALL = 99  # a reducer to be called, and the key of the reduction; the codes below it are reductions of the driver's own
+# The action of a state on a kind of token is a code with an argument:
+SHIFT = -1  # the argument is the moves of the next state
+LEAF = (
+    -2
+)  # a shift where the next token may show that this one is a value by itself; the argument is for `leaf`
+CALL = 99  # call a reducer; the argument is the reduction's key. Lower codes are reductions inlined in the driver
 
 
 class Stuck(Exception):
-    """No action for a token: a mistake in the text."""
+    """No action exists for a token: the text has a mistake."""
 
 
 class TooDeep(Exception):
@@ -56,10 +60,11 @@ class TooDeep(Exception):
 
 
 class State:
-    """What to do on a kind of token, and where to go after a reduction.
+    """The actions on each kind of token, and the transitions after reductions.
 
-    `moves` is what the driver has met of both by now, a plain dict, as it is looked into at every token: what is done
-    on a kind under the kind, what comes after a reduction that began here under its key, and the state itself under "".
+    `moves` caches those that the driver has met so far. It is a plain dict, because the driver reads it at
+    every token. It has the action on a kind under that kind, the transition after a reduction that began here
+    under the key of the reduction, and the state itself under "".
     """
 
     __slots__ = ("_actions", "_row", "default", "moves", "number", "tables")
@@ -71,21 +76,24 @@ class State:
         self.moves: Moves = {"": self}
 
     def step(self, kind: str) -> State | Rule | None:
-        """The state that a kind of token is shifted to, the rule that is reduced on it, None where it does not fit."""
+        """Return the state to shift to, the rule to reduce by, or None for a wrong kind."""
         if self._row:
             self._fill()
         return self._actions.get(kind, self.default)
 
     def after(self, rule: Rule) -> State:
-        """The state after a reduction by a rule that began here."""
-        return self._actions[rule[1]]  # type: ignore[return-value]  # what began here has been read
+        """Return the state after a reduction by a rule that began here."""
+        return self._actions[rule[1]]  # the beginning of the rule has been read
 
     def end(self) -> None:
         """Shift the end of the text like any token."""
         self._actions[END] = self
 
     def _fill(self) -> None:
-        """Read the row: `target=kind,kind …`, a target being a state, a rule `r5` or the default rule `d5`."""
+        """Read the row: `target=kind,kind …`.
+
+        A target is a state, a rule such as `r5`, or the default rule, such as `d5`.
+        """
         row, self._row = self._row, ""
         tables, actions = self.tables, self._actions
         for entry in row.split():
@@ -98,11 +106,11 @@ class State:
                 actions.update(dict.fromkeys(kinds.split(","), tables.states[int(target)]))
 
 
-# The driver calls these three where it meets something for the first time.
+# The driver calls these three functions when it meets a case for the first time.
 
 
 def move(moves: Moves, kind: str) -> tuple[int, Any]:
-    """What to do on a kind; what does not fit is shifted to where nothing fits."""
+    """Return the action on a kind; a kind that does not fit shifts to a dead state."""
     if not moves:
         raise Stuck
     state: State = moves[""]
@@ -125,12 +133,12 @@ def _reduction(tables: Automaton, rule: Rule, kind: str) -> tuple[int, Any]:
 
 
 def _same(stack: Stack, moves: Moves, top: Any, texts: list[str]) -> tuple[Stack, Any]:
-    """The reducer of a symbol that is only renamed."""
+    """Leave the value unchanged: the reducer of a symbol that is only renamed."""
     return stack, top
 
 
 def goto(below: Moves, key: str) -> tuple[Moves, int, Any]:
-    """The state after a reduction and what it does, past all symbols that are only renamed."""
+    """Return the state after a reduction and its action, past all renamed symbols."""
     state: State = below[""]
     rule, kind = state.tables.reductions[key]
     while True:
@@ -144,7 +152,10 @@ def goto(below: Moves, key: str) -> tuple[Moves, int, Any]:
 
 
 def leaf(target: dict[str, Any], kind: str) -> tuple[int, Moves, int, Any]:
-    """What the kind after a token shows: which value it is by itself, or 0, the state after it and what that does."""
+    """Return the value that a token is by itself, as the kind after it shows.
+
+    Returns its number or 0, the state after it and the action of that state.
+    """
     state, action, own = target[""]
     number, reducer = state.tables.leaves[own]
     rule = action.step(kind)
@@ -157,7 +168,7 @@ def leaf(target: dict[str, Any], kind: str) -> tuple[int, Moves, int, Any]:
 
 
 class Kinds(dict[str, str]):
-    """From the text of a token to its kind; a text is looked at once."""
+    """Map of the text of a token to its kind, computed once per text."""
 
     __slots__ = ("_classes", "_literals", "limit")
 
@@ -177,13 +188,16 @@ class Kinds(dict[str, str]):
         return BAD if text else END
 
     def trim(self) -> None:
-        """Forget, lest a long session that parses many programs keep every number it ever saw."""
+        """Clear the map if it is too large.
+
+        A long session that parses many programs would otherwise retain every number it ever saw.
+        """
         if len(self) > self.limit:
             self.clear()
 
 
 class Automaton:
-    """The LALR(1) table of a grammar: its states, and the kinds of token that they tell apart."""
+    """The LALR(1) table of a grammar: its states and kinds of token."""
 
     def __init__(self, kinds: Iterable[str], rules: Iterable[Rule], rows: Iterable[str], finish: int) -> None:
         self.kinds = {*kinds, END}
@@ -191,14 +205,14 @@ class Automaton:
         self.states = [State(self, number, row) for number, row in enumerate(rows)]
         self.start = self.states[0]
         self.states[finish].end()
-        # The kinds of token that may be a value by themselves: the number and the reducer of that.
+        # The kinds of token that may be values by themselves, with the number and the reducer of each.
         self.leaves: dict[str, tuple[int, Reducer]] = {}
-        # The reductions that the driver has met, each a rule on a kind of token, by their keys.
+        # The reductions that the driver has met, by key: a rule on a kind of token.
         self.reductions: dict[str, tuple[Rule, str]] = {}
 
 
 class Tables(Automaton):
-    """A grammar at work: the table, what cuts a text into tokens, and what the rules make of them."""
+    """A grammar ready to run: its table, its token patterns and its reducers."""
 
     def __init__(
         self,
@@ -218,17 +232,20 @@ class Tables(Automaton):
         self._token: re.Pattern[str] | None = None
         self._continued: re.Pattern[str] | None = None
         self.kind_of = Kinds(literals, classes)
-        self._asked = "", False  # the last text that `continues` was asked for, and the answer
+        self._asked = "", False  # the last argument of `continues`, and its result
 
     def continues(self, text: str) -> bool:
-        """May the text have lines that go on in the next one? The pattern that knows of them is slower."""
+        """True if lines of the text may continue on the next line.
+
+        The pattern that supports continued lines is slower.
+        """
         if text is not self._asked[0]:
             found = "\\" in text or text.endswith("_") or any(sign in text for sign in CONTINUING)
             self._asked = text, found
         return self._asked[1]
 
     def pattern(self, text: str) -> re.Pattern[str]:
-        """What cuts up a text."""
+        """Return the pattern that splits a text into tokens."""
         if self.continues(text):
             if self._continued is None:
                 self._continued = re.compile(self.continued, re.ASCII)
@@ -238,21 +255,24 @@ class Tables(Automaton):
         return self._token
 
     def end(self, text: str) -> str:
-        """What ends the last line of a text, even if that would go on in a next one."""
+        """Return the text that ends the last line, even if that line is to be continued."""
         return "\n\n" if self.continues(text) else "" if text.endswith("\n") else "\n"
 
     def matches(self, text: str) -> Iterator[re.Match[str]]:
-        """The tokens one by one; the text of each is group 1."""
+        """Iterate over the tokens; group 1 is the text of each."""
         return self.pattern(text).finditer(text + self.end(text))
 
     def texts(self, text: str) -> list[str]:
-        """The tokens of a text, with an empty one for its end; the last line need not be ended."""
+        """Return the tokens of a text, with an empty one for its end.
+
+        The last line need not end with a line break.
+        """
         texts: list[str] = self.pattern(text).findall(text + self.end(text))
         texts.append("")
         return texts
 
     def spans(self, text: str) -> list[tuple[int, int]]:
-        """The offsets of the tokens that `texts` returns, those made up for the end left out."""
+        """Return the offsets of the tokens of `texts`, without those added for the end."""
         return [match.span(1) for match in self.matches(text)]
 
     def kinds_of(self, texts: list[str]) -> list[str]:
@@ -263,7 +283,7 @@ class Tables(Automaton):
     def parse(self, texts: list[str], kinds: list[str]) -> Any:
         """The value of the start rule; raises `Stuck` or `TooDeep`."""
         collecting = gc.isenabled()
-        gc.disable()  # a tree has no cycles, and the collector would look at it again and again
+        gc.disable()  # a tree has no cycles, and the collector would scan it again and again
         try:
             return self._driver(self.start.moves, [*kinds, END], texts)
         finally:

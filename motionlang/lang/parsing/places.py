@@ -1,7 +1,7 @@
-"""From the ordinal of a token to its line and column, worked out when somebody asks.
+"""From the ordinal of a token to its line and column, computed on demand.
 
-A tree carries ordinals because they cost nothing to make. The compiler asks for lines, which need one look at
-the texts of the tokens; columns are wanted for messages only, and for them the text is cut up once more.
+A tree stores ordinals, because they cost nothing to make. The compiler needs lines, which take one pass over
+the texts of the tokens. Only messages need columns; to find them the text is split into tokens again.
 """
 
 from __future__ import annotations
@@ -22,21 +22,23 @@ _SIGNS = frozenset("+-~")
 
 
 class Places:
-    """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
+    """Positions of the tokens of a source, from 1; ordinals count from 0."""
 
     __slots__ = ("_lines", "_matches", "_spans", "_tables", "_tokens", "source")
 
     def __init__(self, source: Source, tables: Tables, texts: list[str], kinds: list[str]) -> None:
         self.source = source
         self._tables = tables
-        self._tokens = texts, kinds  # until the lines are known
-        self._spans: list[tuple[int, int]] = []  # those of the first tokens, and what finds the others
+        self._tokens = texts, kinds  # until the lines are computed
+        self._spans: list[
+            tuple[int, int]
+        ] = []  # those of the first tokens, and the iterator that finds the others
         self._matches: Iterator[re.Match[str]] | None = None
-        self._lines: list[int] = []  # the line of each token, and of what follows the last one
+        self._lines: list[int] = []  # the line of each token, and of the text after the last one
 
     @property
     def continues(self) -> bool:
-        """May lines of the source go on in the next one?"""
+        """True if lines of the source may continue on the next line."""
         return self._tables.continues(self.source.text)
 
     def line(self, at: int) -> int:
@@ -68,7 +70,10 @@ class Places:
         return self.source.text[start:end]
 
     def value_length(self, at: int) -> int:
-        """The number of characters of the value that begins with a token: of its signs, too, and of a `(…)`."""
+        """Return the length of the value that begins with a token.
+
+        The value includes its signs and a parenthesised expression.
+        """
         start, last = self.span(at)[0], at
         while self.text(last) in _SIGNS:
             last += 1
@@ -78,7 +83,10 @@ class Places:
         return end - start if "\n" not in self.source.text[start:end] else self.length(at)
 
     def _closing(self, at: int) -> int:
-        """The bracket that closes the one at a token; the token itself where none does on its line."""
+        """Return the bracket that closes the one at a token.
+
+        Returns the token itself if no bracket on its line does.
+        """
         depth, last = 0, at
         while (piece := self.text(last)) and "\n" not in piece:
             depth += (piece == "(") - (piece == ")")
@@ -88,7 +96,10 @@ class Places:
         return at
 
     def span(self, at: int) -> tuple[int, int]:
-        """The offsets at which a token begins and ends; of one past the last, the end of the text."""
+        """Return the start and end offsets of a token.
+
+        Past the last token, both are the end of the text.
+        """
         spans = self._spans
         if at >= len(spans):
             if self._matches is None:
@@ -104,7 +115,7 @@ class Places:
             return
         lines, line, begin = self._lines, 1, 0
         try:
-            while True:  # a run of tokens on one line is one step
+            while True:  # all tokens of one line take one step
                 end = kinds.index("_NL", begin) + 1
                 lines += [line] * (end - begin)
                 line += texts[end - 1].count("\n")
@@ -113,7 +124,7 @@ class Places:
             lines += [line] * (len(texts) + 1 - begin)
 
     def _lines_from_spans(self) -> None:
-        """Lines that go on in the next one end inside no token, so the offsets have to tell."""
+        """Find the lines by offset, because a continued line ends inside no token."""
         self.span(maxsize - 1)
         text, line, before = self.source.text, 1, 0
         for start, _ in self._spans:

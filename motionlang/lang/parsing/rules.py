@@ -1,4 +1,7 @@
-"""From the rules of a grammar and their actions to reducers: a function for every shape of an alternative."""
+"""From the rules of a grammar and their actions to reducers.
+
+Each distinct shape of an alternative has one function.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +19,11 @@ if TYPE_CHECKING:
 
 
 class Rules:
-    """Numbers the rules in the order in which they are met, and writes their reducers, where there are actions.
+    """Number the rules in the order in which they are met, and write their reducers.
 
-    Of the first shape of each action in `inlined` the lines are kept for the driver instead. `leaves` are the actions
-    of tokens that are values by themselves, whose lines the driver has, too.
+    Without actions there are no reducers. For the first shape of each action in `inlined` the lines are
+    stored for the driver instead. `leaves` are the actions of tokens that are values by themselves; the
+    driver has their lines, too.
     """
 
     def __init__(
@@ -35,25 +39,26 @@ class Rules:
         )
         self.rows: list[str] = []
         self.functions: list[str] = []
-        # What the driver does itself: the lines of each inlined action, and the lines and the reducer of each leaf.
+        # Actions that the driver carries out itself: the lines of each inlined action, and the lines and the
+        # reducer of each leaf.
         self.inlined: dict[str, list[str]] = {action: [] for action in inlined}
         self.leaves: dict[str, tuple[list[str], str]] = dict.fromkeys(leaves, ([], ""))
         self._numbers: dict[Any, int] = {}
         self._written: dict[tuple[str, ...], str] = {}
 
     def number(self, rule: Any) -> int:
-        """The number of a rule of Lark's."""
+        """Return the number of a rule of Lark's."""
         if rule not in self._numbers:
             self._numbers[rule] = len(self.rows)
             self.rows.append(f"({len(rule.expansion)}, {str(rule.origin.name)!r}, {self._reducer(rule)})")
         return self._numbers[rule]
 
     def identity(self, rule: Any) -> bool:
-        """Does the rule have one symbol, whose value stays as it is?"""
+        """True if the rule has one symbol, whose value stays unchanged."""
         return len(rule.expansion) == 1 and rule.options.expand1 and not rule.alias
 
     def _reducer(self, rule: Any) -> str:
-        """The name of the function that does a rule's action, written once for every shape of it."""
+        """Return the name of the reducer of a rule, which is written once per shape."""
         length = len(rule.expansion)
         if self.actions is None or self.identity(rule):
             return "None"
@@ -80,7 +85,7 @@ class Rules:
         return name
 
     def _expression(self, rule: Any, alias: str) -> str:
-        """The action with its `v…` counted over the symbols that are there."""
+        """Return the action, with `v…` counting only the symbols that are present."""
         present = rule.options.empty_indices or (False,) * len(rule.expansion)
         places: list[str] = []
         symbols = iter(range(len(rule.expansion)))
@@ -93,7 +98,10 @@ class Rules:
         return re.sub(r"\bv(\d+)", lambda found: places[int(found[1])], self.actions[alias])
 
     def _body(self, expression: str, length: int) -> list[str]:
-        """The lines that make `top` of `length` values; none where it is the only one of them."""
+        """Return the lines that make `top` from `length` values.
+
+        There are no lines if the only value stays unchanged.
+        """
         append = expression.startswith("+ ")
         value = expression.removeprefix("+ ")
         if value == "v0" and length == 1:
@@ -104,7 +112,10 @@ class Rules:
         return [*made, f"top = {'n' if made else value}"]
 
     def _made(self, value: str) -> list[str]:
-        """What a call of a node's class does, written out, which is a third quicker; nothing for other values."""
+        """Return the body of a node's constructor inlined, which is a third faster.
+
+        Returns no lines for any other value.
+        """
         call = ast.parse(value, mode="eval").body
         if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
             return []
@@ -118,7 +129,10 @@ class Rules:
 
 
 def _fields(cls: type) -> list[tuple[str, Any]]:
-    """The parameters of a class that keeps each of them under its own name and does nothing else, with defaults."""
+    """Return the parameters, with defaults, of a class that only stores each of them.
+
+    Each parameter must be stored under its own name.
+    """
     if "__init__" not in vars(cls):
         return []
     fields = [(each.name, each.default) for each in signature(cls).parameters.values()]
@@ -130,10 +144,10 @@ def _fields(cls: type) -> list[tuple[str, Any]]:
 
 
 def _used(lines: list[str]) -> set[int]:
-    """The values that some lines read."""
+    """Return the indexes of the values that the lines read."""
     return {int(digits) for digits in re.findall(r"\bv(\d+)", "\n".join(lines))}
 
 
 def _with_top(lines: list[str], length: int, name: str = "top") -> list[str]:
-    """The same with the topmost value under the name that it has there."""
+    """Return the lines with the topmost value under its own name."""
     return [re.sub(rf"\bv{length - 1}\b", name, line) for line in lines]

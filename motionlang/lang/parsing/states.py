@@ -1,8 +1,9 @@
-"""From Lark's LALR(1) table to rows of text: states in a fixed order, each with a default reduction.
+"""From Lark's LALR(1) table to rows of text, in a fixed order.
 
-With a default the table is a quarter of the size, and a mistake is found when what stands before it has been
-made whole, so that "expected" lists what a reader would. Lark numbers states as its sets fall; here they are
-numbered in the order in which they are reached, so that the same grammar gives the same text.
+Each state has a default reduction. This makes the table a quarter of the size. A mistake is then found after
+the text before it has been fully reduced, so that "expected" lists what a reader would. Lark numbers states
+by the order of its sets, which varies. Here they are numbered in the order in which they are reached, so that
+the same grammar always gives the same text.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class States:
-    """The rows of a table, `start` first; `finish` is the state in which the text may end."""
+    """The rows of a table, beginning with `start`; the text may end in state `finish`."""
 
     def __init__(self, table: Any, rules: Rules) -> None:
         self._states = table.states
@@ -32,7 +33,10 @@ class States:
         self.finish = self._numbers[table.end_states["start"]]
 
     def _write_all(self) -> None:
-        """Write the rows in the order in which their states are numbered, which numbers further ones."""
+        """Write the rows in the order of their numbers.
+
+        Each row may number further states.
+        """
         while len(self.rows) < len(self._numbers):
             self.rows.append(self._row(self._states[list(self._numbers)[len(self.rows)]]))
 
@@ -40,7 +44,10 @@ class States:
         return self._numbers.setdefault(state, len(self._numbers))
 
     def _renaming(self) -> dict[int, str]:
-        """The states that can only rename one symbol: a shift to one goes on to where the renaming leads."""
+        """Map each state that can only rename one symbol to its new name.
+
+        A shift to such a state continues where the renaming leads.
+        """
         found = {}
         for state, actions in self._states.items():
             rules = {rule for kind, rule in actions.values() if kind is not Shift}
@@ -51,7 +58,11 @@ class States:
         return found
 
     def _row(self, actions: dict[str, tuple[Any, Any]]) -> str:
-        """`state=kind,kind` for shifts and what follows reductions, `r5=kind` for a rule, `d5` for the default."""
+        """Return the row of a state.
+
+        A row has `state=kind,kind` for shifts and for transitions after reductions, `r5=kind` for a rule and
+        `d5` for the default.
+        """
         default = self._default(actions)
         entries: dict[str, list[str]] = {}
         for symbol, (kind, target) in sorted(actions.items()):
@@ -65,6 +76,6 @@ class States:
         return " ".join([*row, f"d{self.rules.number(default)}"] if default else row)
 
     def _default(self, actions: dict[str, tuple[Any, Any]]) -> Any:
-        """The rule most kinds reduce by; among equals, the first by its symbols."""
+        """Return the rule that most kinds reduce by; in a tie, the first by its symbols."""
         counts = Counter(rule for kind, rule in actions.values() if kind is not Shift)
         return min(counts, key=lambda rule: (-counts[rule], str(rule)), default=None)
