@@ -1,1 +1,1 @@
-"""The machine file, and the machine that is made of it."""
+"""The machine file and the machine built from it."""

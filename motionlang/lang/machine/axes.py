@@ -1,4 +1,4 @@
-"""The axes that a machine file speaks of, against those that the controller has."""
+"""Check that the axes in a machine file exist on its controller."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ if TYPE_CHECKING:
 
 
 def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[Diagnostic]:
-    """A diagnostic for every key and entry whose axis is not one of the `axes` that count from `first`."""
+    """Return a diagnostic for each key and entry whose axis does not exist.
+
+    The axes are numbered from `first`; there are `axes` of them.
+    """
     hint = f"the axes are {first} to {first + axes - 1}; controller.axes says how many there are"
     return [
         Diagnostic("machine-file", f"{where}: there is no axis {axis}", hint=hint)
@@ -20,7 +23,7 @@ def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[
 
 
 def _named(settings: Mapping[str, object]) -> Iterator[tuple[str, int]]:
-    """Where the settings name an axis, and which."""
+    """Iterate over the axes that the settings name, each after its key or table."""
     for key, value in settings.items():
         parts = key.split(".")
         if parts[0] == "axis" and len(parts) > 2:

@@ -1,6 +1,6 @@
-"""The machine file, read and checked against its vocabulary.
+"""Reading of machine files, checked against the vocabulary.
 
-A key that does not exist, or a value of the wrong kind, is a diagnostic with its line.
+An unknown key, or a value of the wrong kind, is a diagnostic with its line.
 """
 
 from __future__ import annotations
@@ -36,11 +36,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-# A dotted key of so many parts lies deeper than any of the vocabulary.
+# Every key of the vocabulary has fewer parts than this.
 _DEEPEST = 5
-# Of more parts Python's reader is not asked: it remembers every beginning of a key, 1.6 GB for one of 20 000 parts.
+# A key with more parts is rejected before Python's reader sees it. The reader stores every prefix of a key,
+# which takes 1.6 GB for one of 20 000 parts.
 _MOST_PARTS = 1000
-# So many brackets are open at once in no machine file.
+# No valid machine file has more brackets open at once.
 _MOST_OPEN = 100
 _QUOTED = r'''"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|#[^\n]*'''
 _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
@@ -48,7 +49,10 @@ _LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MOST_PARTS}}}"
 
 
 def read_machine(source: Source) -> dict[str, object]:
-    """The settings of a machine file by their dotted keys, tables as lists; ProgramError with every mistake."""
+    """Return the settings of a machine file by dotted key, with tables as lists.
+
+    Raises ProgramError with every mistake.
+    """
     tree = read_toml(source)
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
@@ -68,7 +72,10 @@ def read_machine(source: Source) -> dict[str, object]:
 
 
 def read_toml(source: Source) -> dict[str, object]:
-    """A machine file as TOML has it, nothing of it checked; ProgramError where it is none."""
+    """Return the parsed TOML of a machine file, unchecked.
+
+    Raises ProgramError if the text is not TOML.
+    """
     import tomllib
 
     if source.text.count(".") >= _MOST_PARTS:
@@ -85,12 +92,12 @@ def read_toml(source: Source) -> dict[str, object]:
 
 
 def read_value(text: str) -> object:
-    """One value as a machine file has it; ProgramError where it is none."""
+    """Return one value written as in a machine file; raise ProgramError if invalid."""
     return read_toml(Source("value", f"value = {text}"))["value"]
 
 
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
-    """What is wrong with one plain setting, and a hint; None when nothing is."""
+    """Return the problem of one plain setting and a hint, or None if it is valid."""
     row = KEYS.get(_generic(key))
     if row is None and _generic(key).startswith(SERVO):
         from motionlang.servo import settings as servo
@@ -117,7 +124,10 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
 
 
 def first_mistake(settings: Mapping[str, object]) -> str:
-    """What is wrong with settings that a program gives, and a hint; empty when nothing is."""
+    """Return the first problem of settings that a program gives, with a hint.
+
+    Returns an empty text if all are valid.
+    """
     for key, value in settings.items():
         for message, hint, *_ in _problems(key, value):
             return f"{message} ({hint})"
@@ -125,7 +135,10 @@ def first_mistake(settings: Mapping[str, object]) -> str:
 
 
 def _problems(key: str, value: object) -> Iterator[tuple[str, str, str, int]]:
-    """Message, hint, the name to look for and in which entry, of each mistake in one key or table."""
+    """Iterate over the mistakes in one key or table.
+
+    Each has a message, a hint, the name to search for in the file and the index of its entry.
+    """
     if key not in TABLES:
         problem = check_setting(key, value)
         if problem is not None:
@@ -174,7 +187,7 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
 
 
 def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
-    """An entry comes about in one way: by time, by a position, by a line, or by an output."""
+    """Check that an entry has one trigger: a time, a position, a line or an output."""
     where = [name for name in ("above", "below", "between", "line", "output") if name in entry]
     if len(where) > 1 or (where and "at" in entry):
         ways = (
@@ -190,7 +203,7 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
 
 
 def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
-    """What comes again must be over before it does."""
+    """Check that a repeated entry ends before it begins again."""
     every, between, length = entry.get("every"), entry.get("between"), entry.get("for")
     if every is None or "times" not in entry:
         yield "[[input]] needs every and times together", "every = 0.5, times = 20", "[[input]]"
@@ -225,7 +238,7 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
 
 
 def _expect_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
-    """An entry expects one thing, and says of it what can be said."""
+    """Check that an entry expects one thing and has only keys that go with it."""
     what = [name for name in EXPECTED if name in entry]
     if len(what) != 1:
         yield f"[[expect]] expects one thing: {', '.join(EXPECTED)}", "write an entry for each", "[[expect]]"
@@ -296,7 +309,7 @@ def _is_pair(value: object) -> bool:
 
 
 def _are_registers(value: object) -> bool:
-    """Words, signed or not, by the numbers of their registers."""
+    """True if the value maps register numbers to words, signed or unsigned."""
     return isinstance(value, dict) and all(
         _is_number(str(name))
         and int(name) <= LAST_REGISTER
@@ -307,12 +320,15 @@ def _are_registers(value: object) -> bool:
 
 
 def _is_number(text: str) -> bool:
-    """Whether a part of a key is a number as it is written: no zero before it, and no more digits than anything has."""
+    """True if a segment of a key is a number of at most 6 digits, no leading zeros."""
     return text.isascii() and text.isdigit() and len(text) <= 6 and (text == "0" or text[0] != "0")
 
 
 def _generic(key: str) -> str:
-    """`axis.3.travel` as the table has it."""
+    """Return the key as the table spells it.
+
+    For example, `axis.3.travel` is `axis.N.travel`.
+    """
     parts = key.split(".")
     if parts[0] == "axis" and len(parts) > 2 and _is_number(parts[1]):
         parts[1] = "N"
@@ -324,7 +340,7 @@ def _generic(key: str) -> str:
 
 
 def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
-    """The values by their dotted keys; what lies deeper than any key has no key of its own."""
+    """Iterate over the values by dotted key; tables nested too deep stay whole."""
     for key, value in tree.items():
         if isinstance(value, dict) and prefix.count(".") < _DEEPEST:
             yield from _flatten(value, f"{prefix}{key}.")
@@ -333,10 +349,11 @@ def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str
 
 
 def _located(source: Source, key: str, message: str, hint: str, name: str, entry: int = 0) -> Diagnostic:
-    """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it.
+    """Return the diagnostic on the line of the mistake, found by the file's spelling.
 
-    Of a table it is looked for in one entry, whose `[[key]]` stands in where the line is not found; of a section or of
-    what lies too deep, the first line of it.
+    A mistake in a table is searched for in one entry. If its line is not found, the diagnostic has the line
+    of that entry's `[[key]]`. A mistake in a section, or in a value nested too deep, has the first line of
+    the section.
     """
     here, seen = "", -1
     place = 0, 0, 1
@@ -382,7 +399,7 @@ def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
 
 
 def _too_many_digits(source: Source) -> Diagnostic:
-    """A number that is longer than any that Python reads."""
+    """Return the diagnostic for a number with more digits than Python reads."""
     import re
 
     digits = re.search("[0-9_]{1000,}", source.text)
@@ -391,7 +408,10 @@ def _too_many_digits(source: Source) -> Diagnostic:
 
 
 def _refuse_nesting(source: Source) -> None:
-    """Raise ProgramError where more brackets are open than any value has, in strings and comments excepted."""
+    """Raise ProgramError if too many brackets are open.
+
+    Brackets in strings and comments do not count.
+    """
     import re
 
     plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
@@ -404,7 +424,7 @@ def _refuse_nesting(source: Source) -> None:
 
 
 def _deepest(text: str) -> tuple[int, int]:
-    """How many brackets are open at most, and where."""
+    """Return the largest number of open brackets and the offset at which it occurs."""
     open_now, most, place = 0, 0, 0
     for offset, letter in enumerate(text):
         open_now += (letter in "[{") - (letter in "]}")

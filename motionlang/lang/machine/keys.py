@@ -1,7 +1,7 @@
-"""The vocabulary of the machine file: every key and every table, with its kind and its help.
+"""The vocabulary of the machine file: all keys and tables, with kind and help.
 
-`machine.toml` has plain keys (`controller.axes`), keys of an axis (`axis.0.travel`, `N` in the table) and tables of
-things that happen (`[[input]]`). Every key has a default.
+`machine.toml` has plain keys (`controller.axes`), keys of an axis (`axis.0.travel`, `N` in the table) and
+tables of events (`[[input]]`). Every key has a default.
 """
 
 from __future__ import annotations
@@ -76,11 +76,11 @@ KEYS: dict[str, tuple[str, str]] = {
         "`motionlang probe` finds their values.",
     ),
 }
-# The sections of a simulated motor and its loop; their keys are in `servo/settings.py`.
+# The sections of a simulated motor and its servo loop; their keys are in `servo/settings.py`.
 SERVO = ("axis.N.plant.", "axis.N.servo.")
-# The section of a dialect, whose words are the dialect's business.
+# The section of a dialect, whose keys the dialect checks.
 OF_DIALECTS = ("mint.readings.",)
-# Tables of things that happen: table -> key -> (kind, help).
+# Tables of events: table -> key -> (kind, help).
 _WHEN = {
     "at": ("time", "When this happens, in seconds of machine time."),
     "axis": ("channel", "The axis whose position triggers the entry."),
@@ -248,7 +248,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "diagnostic": ("text", "The code of an error that the run ends with, such as never."),
     },
 }
-# What an entry of [[expect]] is about: one of these, with what else may stand beside it.
+# The subject of an [[expect]] entry: exactly one of these keys, with the keys that it allows alongside.
 EXPECTED: dict[str, tuple[str, ...]] = {
     "prints": ("after", "before"),
     "never_prints": ("after", "before"),
@@ -279,8 +279,8 @@ REQUIRED = {
     "dpr": ("address",),
     "expect": (),
 }
-# What an entry of a table is about, with what it is where that is not said: a scenario's stand in the place of those
-# about the same.
+# The keys that identify the subject of an entry, with their defaults. An entry of a scenario replaces the
+# entries of the machine file with the same subject.
 ABOUT: dict[str, dict[str, object]] = {
     "input": {"channel": None},
     "analogue": {"channel": None},
@@ -305,7 +305,7 @@ TERMINALS = (1, 2, 4, 8, 16, 32, 64, 128)
 WIDTHS = ("word", "integer", "float")
 NODE_EVENTS = ("live", "dead", "emergency")
 BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-overrun")
-# What an entry of [[remote]] is about.
+# The keys that identify the subject of a [[remote]] entry.
 OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
 LAST_REGISTER = 65535
 LAST_LINE = 99_999_999

@@ -1,4 +1,7 @@
-"""One machine file on top of another: its keys count, and its entries replace those about the same thing."""
+"""Overlay of one machine file on another.
+
+The keys of the upper file take precedence, and its entries replace those about the same subject.
+"""
 
 from __future__ import annotations
 
@@ -12,9 +15,9 @@ if TYPE_CHECKING:
 
 
 def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[str, object]:
-    """The settings of two machine files: those of `above`, and of `below` what `above` does not speak of.
+    """Merge the settings of two machine files; those of `above` take precedence.
 
-    An entry such as `[[input]]` of channel 3 takes the place of all entries of that channel.
+    An entry such as `[[input]]` of channel 3 replaces all entries of that channel.
     """
     out = dict(below)
     for key, value in above.items():
@@ -27,5 +30,5 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
 
 
 def _about(table: str, entry: Entry) -> tuple[object, ...]:
-    """What an entry is about; numbers that are left out are those that stand for themselves, such as bus 1."""
+    """Return the subject of an entry; a missing number has its default, such as bus 1."""
     return tuple(entry.get(name, otherwise) for name, otherwise in ABOUT[table].items())

@@ -1,4 +1,7 @@
-"""The machine a program runs on: the controller, the terminal, and the world that the machine file describes."""
+"""The machine that a program runs on: controller, terminal and world.
+
+The machine file describes the world.
+"""
 
 from __future__ import annotations
 
@@ -25,17 +28,18 @@ DEFAULT_AXES = 8
 # The number of the terminal that is the console.
 CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
-# The section of the readings that the owner of a controller has found to hold; `switch` says what each may be.
+# The section of the assumptions that the owner of a controller has settled; `switch` defines the values of
+# each.
 READINGS = "readings."
-# Different complaints of a run that are told; of the rest there is nothing new to learn.
+# The number of different diagnostics that a run reports; further ones add nothing new.
 MOST_DIAGNOSTICS = 200
 
 
 class Machine:
-    """A controller with its terminal, and the settings that a language needs to run on it.
+    """A controller with its terminal and the settings that a language needs.
 
-    The controller is built when it is first asked for: a program that moves nothing starts without it. What a
-    dialect wants done to it at power-up it says with `at_power_up`.
+    The controller is built on first use, so a program that moves nothing starts without it. A dialect
+    prepares it at power-up with `at_power_up`.
     """
 
     __slots__ = (
@@ -83,7 +87,7 @@ class Machine:
         get = self.settings.get
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
-        # The readings that this controller has otherwise than chosen, by their names.
+        # The assumptions that this controller settles differently from the default, by name.
         self.readings = {
             key.removeprefix(READINGS): value
             for key, value in self.settings.items()
@@ -100,36 +104,37 @@ class Machine:
         self.log = Log()
         self.log.hurried = self._hurried
         self.terminal = Terminal(self.clock, self.log.prints, show)
-        # What went to other terminals and to serial ports, by their labels.
+        # The output to other terminals and to serial ports, by label.
         self.terminals: dict[str, Terminal] = {}
-        # Whoever is asked for a line of the console as soon as the program wants one; None where nobody is.
+        # Called for a line of the console when the program wants one; None if there is no operator.
         self.ask: Callable[[], str | None] | None = None
-        # What `--set NAME=VALUE` gives to the program's own names.
+        # The values that `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
-        # The words that the program came to and that change nothing here, in their order, with their lines.
+        # The keywords that the program used and that have no effect here, in order of use, with their lines.
         self.without_effect: dict[str, list[int]] = {}
-        # Those that it read and whose value nobody knows, likewise.
+        # The keywords that it read and whose value is assumed, in order of use, with their lines.
         self.assumed: dict[str, list[int]] = {}
-        # What this run could not know of other devices, in the order in which the program met it.
+        # Facts about other devices that this run could not know, in the order in which the program met them.
         self.notes: dict[str, None] = {}
-        # Who can tell what the program has written into other devices, as rows of the report.
+        # Each returns, as rows of the report, the data that the program wrote into other devices.
         self.written: list[Callable[[], list[dict[str, object]]]] = []
-        # Data that outlives the run, where somebody says in which file.
+        # Data that outlives the run, if a file for it is given.
         self.nv: NonVolatile | None = None
-        # What the program did wrong without ending: MCCL answers with a code and goes on.
+        # Mistakes of the program that did not end it: MCCL answers with a code and continues.
         self.diagnostics: list[Diagnostic] = []
         self._told: dict[tuple[object, ...], Diagnostic] = {}
-        # Called with what a person would want to know before the run is over, and what it was called with.
+        # Called with a diagnostic that a person would want before the run is over; all of these are in
+        # `warned`.
         self.warn: Callable[[Diagnostic], object] | None = None
         self.warned: list[Diagnostic] = []
-        # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
+        # Runs the tasks, so that a program can start further ones; set by the code that starts the program.
         self.scheduler: Scheduler | None = None
         if not _is_plain(self.settings):
             self._check_axes()
-            _ = self.controller  # what the world does by time begins at once
+            _ = self.controller  # scheduled events of the world begin at once
 
     def _check_axes(self) -> None:
-        """ProgramError where the settings speak of axes that there are not."""
+        """Raise ProgramError if the settings name axes that do not exist."""
         from motionlang.lang.machine.axes import missing_axes
 
         wrong = missing_axes(self.settings, self._axes, self._first_axis)
@@ -158,7 +163,7 @@ class Machine:
 
     @property
     def world(self) -> World | None:
-        """What the machine file says of the world, None where it says nothing."""
+        """The world that the machine file describes, or None if it describes none."""
         _ = self.controller
         return self._world
 
@@ -170,9 +175,9 @@ class Machine:
             call(self._controller)
 
     def complain(self, diagnostic: Diagnostic) -> None:
-        """Tell of what the program does wrong without ending; equal ones are one, with a count."""
+        """Report a mistake that does not end the program; repeated ones are counted."""
         if not self.diagnostics:
-            self._told.clear()  # whoever took them has told them
+            self._told.clear()  # the caller that cleared the list has reported them
         before = self._told.setdefault(diagnostic.key, diagnostic)
         if before is not diagnostic:
             before.again(self.clock.now)
@@ -183,7 +188,7 @@ class Machine:
             del self._told[diagnostic.key]
 
     def _hurried(self, move: Move, count: int, span: float) -> None:
-        """Tell of a line that starts motion after motion and waits for none."""
+        """Warn about a line that starts motion after motion without waiting."""
         from motionlang.errors import Diagnostic
 
         message = (
@@ -206,18 +211,18 @@ class Machine:
         return [] if self._controller is None else self._controller.moving()
 
     def never_started(self) -> list[Move]:
-        """What stands in the move buffers and waits for its release."""
+        """Return the moves in the move buffers that were never released."""
         axes = () if self._controller is None else self._controller.axes.values()
         return [move for axis in axes for move in axis.buffer if not move.released]
 
     @property
     def moves_made(self) -> int:
-        """How many moves were started so far."""
+        """Return the number of moves started so far."""
         return 0 if self._controller is None else len(self._controller.log.moves)
 
     @property
     def has_motors(self) -> bool:
-        """Whether the machine file gives an axis a simulated motor."""
+        """True if the machine file gives an axis a simulated motor."""
         return any(".plant." in key for key in self.settings)
 
     def settling(self) -> list[int]:
@@ -225,7 +230,7 @@ class Machine:
         return [] if self._controller is None else self._controller.settling()
 
     def rest_time(self, axis: int) -> float:
-        """When the motor of an idle axis will be at rest, or when to look again."""
+        """Return the time at which an idle axis's motor is at rest, or is to be checked."""
         return self.controller.rest_time(axis)
 
     def idle_time(self, axis: int) -> float:
@@ -234,7 +239,10 @@ class Machine:
 
     @property
     def host(self) -> HostMemory:
-        """The memory shared with a host, from the first use on, with what the machine file lets the host write."""
+        """The memory shared with a host, created on first use.
+
+        It includes the writes that the machine file schedules for the host.
+        """
         if self._host is None:
             from motionlang.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
 
@@ -246,7 +254,7 @@ class Machine:
 
     @property
     def kept(self) -> NonVolatile:
-        """Data that outlives the run, or lasts as long as it does."""
+        """Data that outlives the run; without a file it lasts as long as the run."""
         if self.nv is None:
             from motionlang.lang.machine.nonvolatile import NonVolatile
 
@@ -255,16 +263,16 @@ class Machine:
 
     @property
     def has_operator(self) -> bool:
-        """Whether the program listens to the keyboard."""
+        """True if the program reads the keyboard."""
         return CONSOLE in self._operators
 
     @property
     def operator(self) -> Operator:
-        """Whoever presses keys and types at the console, from the first use on."""
+        """The operator who presses keys and types at the console, created on first use."""
         return self.operator_at(CONSOLE)
 
     def operator_at(self, number: int) -> Operator:
-        """The same for one of several terminals."""
+        """Return the operator at one of several terminals, created on first use."""
         found = self._operators.get(number)
         if found is None:
             from motionlang.lang.machine.operator import Operator
@@ -275,11 +283,11 @@ class Machine:
         return found
 
     def terminal_at(self, number: int) -> Terminal:
-        """One of several terminals; the console is one of them."""
+        """Return one of several terminals; one of them is the console."""
         return self.terminal if number == CONSOLE else self.stream(f"terminal {number}")
 
     def stream(self, label: str) -> Terminal:
-        """What is printed elsewhere than on the console; its lines are shown with their label."""
+        """Return the terminal of other output; its lines are shown with their label."""
         found = self.terminals.get(label)
         if found is None:
             found = self.terminals[label] = labelled(
@@ -288,13 +296,13 @@ class Machine:
         return found
 
     def close_terminals(self) -> None:
-        """End the lines that were left open, the console's last."""
+        """End all unfinished lines, the console's last."""
         for terminal in (*self.terminals.values(), self.terminal):
             terminal.close()
 
 
 def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:
-    """The world of a machine file, None where the file says nothing beyond the controller itself."""
+    """Return the world of a machine file, or None if it sets only the controller."""
     if _is_plain(settings):
         return None
     from motionlang.controller.io.wiring import World
@@ -303,5 +311,5 @@ def _world(controller: Controller, settings: Mapping[str, object]) -> World | No
 
 
 def _is_plain(settings: Mapping[str, object]) -> bool:
-    """Whether the settings speak of the controller alone."""
+    """True if the settings describe only the controller."""
     return all(key.startswith(("controller.", "mint.", READINGS)) for key in settings)

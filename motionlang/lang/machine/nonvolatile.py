@@ -1,7 +1,7 @@
-"""Data that outlives a run: variables declared `nv`, and numbered words, in a file beside the program.
+"""Data that outlives a run: variables declared `nv`, and numbered words.
 
-The file is JSON: the values by the names of the variables, and the words, 32 bits each, by their addresses. Without a
-file everything lasts as long as the run.
+They are in a JSON file next to the program: the values by the names of the variables, and the words, 32 bits
+each, by their addresses. Without a file, they last as long as the run.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from motionlang.files import Lock
 
 SCHEMA = "motionlang.nv/1"
-# Seconds for which a run waits for another one that holds the file: runs of a script that start at once take turns.
+# Seconds for which a run waits for another one that has the file: runs that a script starts at once take
+# turns.
 PATIENCE = 10.0
 LAST_WORD = 1023
 _LOW, _HIGH = -2147483648, 2147483647
@@ -23,14 +24,14 @@ _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infini
 
 
 class NonVolatile:
-    """What was kept so far, and the places in which the program that runs holds its own."""
+    """The stored values, and the live variables of the running program."""
 
     __slots__ = ("_live", "_lock", "_values", "_words", "path")
 
     def __init__(self, path: str | None = None) -> None:
-        """Hold the file against other runs, and read it, if there is one.
+        """Lock the file against other runs, and read it if it exists.
 
-        InUse where another run holds it, OSError or ValueError where it cannot be held or read.
+        Raises InUse if another run has the lock, OSError or ValueError if the file cannot be locked or read.
         """
         self.path = path
         self._lock: Lock | None = None
@@ -71,9 +72,9 @@ class NonVolatile:
                 self._words[addresses[address]] = word
 
     def keep(self, key: str, place: list[object]) -> None:
-        """Put the value kept under a name into a variable, and take it from there when the run is over.
+        """Load a variable with the value stored under its name; save it after the run.
 
-        What no longer fits the variable, as its type or its size has changed, is forgotten.
+        A stored value that no longer fits the variable's type or size is dropped.
         """
         before = self._live.get(key)
         stored = self._values.get(key) if before is None else list(before)
@@ -94,7 +95,7 @@ class NonVolatile:
         self._words[address] = word
 
     def real(self, address: int) -> float:
-        """A word as the float that has its bits."""
+        """Return a word as the float that has the same bits."""
         found: float = unpack("<f", pack("<i", self.word(address)))[0]
         return found
 
@@ -104,7 +105,7 @@ class NonVolatile:
         self.set_word(address, unpack("<i", pack("<f", value))[0])
 
     def save(self) -> None:
-        """Write the file; OSError where that cannot be done."""
+        """Write the file; raise OSError if that fails."""
         if self.path is None:
             return
         from json import dumps
@@ -118,13 +119,13 @@ class NonVolatile:
             file.write((dumps(tree, indent=1, ensure_ascii=False) + "\n").encode())
 
     def close(self) -> None:
-        """Let other runs have the file."""
+        """Release the file for other runs."""
         if self._lock is not None:
             self._lock.release()
 
 
 def _fitted(stored: object, place: list[object]) -> list[object] | None:
-    """What was stored, as the values of a variable; None where it does not fit."""
+    """Return the stored value as values of a variable, or None if it does not fit."""
     if not isinstance(stored, list) or len(stored) != len(place):
         return None
     found: list[object] = []
@@ -137,7 +138,7 @@ def _fitted(stored: object, place: list[object]) -> list[object] | None:
 
 
 def _plain(value: object, present: object) -> object:
-    """A number or a text of the same type, None for anything else."""
+    """Return a number or a text of the same type, or None for anything else."""
     if isinstance(present, str):
         return value if isinstance(value, str) else None
     if isinstance(value, bool) or not isinstance(value, (int, float)):

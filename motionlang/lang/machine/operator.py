@@ -1,7 +1,8 @@
-"""The operator at the terminal: keys that are pressed and lines that are typed, from the machine file or for real.
+"""The operator at the terminal, from the machine file or live.
 
-A key of the machine file is an event of the clock, so that a wait for one need not poll. Lines are there from the
-beginning and are taken when the program asks. A live operator's keys make a line while the program asks for one.
+A key in the machine file is an event of the clock, so that a wait for it need not poll. Typed lines exist
+from the start and are consumed when the program asks for one. A live operator's keys make a line while the
+program asks for one.
 """
 
 from __future__ import annotations
@@ -17,17 +18,17 @@ if TYPE_CHECKING:
 
     Entry = Mapping[str, object]
 
-# How long a key is held, in seconds, as long as nothing else is said.
+# How long a key is held by default, in seconds.
 HELD = 0.1
-# More than anybody types ahead.
+# More than anyone types ahead.
 MOST_KEYS = 10_000
 _ENTER, _BACK = "\r\n", "\b\x7f"
 
 
 class Operator:
-    """`keys` that the program has not read yet, `lines` that it has not asked for yet.
+    """Keys and lines of one terminal that the program has not read yet.
 
-    `asking` is set by the program while it waits for a line; `number` is that of the terminal.
+    The program sets `asking` while it waits for a line. `number` is that of the terminal.
     """
 
     def __init__(
@@ -50,26 +51,26 @@ class Operator:
             clock.at(max(time, clock.now), partial(self.press, str(entry["text"]), held))
 
     def press(self, text: str, held: float = HELD) -> None:
-        """Keys are pressed one after the other; the last one is held for a while."""
+        """Press keys one after the other and hold the last one for `held` seconds."""
         codes = [ord(each) & 0xFF for each in text]
         if not codes or len(self.keys) + len(codes) > MOST_KEYS:
             return
         self.keys += codes
         self._held, self._until = codes[-1], self._clock.now + held
-        self._clock.at(self._until, _nothing)  # whoever waits for the key to be let go must look again
+        self._clock.at(self._until, _nothing)  # a wait for the release of the key must check again
         for listener in self.listeners:
             listener()
 
     def next_key(self) -> int:
-        """The next key that has been pressed, 0 where there is none."""
+        """Return the next pressed key, or 0 if there is none."""
         return self.keys.pop(0) if self.keys else 0
 
     def held_key(self) -> int:
-        """The key that is held down now, 0 where none is."""
+        """Return the key that is held down now, or 0 if none is."""
         return self._held if self._clock.now < self._until else 0
 
     def type(self, text: str) -> None:
-        """A live operator types: keys for the program, or a line while it asks for one."""
+        """Type as a live operator: keys for the program, or a line while it asks for one."""
         for letter in text:
             if not self.asking:
                 self.press(letter)
@@ -90,4 +91,4 @@ class Operator:
 
 
 def _nothing() -> None:
-    """A moment at which something may have changed."""
+    """Do nothing, at a time when something may have changed."""

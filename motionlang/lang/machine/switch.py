@@ -1,6 +1,6 @@
-"""Readings that are values: what the machine file's `[readings]` may set, and to what.
+"""Assumptions that the machine file's `[readings]` can set, with their values.
 
-What a reading means and why it was chosen is told by its entry in the files of evidence, which no run loads.
+The evidence files, which no run loads, explain each assumption and the reason for its default.
 """
 
 from __future__ import annotations
@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 class Switch:
-    """One of `choices`, of which the first is the reading chosen, or a number from `low` to `high`, `whole` or not."""
+    """The values of an assumption: one of `choices`, or a number in a range.
+
+    The first choice is the default. A number lies from `low` to `high`, and is an integer if `whole` is set.
+    """
 
     __slots__ = ("choices", "high", "low", "whole")
 
@@ -25,7 +28,7 @@ class Switch:
         self.choices, self.low, self.high, self.whole = choices, low, high, whole
 
     def problem(self, value: object) -> str | None:
-        """What is wrong with a value, None where it is one of the alternatives."""
+        """Return the problem of a value, or None if it is allowed."""
         if self.choices:
             return None if value in self.choices else f"must be {' or '.join(map(shown, self.choices))}"
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e300:
@@ -39,7 +42,7 @@ class Switch:
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
-    """What is wrong with one key of `[readings]`, and a hint; None when nothing is."""
+    """Return the problem of a key of `[readings]` and a hint, or None if it is valid."""
     name = key.removeprefix(READINGS)
     found = switch(name)
     if found is not None:
@@ -52,11 +55,11 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
 
 
 def switch(name: str) -> Switch | None:
-    """What the reading of a name may be set to, None where no reading has the name or it is no value."""
+    """Return the values of an assumption, or None if it does not exist or has none."""
     language = name.partition(".")[0]
     return dialect(language).switches().get(name) if language in PACKAGES else None
 
 
 def switches() -> Iterable[str]:
-    """The names of all readings that can be set."""
+    """Return the names of all assumptions that can be set."""
     return [name for language in PACKAGES for name in dialect(language).switches()]

@@ -1,4 +1,4 @@
-"""What a program prints: whole lines, kept, and shown as they come."""
+"""Terminal that stores what a program prints, by line, and shows it as it comes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ MAX_CHARACTERS = 50_000_000
 
 
 class Terminal:
-    """Keeps whole lines in `prints`; `show(text)`, if given, is called with every piece of text as it is written."""
+    """The complete lines of a terminal in `prints`.
+
+    `show(text)`, if given, is called with each fragment of text as it is written.
+    """
 
     __slots__ = ("_clock", "_open", "_size", "prints", "show")
 
@@ -29,7 +32,7 @@ class Terminal:
 
     @property
     def lines(self) -> list[str]:
-        """Every line that was printed."""
+        """Return every line that was printed."""
         return [printed.text for printed in self.prints]
 
     def write(self, text: str) -> None:
@@ -47,27 +50,30 @@ class Terminal:
 
     @property
     def begun(self) -> str:
-        """What stands on the line that is not ended yet."""
+        """Return the text of the unfinished line."""
         return self._open
 
     def aside(self, text: str) -> None:
-        """Show whole lines that are none of this terminal's own, such as another one's with its label."""
+        """Show whole lines from elsewhere, such as another terminal's with its label."""
         if self.show is not None:
             self.show(f"\n{text}" if self._open else text)
 
     def forget(self) -> None:
-        """Drop what was printed: a session has shown it, and each of its commands may print as much as a run."""
+        """Drop the printed lines, which a session has already shown.
+
+        Each command of a session may then print as much as a run.
+        """
         self.prints.forget(0)
         self._size = len(self._open)
 
     def close(self) -> None:
-        """End a line that was left open."""
+        """End an unfinished line."""
         if self._open:
             self.write("\n")
 
 
 def labelled(label: str, console: Terminal, clock: Clock, prints: Stream[Printed]) -> Terminal:
-    """Another terminal, whose whole lines are shown among the console's, each after its label."""
+    """Return another terminal whose complete lines appear on the console, labelled."""
     other = Terminal(clock, prints)
     begun = ""
 
