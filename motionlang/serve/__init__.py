@@ -1,8 +1,10 @@
-"""A board that real hosts talk to: over TCP, over a serial device, several at once, nothing of it on the run path.
+"""A board that real hosts talk to, over TCP or a serial device, several at once.
 
-with Server(Console(Machine(first_axis=1))) as server:
-    server.listen("127.0.0.1", 5010)
-    server.run()                        # until stop(), from a signal or another thread
+An ordinary run imports none of it.
+
+    with Server(Console(Machine(first_axis=1))) as server:
+        server.listen("127.0.0.1", 5010)
+        server.run()      # until stop(), from a signal or another thread
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Addresses to listen at, as they are written on the command line."""
+"""Network addresses to listen at, as written on the command line."""
 
 from __future__ import annotations
 
@@ -9,11 +9,14 @@ LOOPBACK = "127.0.0.1"
 
 
 class BadAddress(ValueError):
-    """The text is no address."""
+    """The text is not an address."""
 
 
 def parse(text: str) -> tuple[str, int]:
-    """Host and port of `HOST:PORT`; the loopback interface where no host is named. `BadAddress` if it is neither."""
+    """Return host and port of `HOST:PORT`; the default host is the loopback interface.
+
+    Raises `BadAddress` if the text is invalid.
+    """
     host, colon, port = text.rpartition(":")
     host = host.removeprefix("[").removesuffix("]")
     if not port.isdecimal() or int(port) > 65535:
@@ -22,12 +25,15 @@ def parse(text: str) -> tuple[str, int]:
 
 
 def shown(host: str, port: int) -> str:
-    """An address as it is written."""
+    """Return an address as it is written."""
     return f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
 
 
 def is_loopback(host: str) -> bool:
-    """Whether an address, as the system resolves it, can only be reached from this computer."""
+    """True if an address is reachable only from this computer.
+
+    The address is in the form that the system resolved.
+    """
     try:
         return ipaddress.ip_address(host.partition("%")[0]).is_loopback
     except ValueError:
@@ -35,7 +41,7 @@ def is_loopback(host: str) -> bool:
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """A listening socket; OSError says why there is none."""
+    """Return a listening socket; raise OSError if that fails."""
     family, kind, protocol, _, address = socket.getaddrinfo(
         host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
     )[0]

@@ -1,4 +1,4 @@
-"""The two ends that a host's characters come in by: a TCP connection, and the far side of a serial device."""
+"""Channels that carry a host's characters: a TCP connection or a serial device."""
 
 from __future__ import annotations
 
@@ -10,11 +10,15 @@ UNREAD = 65536
 
 
 class Gone(Exception):
-    """The host has broken the connection off."""
+    """The host has closed the connection."""
 
 
 class Channel(Protocol):
-    """`receive` and `send` never wait: b"" and 0 mean not now. `receive` answers None when no more will come."""
+    """The two directions of a host's connection, without waiting.
+
+    `receive` and `send` return b"" and 0 if nothing can be transferred now. `receive` returns None when no
+    more data will come.
+    """
 
     name: str
 
@@ -31,7 +35,7 @@ class TcpChannel:
         self.name = name
         self._socket = connection
         connection.setblocking(False)
-        # An answer goes out at once; a host whose machine has died is noticed in the end.
+        # Send an answer at once, and eventually detect a host whose machine has died.
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
 
@@ -39,7 +43,10 @@ class TcpChannel:
         return self._socket.fileno()
 
     def receive(self, most: int) -> bytes | None:
-        """What has come, b"" where nothing has, None where the host has hung up. Gone on an error."""
+        """Return the received data, b"" if there is none, None if the host has closed.
+
+        Raises Gone on an error.
+        """
         try:
             return self._socket.recv(most) or None
         except (BlockingIOError, InterruptedError):
@@ -48,7 +55,10 @@ class TcpChannel:
             raise Gone from error
 
     def send(self, data: bytes) -> int:
-        """Send what can be sent now; how many bytes that was. Gone on an error."""
+        """Send as much as possible now; return the number of bytes.
+
+        Raises Gone on an error.
+        """
         try:
             return self._socket.send(data)
         except (BlockingIOError, InterruptedError):
@@ -57,7 +67,10 @@ class TcpChannel:
             raise Gone from error
 
     def close(self) -> None:
-        """Close in good order: unread characters would break the connection off, and lose what was sent last."""
+        """Close the connection cleanly.
+
+        Unread characters would reset the connection and lose the last data sent.
+        """
         try:
             self._socket.shutdown(socket.SHUT_WR)
             self._socket.recv(UNREAD)
@@ -67,10 +80,10 @@ class TcpChannel:
 
 
 class DeviceChannel:
-    """The board's side of a pseudo-terminal, whose other side is a device that hosts open like a serial port.
+    """The board's end of a pseudo-terminal; hosts open the other end as a serial port.
 
-    The server keeps that other side open too. Like a serial line it has no end: the board does not notice that one
-    program has closed the device and another has opened it.
+    The server also keeps the other end open. The connection never ends, just like a serial line. The board
+    does not notice that one program has closed the device and another has opened it.
     """
 
     def __init__(self) -> None:

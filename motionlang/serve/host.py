@@ -1,4 +1,4 @@
-"""One host: its channel, its port at the board, and what waits between the two."""
+"""One host: its channel, its port on the board, and the buffers between them."""
 
 from __future__ import annotations
 
@@ -16,15 +16,16 @@ if TYPE_CHECKING:
     from motionlang.serve.spy import Spy
 
 INFINITY = float("inf")
-# Characters that a port hears while it is carrying out a line, besides ESC: Ctrl-B, XON, XOFF and the blank.
+# Characters that a port accepts while it carries out a line, in addition to ESC: Ctrl-B, XON, XOFF and the
+# blank.
 AT_ONCE = (CTRL_B, 17, 19, 32)
 
 
 class Host:
-    """`number` counts the hosts of a server from 1.
+    """A connected host; `number` counts the hosts of a server from 1.
 
-    Nothing here grows without end: a host that sends faster than the board takes is read no further, and one that
-    does not read holds up its own line.
+    No buffer grows without bound. The server stops reading from a host that sends faster than the board
+    accepts. A host that does not read delays only its own line.
     """
 
     def __init__(self, number: int, channel: Channel, port: Port, limits: Limits, spy: Spy | None) -> None:
@@ -33,50 +34,53 @@ class Host:
         self._inbox = bytearray()
         self._outbox = bytearray()
         self._after_cr = False
-        # When the host has said its last, on the wall clock.
+        # When the host closed its sending side, in real time.
         self.ended: float | None = None
-        # When it was last heard.
+        # When the host last sent something.
         self.heard = monotonic()
-        # The wait of which the person who serves was told that nothing ends it.
+        # The wait that was last reported to the person who serves as one that nothing ends.
         self.told: Wait | None = None
-        # What the server's selector looks for.
+        # The events that the server's selector waits for.
         self.watched = 0
 
     # -------------------------------------------------------------------------------------------- for the server
 
     @property
     def listens(self) -> bool:
-        """Whether there is room for more from this host."""
+        """True if the buffers have room for more from this host."""
         return self.ended is None and len(self._inbox) < self._limits.inbox
 
     @property
     def unsent(self) -> bool:
-        """Whether something waits for the channel to take it."""
+        """True if data waits to be sent through the channel."""
         return bool(self._outbox)
 
     @property
     def waits(self) -> bool:
-        """Whether something that the host sent could be given to the board."""
+        """True if data from the host waits to be given to the board."""
         return bool(self._inbox)
 
     @property
     def is_silent(self) -> bool:
-        """Whether nothing of this host is under way, in either direction or on the board."""
+        """True if neither direction has data and the port on the board is not busy."""
         return not (self._inbox or self._outbox or self.port.busy)
 
     def may_go_on(self, pace: Pace) -> bool:
-        """Whether the board would take more of what the host has sent."""
+        """True if the board would accept more of the host's data."""
         if not self._inbox:
             return False
         return not self.port.busy or ESC in self._inbox or (pace.by_line and bool(self._heard_at_once()))
 
     @property
     def done(self) -> bool:
-        """Whether a host that has said its last has been answered."""
+        """True if a host that has closed its sending side has all its answers."""
         return self.ended is not None and self.is_silent
 
     def waits_in_vain(self) -> str:
-        """What its line waits for that nothing under way brings about, where that has not been told; else nothing."""
+        """Return the reason of a wait that no event under way will end.
+
+        Returns an empty text if there is none or it has been reported.
+        """
         wait = self.port.waiting
         if wait is None or wait is self.told or wait.ready() or wait.due() < INFINITY:
             return ""
@@ -84,7 +88,7 @@ class Host:
         return wait.why
 
     def receive(self, now: float) -> None:
-        """Read what the host has sent."""
+        """Read data that the host has sent."""
         data = self.channel.receive(self._limits.chunk)
         if data is None:
             self.ended = now
@@ -95,9 +99,9 @@ class Host:
         self._inbox += data
 
     def feed(self, pace: Pace) -> None:
-        """Give the board what it takes: all of it, or in lock step a line.
+        """Give the board the data that it accepts: all of it, or one line in lock step.
 
-        What has come before an ESC, and was not taken because the board is busy, is void.
+        An ESC discards everything before it that a busy board has not accepted.
         """
         if self.port.busy and ESC in self._inbox:
             del self._inbox[: self._inbox.rindex(ESC)]
@@ -113,12 +117,12 @@ class Host:
         del self._inbox[: self.port.feed(piece)]
 
     def forget(self) -> None:
-        """Drop what the host has sent, as its own ESC would."""
+        """Drop the data that the host has sent, as an ESC from the host would."""
         self._inbox.clear()
         self.port.feed(bytes([ESC]))
 
     def flush(self) -> None:
-        """Send what the board has to say, as far as the channel takes it."""
+        """Send the board's output as far as the channel accepts it."""
         if len(self._outbox) < self._limits.outbox:
             said = self.port.take()
             if said:
@@ -131,14 +135,17 @@ class Host:
     # ---------------------------------------------------------------------------------------------------- inside
 
     def _line(self) -> bytes:
-        """The first line that has come, or as much of it as there is."""
+        """Return the first received line, or the start of it if it is incomplete."""
         for k, code in enumerate(self._inbox):
             if code in (CR, LF):
                 return bytes(self._inbox[: k + 1])
         return bytes(self._inbox)
 
     def _heard_at_once(self) -> bytes:
-        """What a port hears while it is busy: a key if it steps, otherwise control characters and the blank."""
+        """Return the characters that a busy port accepts.
+
+        This is one key if the port is single-stepping, and otherwise control characters and blanks.
+        """
         if self.port.task.stepping or self._inbox[0] == ESC:
             return bytes(self._inbox[:1])
         count = 0

@@ -1,4 +1,4 @@
-"""How much a host may ask of the server."""
+"""Limits on what a host may use of the server."""
 
 from __future__ import annotations
 
@@ -7,9 +7,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """`hosts` at once; characters read from one host in a turn (`chunk`), kept until the board takes them (`inbox`)
-    and until the host reads them (`outbox`); seconds that a host's last lines may take once it has said its last
-    (`linger`), and for which one must have been silent to make room for another (`idle`)."""
+    """Bounds on hosts, buffers and times.
+
+    `hosts` is the number of hosts connected at once. Characters are limited per read from one host (`chunk`),
+    until the board accepts them (`inbox`) and until the host reads them (`outbox`). Times are in seconds.
+    `linger` is the time for a host's last lines after it has closed its sending side. A host must have been
+    silent for `idle` seconds before it is dropped in favour of another.
+    """
 
     hosts: int = 64
     chunk: int = 4096

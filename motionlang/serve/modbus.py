@@ -1,12 +1,13 @@
-"""A Modbus TCP server in front of the memory that a Mint program shares with its host (ABB AN00198).
+"""Modbus TCP server for the memory that a Mint program shares with its host.
 
-Element n of the comms array or of NetData is the holding registers 2n, its low half, and 2n + 1. Registers of elements
-that do not exist are answered with "illegal data address". Function codes: 3 and 4 read, 6, 16, 22 and 23 write.
+Source: ABB AN00198. Element n of the comms array or of NetData is the holding registers 2n, its low half, and
+2n + 1. Registers of elements that do not exist are answered with "illegal data address". Function codes: 3
+and 4 read, 6, 16, 22 and 23 write.
 
-The server has a thread and an event loop of its own; each request is answered by the run, between two steps
-(`outside.py`). A connection's requests are answered in their order, one at a time, so a client that sends ahead holds
-up itself alone. Every frame has the header of Modbus TCP: transaction, protocol (0), length, unit. The unit is ignored
-and sent back. A frame of another protocol is skipped. A length that no frame can have ends the connection, as the next
+The server has its own thread and event loop. The run answers each request between two steps (`outside.py`).
+The requests of a connection are answered in order, one at a time, so a client that sends ahead delays only
+itself. Every frame has the header of Modbus TCP: transaction, protocol (0), length, unit. The unit is ignored
+and echoed. A frame of another protocol is skipped. An invalid length ends the connection, because the next
 frame could not be found.
 """
 
@@ -40,25 +41,29 @@ if TYPE_CHECKING:
     from motionlang.controller.io.host_memory import HostMemory
     from motionlang.serve.outside import Outside
 
-# Bytes of the header, and the lengths that it can state: a unit and a function at least.
+# Bytes of the header, and the bounds of the length that it states: at least a unit and a function.
 HEADER, SHORTEST, LONGEST = 6, 2, 254
-# Wall seconds that the server's thread has to start and to end, and that a client has at the end to take its answer.
+# Seconds of real time for the server's thread to start and to end, and for a client to take its answer at the
+# end.
 PATIENCE, FAREWELL = 10.0, 0.5
 
 
 class Connection:
-    """A client: whether one of its requests is being answered, and when the last one came, on the wall clock."""
+    """A client, with a flag for a request in progress and the time of the last one.
+
+    The time is real time.
+    """
 
     def __init__(self, writer: StreamWriter) -> None:
         self.writer, self.busy, self.heard = writer, False, monotonic()
 
 
 class ModbusServer:
-    """Listens at an address from `start` to `stop`; `port` is the one it got.
+    """A server that listens from `start` to `stop`; `port` is the actual port.
 
-    At most `limits.hosts` clients are connected. Beyond that the one that has been silent for longest, and for
-    `limits.idle` seconds, makes room, or the new one is turned away, which `complain` is told. OSError from `start`
-    where the address cannot be had.
+    At most `limits.hosts` clients are connected. A further client replaces the one that has been silent
+    longest, if that is at least `limits.idle` seconds. If none has, the new one is rejected and `complain` is
+    called. `start` raises OSError if the address is not available.
     """
 
     def __init__(
@@ -81,7 +86,7 @@ class ModbusServer:
         self._thread: Thread | None = None
 
     def start(self) -> None:
-        """Listen; returns when clients can connect."""
+        """Start listening; return when clients can connect."""
         try:
             listener = address.listen(self.host, self.port)
         except OSError as error:
@@ -109,7 +114,10 @@ class ModbusServer:
         await self._end()
 
     async def _end(self) -> None:
-        """Let every client have its answer first; none takes long, as the run answers no more."""
+        """Let clients take their answers before closing.
+
+        This is short, because the run no longer answers.
+        """
         for connection in self._connections.values():
             if not connection.busy:
                 connection.writer.close()
@@ -139,7 +147,7 @@ class ModbusServer:
             writer.close()
 
     def _make_room(self) -> bool:
-        """Let the client go that has been silent for longest, if it has been so long enough: it may come again."""
+        """Disconnect the longest-silent client if it is idle; it may reconnect."""
         now = monotonic()
         silent = [
             (connection.heard, task)
@@ -163,7 +171,7 @@ class ModbusServer:
     # -------------------------------------------------------------------------------------------- requests
 
     async def _answer_next(self, reader: StreamReader, connection: Connection) -> bool:
-        """Answer the next request of a client; False where no further one can be found."""
+        """Answer the next request of a client; return False if no other can be found."""
         transaction, protocol, length = unpack(">HHH", await reader.readexactly(HEADER))
         if not SHORTEST <= length <= LONGEST:
             return False
@@ -178,7 +186,7 @@ class ModbusServer:
         return self._over is not None and not self._over.is_set()
 
     async def _answer(self, data: bytes) -> bytes:
-        """The response to a request, or the exception that refuses it."""
+        """Return the response to a request, or the exception that rejects it."""
         try:
             request = parse(data)
             self.requests += 1
@@ -192,7 +200,10 @@ class ModbusServer:
         return request.answer(found)
 
     def _exchange(self, request: Request) -> list[int]:
-        """Write, then read; Rejected where there are no such registers, and then nothing is written."""
+        """Write, then read.
+
+        Raises Rejected, without writing, if a register does not exist.
+        """
         assert self._outside.machine is not None
         memory: HostMemory = self._outside.machine.host
         area = memory.mapping

@@ -1,7 +1,8 @@
-"""Requests of the Modbus application protocol (V1.1b3) for registers, and the answers to them.
+"""Register requests of the Modbus application protocol (V1.1b3), and responses.
 
-A request is checked in the order of the specification: the function code (exception 01), the quantities and lengths
-(03), then the addresses (02). A `Request` here is one that passed the first two; the third is the memory's to say.
+A request is checked in the order of the specification: the function code (exception 01), the quantities and
+lengths (03), then the addresses (02). A `Request` has passed the first two checks. The memory makes the
+third.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ class Rejected(Exception):
 
 
 class Request(NamedTuple):
-    """Write `values` from the register `into` on, then read `quantity` registers from `start` on.
+    """Write `values` from register `into` on, then read `quantity` from `start` on.
 
     `masks` (and, or) change the register `into` instead: it becomes (old and AND) or (OR and not AND).
     """
@@ -39,12 +40,12 @@ class Request(NamedTuple):
 
     @property
     def spans(self) -> tuple[tuple[int, int], ...]:
-        """The first register and the number of registers of each area that the request needs."""
+        """The first register and the number of registers of each area that is needed."""
         written = 1 if self.masks is not None else len(self.values)
         return tuple(span for span in ((self.start, self.quantity), (self.into, written)) if span[1])
 
     def answer(self, registers: list[int]) -> bytes:
-        """The response, with the registers that were read."""
+        """Return the response, with the registers that were read."""
         if self.quantity:
             return pack(f">BB{self.quantity}H", self.function, 2 * self.quantity, *registers)
         if self.masks is not None:
@@ -54,7 +55,7 @@ class Request(NamedTuple):
 
 
 def parse(request: bytes) -> Request:
-    """The request in a protocol data unit; Rejected with its exception code otherwise."""
+    """Return the request in a protocol data unit; raise Rejected if it is invalid."""
     reader = _READERS.get(request[0])
     if reader is None:
         raise Rejected(ILLEGAL_FUNCTION)
@@ -62,7 +63,7 @@ def parse(request: bytes) -> Request:
 
 
 def exception(function: int, code: int) -> bytes:
-    """The response that refuses a request."""
+    """Return the response that rejects a request."""
     return bytes((function | 0x80, code))
 
 
@@ -99,7 +100,7 @@ def _words(data: bytes, count: int) -> tuple[int, ...]:
 
 
 def _values(data: bytes, count: int) -> tuple[int, ...]:
-    """Register values behind the byte that says how many bytes they have."""
+    """Return the register values after their byte count."""
     if not data or data[0] != 2 * count:
         raise Rejected(ILLEGAL_VALUE)
     return _words(data[1:], count)

@@ -1,7 +1,7 @@
-"""How machine time passes while a running program is reached from outside: with the wall clock, or in lock step.
+"""Access to a running program from outside, in real time or in lock step.
 
-Whoever serves a host does so in a thread of its own; the program and its controller belong to the thread that runs
-them. `Outside.ask` is the way across: the question is answered by the run, between two steps, at its own machine time.
+A server for hosts has its own thread. The program and its controller belong to the thread that runs them.
+`Outside.ask` connects the two: the run answers the question between two steps, at its own machine time.
 """
 
 from __future__ import annotations
@@ -19,18 +19,21 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
 
 INFINITY = float("inf")
-# Machine seconds by which lock step goes on for each request, as long as nothing else is said.
+# Default machine seconds that lock step advances for each request.
 STEP = 10e-3
-# The longest wait of the thread that runs the program, so that a Ctrl-C is heard on every system.
+# The longest wait of the thread that runs the program, so that every system notices a Ctrl-C.
 PATIENCE = 0.5
 
 
 class Closed(Exception):
-    """The run has ended and answers no more."""
+    """The run has ended and answers no more questions."""
 
 
 class Outside:
-    """The questions that wait for the run. `start` is called by the run with its machine, before the program starts."""
+    """A queue of questions for the run.
+
+    The run calls `start` with its machine before the program starts.
+    """
 
     def __init__(self) -> None:
         self._waiting: deque[tuple[Callable[[], object], Future[object]]] = deque()
@@ -47,7 +50,10 @@ class Outside:
         self.machine = machine
 
     def ask(self, question: Callable[[], object]) -> Future[object]:
-        """From any thread: have `question` answered by the run. The future fails with `Closed` after its end."""
+        """Let the run answer `question`; may be called from any thread.
+
+        The future fails with `Closed` after the end of the run.
+        """
         future: Future[object] = Future()
         with self._changed:
             if self._closed:
@@ -58,22 +64,22 @@ class Outside:
         return future
 
     def close(self) -> None:
-        """The run is over: questions that still wait are refused."""
+        """End the queue: questions that are still waiting fail with `Closed`."""
         with self._changed:
             self._closed = True
             while self._waiting:
                 self._waiting.popleft()[1].set_exception(Closed())
 
     def may_act(self) -> bool:
-        """Whether anything can still come, so that a wait which nothing else can end is not without hope."""
+        """True if more questions can come, so that a wait may still end."""
         return True
 
     def advance(self, time: float) -> None:
-        """Let machine time pass until `time`, or less far where something has come from outside."""
+        """Let machine time pass until `time`, or less if a question arrives."""
         raise NotImplementedError
 
     def _answer(self) -> bool:
-        """Answer the question that has waited longest; False where there is none."""
+        """Answer the oldest question; return False if there is none."""
         with self._changed:
             if not self._waiting:
                 return False
@@ -85,14 +91,17 @@ class Outside:
         return True
 
     def _sleep(self, seconds: float) -> None:
-        """Until something comes, or for so long."""
+        """Wait until a question arrives, but at most `seconds`."""
         with self._changed:
             if not self._waiting:
                 self._changed.wait(min(seconds, PATIENCE))
 
 
 class RealTime(Outside):
-    """Machine time is the wall's, `factor` machine seconds a second; a run that cannot keep up is late for good."""
+    """Machine time follows real time: `factor` machine seconds per second.
+
+    A run that cannot keep up never catches up.
+    """
 
     def __init__(self, factor: float = 1.0, wall: Callable[[], float] = monotonic) -> None:
         super().__init__()
@@ -100,7 +109,7 @@ class RealTime(Outside):
         self._began: float | None = None
 
     def advance(self, time: float) -> None:
-        """Let machine time pass with the wall's, answering meanwhile; an answer ends it early."""
+        """Let machine time follow real time and answer meanwhile; an answer ends it early."""
         if self._began is None:
             self._began = self._wall() - self.clock.now / self._factor
         while True:
@@ -123,10 +132,10 @@ class RealTime(Outside):
 
 
 class LockStep(Outside):
-    """Machine time stands still until a request comes, and goes on by `step` seconds after each.
+    """Machine time stops until a request comes, and each one advances it by `step` s.
 
-    The same requests in the same order find the same machine, however fast this computer is and however long the
-    client thinks.
+    The same requests in the same order find the same machine, regardless of the speed of this computer and of
+    the time between the requests.
     """
 
     def __init__(self, step: float = STEP) -> None:
@@ -135,7 +144,7 @@ class LockStep(Outside):
         self._granted = step
 
     def advance(self, time: float) -> None:
-        """Let machine time pass as far as requests have granted; each further request grants a step."""
+        """Let machine time pass as far as granted; each further request grants a step."""
         while True:
             if time <= self._granted:
                 self.clock.advance(time)

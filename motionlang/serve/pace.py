@@ -1,7 +1,8 @@
-"""How machine time passes while hosts are served: with the wall clock, or only while a host waits for an answer.
+"""How machine time passes while hosts are served: real time or lock step.
 
-The server calls `before()` when hosts are about to be heard, `work()` when they have been, and sleeps for `timeout()`.
-Each lets the board run for a bounded while, so that a program that never waits cannot keep hosts from being heard.
+In lock step, time passes only while a host waits for an answer. The server calls `before()` before it reads
+from hosts and `work()` afterwards, and sleeps for `timeout()`. Each call lets the board run for a bounded
+time, so that a program that never waits cannot block the hosts.
 """
 
 from __future__ import annotations
@@ -15,25 +16,28 @@ if TYPE_CHECKING:
     from motionlang.mccl.hosts.console import Console
 
 INFINITY = float("inf")
-# Machine seconds between two looks at the hosts while the board is busy, and while it has more to do than it can.
+# Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
 SLICE, SHORTEST = 2e-3, 2e-5
-# Machine seconds by which an answer may come early: a command takes machine time, its host would wait for the wall.
+# Machine seconds by which an answer may be early: a command takes machine time, and its host would wait in
+# real time.
 LEAD = 2e-3
-# Wall seconds that the board may take to catch up with the wall before hosts are heard again, and that it may be late.
+# Seconds of real time that the board may take to catch up before hosts are read again, and that it may be
+# late.
 BUDGET, LATEST = 5e-3, 0.25
-# Wall seconds between two looks at a board that is busy all the time.
+# Seconds of real time between two polls of a board that is always busy.
 TICK = 1e-3
-# Wall seconds that the board may take in lock step before hosts are heard again.
+# Seconds of real time that the board may take in lock step before hosts are read again.
 TURN = 0.2e-3
-# Machine seconds that a line takes at least in lock step: what it takes a real host to ask and to be answered.
+# Least machine seconds of a line in lock step: the time that a real host takes to ask and to be answered.
 STEP = 1e-3
 
 
 class Pace(Protocol):
-    """What the server needs to know of time. `by_line` says whether a host's lines are heard one at a time.
+    """How the server advances time; `by_line` is true if lines are read one at a time.
 
-    In every turn of the server: `before` hosts are heard, `entered` for each line of theirs, then `work`; `timeout` is
-    the wall seconds for which only a host could make something happen, None where that is for ever.
+    In every iteration the server calls `before`, then `entered` for each line from a host, then `work`.
+    `timeout` is the real time, in seconds, during which only a host could cause anything; None means without
+    limit.
     """
 
     by_line: bool
@@ -45,9 +49,10 @@ class Pace(Protocol):
 
 
 class RealTime:
-    """Machine time is the wall's, `factor` machine seconds a second.
+    """Machine time follows real time: `factor` machine seconds per second.
 
-    A board that has more to do than this computer can compute falls behind; `late` counts the wall seconds lost.
+    A board with more work than this computer can do falls behind; `late` counts the seconds of real time
+    lost.
     """
 
     by_line = False
@@ -62,11 +67,11 @@ class RealTime:
 
     @property
     def due(self) -> float:
-        """Machine time as it should be now."""
+        """The machine time that corresponds to the current real time."""
         return (self._wall() - self._began) * self._factor
 
     def before(self) -> None:
-        """Catch up with the wall."""
+        """Let the board catch up with real time."""
         console, enough, due = self._console, self._wall() + BUDGET, self.due
         while console.now < due:
             self._bounded(console.run, due)
@@ -75,14 +80,14 @@ class RealTime:
                 return
 
     def entered(self) -> None:
-        """A line has come in; it takes the time that its commands take."""
+        """Do nothing: a line takes the time that its commands take."""
 
     def work(self) -> None:
-        """Answer what takes no longer than the blink of an eye."""
+        """Answer commands that end within `LEAD` of the machine time due."""
         self._bounded(self._console.settle, self.due + LEAD * self._factor)
 
     def timeout(self) -> float | None:
-        """Wall seconds in which nothing will happen."""
+        """Return the seconds of real time in which nothing will happen."""
         next_time = self._console.next_time()
         if next_time == INFINITY:
             return None
@@ -91,7 +96,7 @@ class RealTime:
         return max(0.0, next_time / self._factor + self._began - self._wall())
 
     def _bounded(self, go: Callable[[float], object], until: float) -> None:
-        """Let a slice of machine time pass; the more tasks never wait, the shorter it is."""
+        """Run one slice of machine time; it shrinks while tasks are busy."""
         console, began = self._console, self._wall()
         go(min(until, max(console.next_time(), console.now) + self._slice))
         took = self._wall() - began
@@ -108,9 +113,10 @@ class RealTime:
 
 
 class LockStep:
-    """Time stands still unless a host waits for an answer; a line takes `step` seconds, or as long as it waits.
+    """Time passes only while a host waits for an answer.
 
-    The same lines in the same order are answered the same, however fast this computer is and however long hosts think.
+    A line takes `step` seconds, or as long as it waits. The same lines in the same order get the same
+    answers, regardless of the speed of this computer and of the time between the lines.
     """
 
     by_line = True
@@ -121,10 +127,10 @@ class LockStep:
         self._stuck = False
 
     def before(self) -> None:
-        """What hosts send is heard before time passes."""
+        """Do nothing: lines from hosts are read before time passes."""
 
     def entered(self) -> None:
-        """A line is about to come in: the time of the last one is over."""
+        """End the time of the previous line before a new one comes in."""
         if self._owed > self._console.now:
             self._console.run(self._owed)
         self._owed = self._console.now + self._step
@@ -139,5 +145,5 @@ class LockStep:
             self._stuck = not console.settle(limit) and console.now < limit
 
     def timeout(self) -> float | None:
-        """None when only a host can make something happen."""
+        """Return None if only a host can make something happen, 0 if not."""
         return None if self._stuck or not self._console.working else 0.0

@@ -1,4 +1,4 @@
-"""Reports of hosts that could not connect: at most one line a second, however fast they come."""
+"""Reports of hosts that could not connect, at most one line a second."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ INTERVAL = 1.0
 
 
 class Refusals:
-    """`complain` takes a line: the first refusal at once, then the latest of each second with the number of others.
+    """Rate limiter for rejected connections; `complain` is called with a line.
 
-    Call `report` after `left` seconds, and `flush` at the end.
+    The first rejection is reported at once. After that, the latest of each second is reported with the number
+    of others. Call `report` after `left` seconds, and `flush` at the end.
     """
 
     def __init__(self, complain: Callable[[str], None], now: Callable[[], float] = monotonic) -> None:
@@ -26,22 +27,22 @@ class Refusals:
 
     @property
     def left(self) -> float | None:
-        """Seconds until `report` has a line to write; None without one."""
+        """Return the seconds until `report` has a line to write, or None if it has none."""
         return max(0.0, self._due - self._now()) if self._count else None
 
     def add(self, text: str) -> None:
-        """A host was refused, for the reason in `text`."""
+        """Count a host that was rejected for the reason in `text`."""
         self._latest = text
         self._count += 1
         self.report()
 
     def report(self) -> None:
-        """Write a line if there is one to write and a second has passed since the last."""
+        """Write a pending line if a second has passed since the last one."""
         if self._count and self._now() >= self._due:
             self.flush()
 
     def flush(self) -> None:
-        """Write the refusals of the last second."""
+        """Write the rejections of the last second."""
         if self._count:
             others = self._count - 1
             self._complain(f"{self._latest} ({others} more since the last line)" if others else self._latest)

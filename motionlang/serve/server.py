@@ -1,8 +1,8 @@
-"""The server: one thread, one board, many hosts, in turns that end.
+"""The server: one thread, one board and many hosts, in bounded iterations.
 
-A turn hears every host that has sent something, lets the board work for a bounded while, and gives every host what
-the board has to say to it. Nothing that a host sends ends it: what the interpreter cannot cope with is `?3` to the
-line that it was, and a line of the log.
+An iteration reads from every host that has sent something, lets the board work for a bounded time, and sends
+every host its output. No input from a host stops the server. If the interpreter fails on a line, the answer
+is `?3` and the error is logged.
 """
 
 from __future__ import annotations
@@ -30,20 +30,20 @@ if TYPE_CHECKING:
     from motionlang.serve.spy import Spy
 
 READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
-# What a host gets when there is no room for it: the board's code for an I/O error.
+# Sent to a host when there is no room for it: the board's code for an I/O error.
 NO_ROOM = b"?3\n"
-# Wall seconds that hosts have at the end to take what they were told.
+# Seconds of real time that hosts have at the end to read their output.
 FAREWELL = 0.5
 INFINITY = float("inf")
-# Different errors of our own that are told.
+# The number of different internal errors that are reported.
 MOST_KNOWN = 100
 
 
 class Server:
-    """Serves `console`. `complain` is told, in a line, what the person who started it should know.
+    """Serves `console`; `complain` is called with lines for the person who started it.
 
-    `listen` and `device` add ways in, `run` serves until `stop`, which may be called from a signal handler or another
-    thread; `close` ends it all.
+    `listen` and `device` add ways to connect. `run` serves until `stop`, which may be called from a signal
+    handler or another thread. `close` disconnects everything.
     """
 
     def __init__(
@@ -83,7 +83,10 @@ class Server:
     # --------------------------------------------------------------------------------------------- ways in
 
     def listen(self, host: str, port: int, echo: bool | None = False) -> tuple[str, int]:
-        """Let hosts connect over TCP; the address that they connect to. OSError says why they cannot."""
+        """Let hosts connect over TCP; return the address to connect to.
+
+        Raises OSError if that fails.
+        """
         listener = address.listen(host, port)
         self._listeners[listener] = lambda: self._accept(listener, echo)
         self._selector.register(listener, READ, self._listeners[listener])
@@ -91,7 +94,10 @@ class Server:
         return found
 
     def device(self, echo: bool | None = None) -> str:
-        """Let a host open a serial device; its path. ImportError or OSError where there are no pseudo-terminals."""
+        """Let a host open a serial device; return its path.
+
+        Raises ImportError or OSError if there are no pseudo-terminals.
+        """
         channel = DeviceChannel()
         self._join(channel, echo)
         return channel.name
@@ -104,7 +110,7 @@ class Server:
             self.turn(self._timeout())
 
     def stop(self) -> None:
-        """End `run` after the turn it is in."""
+        """End `run` after its current iteration."""
         self._over = True
         try:
             self._alarm.send(b".")
@@ -112,7 +118,7 @@ class Server:
             pass
 
     def turn(self, timeout: float | None = 0.0) -> None:
-        """Wait for something to do, `timeout` seconds at most, and do it."""
+        """Wait at most `timeout` seconds for something to do, and do it."""
         for key, _ in self._selector.select(timeout):
             key.data()
         self._refusals.report()
@@ -126,7 +132,7 @@ class Server:
         self._tell_waits()
 
     def close(self) -> None:
-        """Say farewell to every host: what the board has said still goes out, if they take it soon."""
+        """Disconnect every host, after a short time to take the board's output."""
         self._refusals.flush()
         end = time.monotonic() + FAREWELL
         for host in list(self.hosts):
@@ -147,7 +153,7 @@ class Server:
         except (BlockingIOError, ConnectionError):
             return
         except OSError as error:
-            # No more connections may be open: listen again when one has been closed.
+            # Too many connections are open: listen again when one has been closed.
             self._refusals.add(f"no host can connect: {error.strerror or error}")
             self._refuse()
             return
@@ -158,7 +164,7 @@ class Server:
         self._join(TcpChannel(connection, name), echo)
 
     def _make_room(self) -> bool:
-        """Let the host go that has been silent for longest, if it has been so long enough: it may come again."""
+        """Disconnect the longest-silent host if it is idle; it may reconnect."""
         now = time.monotonic()
         silent = [host for host in self.hosts if host.is_silent and now - host.heard >= self._limits.idle]
         if not silent:
@@ -190,7 +196,10 @@ class Server:
         self._serve(host)
 
     def _leave(self, host: Host, why: str) -> None:
-        """The host is gone: its half line is forgotten, its line abandoned; motion and background tasks go on."""
+        """Remove a host: drop its unfinished line and abandon its running one.
+
+        Motion and background tasks continue.
+        """
         self.hosts.remove(host)
         if host.watched:
             self._selector.unregister(host.channel)
@@ -235,7 +244,7 @@ class Server:
             host.forget()
 
     def _serve(self, host: Host) -> None:
-        """Give a host what the board has said, and see what to expect of it."""
+        """Send a host the board's output, and set the events to wait for."""
         try:
             host.flush()
         except Gone:
@@ -258,7 +267,7 @@ class Server:
         host.watched = wanted
 
     def _send_rest(self, host: Host, end: float) -> None:
-        """Wait until the host has taken everything, but no longer than `end`."""
+        """Wait until the host has taken all output, but not beyond `end`."""
         try:
             host.flush()
             while host.unsent and (left := end - time.monotonic()) > 0:
@@ -268,7 +277,7 @@ class Server:
             pass
 
     def _tell_waits(self) -> None:
-        """Say, once each, that a host waits for what nothing under way brings about."""
+        """Report, once each, that a host waits for something that nothing will cause."""
         if any(host.port.waiting for host in self.hosts) and self.console.next_time() == INFINITY:
             for host in self.hosts:
                 why = host.waits_in_vain()
@@ -280,7 +289,7 @@ class Server:
     # ------------------------------------------------------------------------------------------- our errors
 
     def _guard(self, work: Callable[[], None]) -> None:
-        """Do `work`; an error of the interpreter's own costs the line that it happened in, and nothing else."""
+        """Do `work`; an internal error costs only the line in which it happened."""
         try:
             work()
         except Exception as error:
@@ -288,7 +297,7 @@ class Server:
             self._tell(error)
 
     def _tell(self, error: Exception) -> None:
-        """Say, once each, what must never happen."""
+        """Report each different internal error once."""
         frame = walk_tb(error.__traceback__)
         *_, (last, line) = frame
         place = f"{last.f_code.co_filename.rpartition('motionlang')[2].lstrip('/')}:{line}"

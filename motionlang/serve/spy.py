@@ -1,4 +1,4 @@
-"""What hosts send and what they are answered, line by line, for whoever writes a client."""
+"""Line-by-line log of the traffic with hosts, for authors of clients."""
 
 from __future__ import annotations
 
@@ -7,27 +7,30 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Characters of an unfinished line that are shown as a line.
+# Characters of an unfinished line after which it is written.
 LONGEST = 200
 
 
 class Spy:
-    """Writes `1 < 1TP` for what host 1 sent and `1 > 01 0` for what it got; other characters as Python writes them."""
+    """Writes `1 < 1TP` for data from host 1 and `1 > 01 0` for its answer.
+
+    Other characters are written as Python escapes.
+    """
 
     def __init__(self, write: Callable[[str], None]) -> None:
         self._write = write
         self._open: dict[tuple[int, str], bytearray] = {}
 
     def sent(self, number: int, data: bytes) -> None:
-        """A host has sent something."""
+        """Log data from a host."""
         self._take(number, "<", data)
 
     def answered(self, number: int, data: bytes) -> None:
-        """A host has been answered."""
+        """Log an answer to a host."""
         self._take(number, ">", data)
 
     def remark(self, number: int, text: str) -> None:
-        """Something happened to a host."""
+        """Log a remark about a host."""
         for key in [key for key in self._open if key[0] == number]:
             self._end(key)
         self._write(f"{number} -- {text}\n")
