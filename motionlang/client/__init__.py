@@ -1,11 +1,13 @@
-"""Talk to a PMC controller in ASCII MCCL: a real board, a served one, or a virtual one in this process.
+"""Client for a PMC controller in ASCII MCCL.
 
-from motionlang.client import Client
+The controller is a real board, a served one, or a virtual one in this process.
 
-with Client.open("192.168.1.20:5010") as board:         # or "/dev/ttyUSB0", or Client.virtual()
-    board.send("1MN,1SV20000,1MR5000")
-    board.wait_for_stop(1, timeout=10)
-    print(board.position(1))
+    from motionlang.client import Client
+
+    with Client.open("192.168.1.20:5010") as board:   # or "/dev/ttyUSB0", or Client.virtual()
+        board.send("1MN,1SV20000,1MR5000")
+        board.wait_for_stop(1, timeout=10)
+        print(board.position(1))
 """
 
 from __future__ import annotations

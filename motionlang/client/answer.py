@@ -1,10 +1,10 @@
-"""What came back: lines, without prompt and echo."""
+"""Parsing of answers: lines, without prompt and echo."""
 
 from __future__ import annotations
 
 import re
 
-# What a client asks first, which is no answer when it is echoed, and what ESC is answered.
+# The first question of a client, whose echo is not an answer, and the answer to ESC.
 ASKED, CANCELLED = "VE", "?-7"
 _PROMPT = re.compile(rb"[\r\n]>")
 _LAST = re.compile(rb"([^\r\n>][^\r\n]*)(?:\r\n|\r|\n)>")
@@ -13,13 +13,19 @@ _END = re.compile(r"\r\n|\r|\n")
 
 
 def end_of(data: bytes) -> int:
-    """Where a board with a prompt has said all: behind the first prompt that follows a line end; 0 if it has not."""
+    """Return the end of a complete answer of a board with a prompt; 0 if incomplete.
+
+    The end is after the first prompt that follows a line end.
+    """
     match = _PROMPT.search(data)
     return match.end() if match else 0
 
 
 def version_in(data: bytes) -> tuple[str, int]:
-    """The line before a prompt, if it is no answer to ESC, and where that prompt ends; 0 where there is none."""
+    """Return the line before a prompt and the end of that prompt, or 0 without one.
+
+    An answer to ESC does not count.
+    """
     for match in _LAST.finditer(data):
         line = match[1].decode("latin-1")
         if line not in (ASKED, CANCELLED):
@@ -28,7 +34,7 @@ def version_in(data: bytes) -> tuple[str, int]:
 
 
 def lines_of(data: bytes, sent: str = "") -> list[str]:
-    """The lines of an answer; empty ones say nothing, prompts and the echo of what was sent are no answer."""
+    """Return the lines of an answer, without empty lines, prompts and the echo."""
     found = [line.removeprefix(">") for line in _END.split(data.decode("latin-1"))]
     found = [line for line in found if line]
     if sent in found:
@@ -37,13 +43,16 @@ def lines_of(data: bytes, sent: str = "") -> list[str]:
 
 
 def code_of(line: str) -> int | None:
-    """The code of an error line, None for any other."""
+    """Return the code of an error line, or None for any other line."""
     match = _CODE.fullmatch(line)
     return int(match[1]) if match else None
 
 
 def number_of(line: str) -> float | int:
-    """The number at the end of a report: 1234 of `01 1234`. ValueError where there is none."""
+    """Return the number at the end of a report: 1234 of `01 1234`.
+
+    Raises ValueError if there is none.
+    """
     text = line.rpartition(" ")[2]
     try:
         return int(text)

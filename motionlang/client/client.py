@@ -1,4 +1,7 @@
-"""The client: send a line, read its answer, wait for an axis; the same for a real, a served and a virtual board."""
+"""The client: send a line, read its answer, wait for an axis.
+
+It works alike with a real, a served and a virtual board.
+"""
 
 from __future__ import annotations
 
@@ -20,22 +23,24 @@ if TYPE_CHECKING:
     from motionlang.mccl.hosts.console import Console
 
 TIMEOUT = 5.0
-# Seconds of silence after which a board without a prompt has said all, and a line has been drained.
+# Seconds of silence after which the answer of a board without a prompt is complete, and a line has been
+# drained.
 QUIET = 0.05
-# Seconds after which a line that is never silent, as background tasks report all the time, counts as drained.
+# Seconds after which a line counts as drained even if it is never silent, because background tasks report all
+# the time.
 DRAIN = 0.5
 ESC = b"\x1b"
 ATTEMPTS = 3
-# Lines that nobody asked for, from background tasks, that are kept.
+# The number of stored lines that nobody requested, from background tasks.
 MOST_UNASKED = 1000
 
 
 class Client:
-    """A connection to a board, one line at a time; not for several threads at once.
+    """A connection to a board, one line at a time; not thread-safe.
 
-    Opening it sends ESC, so that whatever an earlier host left half said is forgotten, and asks for the version:
-    `version` is the board's answer, `prompts` whether it has a prompt. `unasked` collects what background tasks have
-    said between two lines. Time-outs are seconds, machine seconds for a virtual board.
+    Opening it sends ESC, to clear any unfinished line of an earlier host, and asks for the version. `version`
+    is the board's answer, and `prompts` is true if the board has a prompt. `unasked` collects the output of
+    background tasks between two lines. Time-outs are in seconds, for a virtual board in machine seconds.
     """
 
     def __init__(self, wire: Wire, timeout: float = TIMEOUT) -> None:
@@ -55,12 +60,12 @@ class Client:
 
     @classmethod
     def tcp(cls, host: str, port: int, timeout: float = TIMEOUT) -> Self:
-        """A board on the network, or `motionlang serve --tcp`."""
+        """Connect to a board on the network, or to `motionlang serve --tcp`."""
         return cls(TcpWire(host, port, timeout), timeout)
 
     @classmethod
     def serial(cls, path: str | os.PathLike[str], baud: int = 9600, timeout: float = TIMEOUT) -> Self:
-        """A board at a serial device, or `motionlang serve --pty`."""
+        """Connect to a board at a serial device, or to `motionlang serve --pty`."""
         return cls(SerialWire(str(path), baud, timeout), timeout)
 
     @classmethod
@@ -71,10 +76,10 @@ class Client:
         step: float = 0.001,
         timeout: float = TIMEOUT,
     ) -> Self:
-        """A virtual board in this process: a `Console`, or the settings of a machine file for a new one.
+        """Make a virtual board in this process.
 
-        Nothing takes wall time. A line takes `step` machine seconds, or as long as it waits. ValueError for a setting
-        that makes no sense.
+        `board` is a `Console`, or the settings of a machine file for a new one. Nothing takes real time. A
+        line takes `step` machine seconds, or as long as it waits. Raises ValueError for an invalid setting.
         """
         from motionlang.client.virtual import VirtualWire
         from motionlang.execution import accelerators
@@ -93,7 +98,7 @@ class Client:
 
     @classmethod
     def open(cls, where: str, timeout: float = TIMEOUT) -> Self:
-        """`HOST:PORT`, the path of a serial device or a URL of pyserial, or `virtual`."""
+        """Connect to `HOST:PORT`, a serial device, a URL of pyserial, or `virtual`."""
         host, colon, port = where.rpartition(":")
         if where == "virtual":
             return cls.virtual(timeout=timeout)
@@ -102,7 +107,7 @@ class Client:
         return cls.serial(where, timeout=timeout)
 
     def close(self) -> None:
-        """Leave the board; motion and background tasks go on."""
+        """Disconnect from the board; motion and background tasks continue."""
         self._wire.close()
 
     def __enter__(self) -> Self:
@@ -116,9 +121,10 @@ class Client:
     # ----------------------------------------------------------------------------------------------- talking
 
     def send(self, line: str, timeout: float | None = None) -> list[str]:
-        """Send a line and read the lines of its answer, none for a command that reports nothing.
+        """Send a line and return the lines of its answer; there may be none.
 
-        CommandError for `?code`; NoReply when the line takes longer, after it has been abandoned; ConnectionLost.
+        Raises CommandError for `?code`, ConnectionLost, and NoReply if the line takes longer; it is then
+        abandoned.
         """
         data = _encoded(line)
         self._collect_unasked()
@@ -132,14 +138,17 @@ class Client:
         return answer
 
     def ask(self, line: str, timeout: float | None = None) -> str:
-        """Send a line that is answered with one line."""
+        """Send a line and return its one-line answer."""
         answer = self.send(line, timeout)
         if len(answer) != 1:
             raise ClientError(f"{line}: {len(answer)} lines of answer, not one: {answer}")
         return answer[0]
 
     def number(self, line: str, timeout: float | None = None) -> float | int:
-        """Send a line that is answered with a number, in decimal mode: `1TP` gives 1234 of `01 1234`."""
+        """Send a line and return the number in its answer, in decimal mode.
+
+        For example, `1TP` returns 1234 of `01 1234`.
+        """
         answer = self.ask(line, timeout)
         try:
             return number_of(answer)
@@ -147,7 +156,7 @@ class Client:
             raise ClientError(f"{line}: the answer is no number: {answer}") from None
 
     def download(self, text: str, timeout: float | None = None) -> list[str]:
-        """Send the lines of a file without its comments; all that they were answered."""
+        """Send the lines of a file without its comments; return all answers."""
         from motionlang.mccl.syntax.parser import without_comment
 
         answer: list[str] = []
@@ -161,26 +170,32 @@ class Client:
         return answer
 
     def escape(self) -> None:
-        """Abandon what the board is doing for this client, a wait too; motion goes on."""
+        """Abandon the board's work for this client, including a wait; motion continues."""
         self._wire.send(ESC)
         self._drain()
 
     # -------------------------------------------------------------------------------------------------- axes
 
     def position(self, axis: int) -> float | int:
-        """Actual position, in the axis's units."""
+        """Return the actual position, in the axis's units."""
         return self.number(f"{axis}TP")
 
     def status(self, axis: int) -> Status:
-        """The primary status word."""
+        """Return the primary status word."""
         return Status(int(self.number(f"{axis}TS")) & 0xFFFFFFFF)
 
     def wait_for_stop(self, axis: int, timeout: float | None = None) -> None:
-        """Wait until the trajectory is complete (WS). AxisFault if it ended in an error; NoReply if it did not end."""
+        """Wait until the trajectory is complete (WS).
+
+        Raises AxisFault if it ended in an error, NoReply if it did not end.
+        """
         self._wait(axis, "WS", timeout)
 
     def wait_for_target(self, axis: int, timeout: float | None = None) -> None:
-        """Wait until the axis is at its target (WT), within DB for DT. Errors as for `wait_for_stop`."""
+        """Wait until the axis is at its target (WT), within DB for DT.
+
+        Raises the errors of `wait_for_stop`.
+        """
         self._wait(axis, "WT", timeout)
 
     def _wait(self, axis: int, command: str, timeout: float | None) -> None:
@@ -209,7 +224,7 @@ class Client:
         raise NoReply(ASKED, self.timeout)
 
     def _hear_version(self, seconds: float) -> bool:
-        """Read the answer to VE; False when there is none."""
+        """Read the answer to VE; return False if there is none."""
         end, data, lines = self._wire.now() + seconds, b"", [""]
         while True:
             try:
@@ -254,7 +269,7 @@ class Client:
             self._rest = b""
 
     def _drain(self) -> None:
-        """Forget what comes until the line is silent, or has not become so."""
+        """Discard input until the line is silent, or for `DRAIN` seconds."""
         self._rest = b""
         end = self._wire.now() + DRAIN
         while self._wire.receive(QUIET) and self._wire.now() < end:

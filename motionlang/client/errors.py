@@ -1,4 +1,4 @@
-"""What can go wrong between a program and a board."""
+"""Errors between a program and a board."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ if TYPE_CHECKING:
 
 
 class ClientError(Exception):
-    """Any of the errors below."""
+    """Base class of the errors below."""
 
 
 class CommandError(ClientError):
     """The board answered `?code`.
 
-    `line` is what was sent, `answer` the lines that came before the code, `number` the line's number in a file that
-    was being downloaded.
+    `line` is the line sent, and `answer` the lines that came before the code. `number` is its line number in
+    a downloaded file.
     """
 
     def __init__(self, code: int, line: str, answer: Sequence[str] = (), number: int | None = None) -> None:
@@ -31,7 +31,10 @@ class CommandError(ClientError):
 
 
 class NoReply(ClientError, TimeoutError):
-    """The board did not answer in time; the line has been abandoned with ESC, motion goes on."""
+    """The board did not answer in time.
+
+    The line has been abandoned with ESC; motion continues.
+    """
 
     def __init__(self, line: str, seconds: float) -> None:
         self.line, self.seconds = line, seconds
@@ -39,11 +42,11 @@ class NoReply(ClientError, TimeoutError):
 
 
 class ConnectionLost(ClientError, ConnectionError):
-    """There is no board at the other end, or not any more."""
+    """There is no board at the other end, or no longer."""
 
 
 class AxisFault(ClientError):
-    """The axis that was waited for has an error; `status` says which."""
+    """A wait ended because the axis has an error; `status` says which."""
 
     def __init__(self, axis: int, status: Status) -> None:
         self.axis, self.status = axis, status

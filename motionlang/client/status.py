@@ -1,4 +1,4 @@
-"""The status word as a program reads it."""
+"""The status word for client programs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from motionlang.mccl.axis import flags
 
 
 class Status(IntFlag):
-    """The primary status word of DCX-AT200, DCX-PCI and MultiFlex boards, bit by bit; other bits are kept."""
+    """The primary status word of DCX-AT200, DCX-PCI and MultiFlex boards, bit by bit.
+
+    Unnamed bits are preserved.
+    """
 
     BUSY = flags.BUSY
     MOTOR_ON = flags.MOTOR_ON
@@ -40,6 +43,9 @@ class Status(IntFlag):
 
     @property
     def faults(self) -> list[str]:
-        """The errors that are set, in words, without the motor error that they all set."""
+        """Return the names of the errors that are set, without the general motor error.
+
+        Each of these errors sets the motor error, too.
+        """
         found = self & Status(flags.FAULTS) & ~Status.MOTOR_ERROR
         return [(each.name or "").lower().replace("_", " ") for each in found]

@@ -1,4 +1,7 @@
-"""The way to a board in this process: nothing is waited for, machine time passes while an answer is."""
+"""A connection to a board in this process, without real time.
+
+Machine time passes while a client waits for an answer.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,10 @@ if TYPE_CHECKING:
 
 
 class VirtualWire:
-    """A port of `console`; time-outs are machine seconds, and a line takes `step` seconds or as long as it waits."""
+    """A port of `console`, with time-outs in machine seconds.
+
+    A line takes `step` seconds, or as long as it waits.
+    """
 
     fresh = True
 
@@ -26,13 +32,16 @@ class VirtualWire:
         self._port.feed(data)
 
     def receive(self, timeout: float) -> bytes:
-        """What the board has said, or says within `timeout` machine seconds; b"" where it says nothing."""
+        """Return the board's output within `timeout` machine seconds, or b"".
+
+        Returns at once if there is already output.
+        """
         said = self._port.take()
         if said or timeout <= 0.0:
             return said
         end = self.console.now + timeout
         if (not self.console.settle(end) or self._port.busy) and self.console.now < end:
-            # It waits for what cannot happen, or for a key: nothing comes in all that time.
+            # The board waits for an impossible event or for a key: it has no output for the whole time.
             self.console.run(end)
         return self._port.take()
 

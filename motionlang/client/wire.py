@@ -1,8 +1,7 @@
-"""The ways to a board: TCP, and a serial line, which may be the pseudo-terminal of `motionlang serve --pty`.
+"""Connections to a board: TCP, and a serial line.
 
-A wire has `send(data)`, `receive(timeout)`, which waits for anything at all and answers b"" when nothing came in time,
-`now()` for time-outs, `close()`, and `fresh`, which says that nothing older can be on it. Anything that has these,
-say around pyserial's `Serial`, can be given to `Client`.
+The serial line may be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`,
+such as a wrapper of pyserial's `Serial`, can be passed to `Client`.
 """
 
 from __future__ import annotations
@@ -19,10 +18,11 @@ MOST = 65536
 
 
 class Wire(Protocol):
-    """What a client needs: bytes both ways, and the time, s, by which it waits.
+    """A byte connection that a client needs, with the time, in s, of its time-outs.
 
-    `fresh` says that nothing from before can be on the line. `receive` gives b"" where nothing comes in `timeout`
-    seconds; both ways raise `ConnectionLost`.
+    `receive` returns the bytes that come within `timeout` seconds, or b"" if none do. `now()` is the time for
+    time-outs. `fresh` is true if no earlier data can be on the line. `send` and `receive` raise
+    `ConnectionLost`.
     """
 
     fresh: bool
@@ -34,7 +34,7 @@ class Wire(Protocol):
 
 
 class TcpWire:
-    """A TCP connection. `ConnectionLost` if there is nobody."""
+    """A TCP connection; raises `ConnectionLost` if nothing answers."""
 
     fresh = True
 
@@ -55,7 +55,10 @@ class TcpWire:
             raise ConnectionLost(f"the connection is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
-        """What comes within `timeout` seconds; b"" where nothing does. ConnectionLost at the end."""
+        """Return the data that comes within `timeout` seconds, or b"".
+
+        Raises ConnectionLost at the end of the connection.
+        """
         try:
             self._socket.settimeout(max(timeout, 0.0))
             data = self._socket.recv(MOST)
@@ -74,8 +77,8 @@ class TcpWire:
 class SerialWire:
     """A serial line by pyserial: 8 bits, no parity, 1 stop bit, no handshake.
 
-    `path` is a device, a COM port, or a URL of pyserial such as `socket://host:port`. `ConnectionLost` where there is
-    none, or no pyserial (the extra `serial`); ValueError for a baud rate that it does not have.
+    `path` is a device, a COM port, or a URL of pyserial such as `socket://host:port`. Raises `ConnectionLost`
+    if the device or pyserial (the extra `serial`) is missing, and ValueError for an unsupported baud rate.
     """
 
     fresh = False
@@ -99,14 +102,20 @@ class SerialWire:
         self.now = time.monotonic
 
     def send(self, data: bytes) -> None:
-        """Write all of `data`. ConnectionLost where the device is gone or takes nothing for too long."""
+        """Write all of `data`.
+
+        Raises ConnectionLost if the device is gone or accepts nothing for too long.
+        """
         try:
             self._line.write(data)
         except (self._lost, OSError) as error:
             raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
-        """What comes within `timeout` seconds; b"" where nothing does. ConnectionLost at the end."""
+        """Return the data that comes within `timeout` seconds, or b"".
+
+        Raises ConnectionLost at the end of the connection.
+        """
         try:
             self._line.timeout = max(timeout, 0.0)
             first: bytes = self._line.read(1)
@@ -119,5 +128,5 @@ class SerialWire:
 
 
 def _reason(error: OSError) -> str:
-    # pyserial puts a sentence of its own where the system's word for the number would stand.
+    # pyserial puts its own sentence where the system's text for the number would be.
     return (os.strerror(error.errno) if error.errno else str(error)).lower()
