@@ -1,4 +1,7 @@
-"""What the prompt itself understands: words with a leading dot, which begins no statement of either language."""
+"""Commands of the prompt itself.
+
+They begin with a dot, which begins no statement of either language.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """`argument` as the help shows it: `X` must be given, `[X]` may be, empty where there is none."""
+    """A command of the prompt, with its argument as the help shows it.
+
+    `X` is a required argument, `[X]` an optional one, and an empty text means none.
+    """
 
     name: str
     argument: str
@@ -38,13 +44,13 @@ class Command:
 
 
 def is_command(line: str) -> bool:
-    """Whether a line speaks to the prompt and not to the machine."""
+    """True if a line is a command of the prompt rather than a statement."""
     text = line.lstrip()
     return text[:1] == "." and text[1:2].isalpha()
 
 
 def without_dot(line: str) -> str:
-    """The command that a line means which the language did not understand; "" where it means none."""
+    """Return the dotted command that a rejected line most likely means, or ""."""
     word, _, argument = line.strip().partition(" ")
     command = COMMANDS.get({"exit": "quit", "bye": "quit", "?": "help"}.get(word.lower(), word.lower()))
     if command is None or (argument and not command.argument):
@@ -53,7 +59,7 @@ def without_dot(line: str) -> str:
 
 
 def obey(session: Session, line: str) -> None:
-    """Do what a dotted line says."""
+    """Carry out a dotted line."""
     word, _, argument = line[1:].partition(" ")
     argument = argument.replace("\0", "").strip()  # no system has a file with a NUL in its name
     command = COMMANDS.get(word.lower())
@@ -176,7 +182,7 @@ def _so_far(session: Session) -> Run:
 
 
 def load_file(session: Session, path: str) -> None:
-    """Run the program in a file; its names and the machine live on."""
+    """Run the program in a file; its names and the machine stay."""
     try:
         source = Source.read(expanduser(path))
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Completion: keywords with their one line of help, the prompt's own commands, and file names for these."""
+"""Completion of keywords with help, commands of the prompt and file names."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ _PROSE = ("comment", "string", "text")
 
 
 def candidates(dialect: Dialect, text: str) -> list[tuple[str, int, str]]:
-    """What may stand at the end of `text`: the word, how many characters it replaces, one line of help."""
+    """Return the completions of `text`.
+
+    Each has a name, the number of characters that it replaces, and its line of help.
+    """
     line = text.rpartition("\n")[2]
     if line.lstrip().startswith(".") and " " not in line.lstrip():
         begun = line.lstrip()[1:]
@@ -33,14 +36,14 @@ def candidates(dialect: Dialect, text: str) -> list[tuple[str, int, str]]:
 
 
 class WordCompleter(Completer):
-    """`candidates` for the terminal; files after `.load` and `.plot`."""
+    """`candidates` for the terminal, and file names after `.load` and `.plot`."""
 
     def __init__(self, dialect: Dialect) -> None:
         self._dialect = dialect
         self._paths = PathCompleter(expanduser=True)
 
     def get_completions(self, document: Document, complete_event: CompleteEvent) -> Iterable[Completion]:
-        """Files after a command that takes one, otherwise the words that fit."""
+        """Return file names after a command that takes one, and otherwise `candidates`."""
         word, _, argument = document.current_line_before_cursor.lstrip().partition(" ")
         command = COMMANDS.get(word[1:]) if is_command(word) else None
         if command is not None and "FILE" in command.argument and argument:
@@ -58,7 +61,7 @@ def _fits(row: Keyword, begun: str) -> bool:
 
 
 def _spelt(name: str, begun: str) -> str:
-    """Both languages take any case: go on as the user has begun."""
+    """Return a name in the user's case, because both languages accept any case."""
     return name.lower() if begun.islower() else name
 
 
@@ -67,6 +70,6 @@ def _help(row: Keyword) -> str:
 
 
 def _in_prose(dialect: Dialect, line: str) -> bool:
-    """Whether the end of `line` lies in a comment or a string."""
+    """True if the end of `line` is in a comment or a string."""
     pieces = list(dialect.tokens(line))
     return bool(pieces) and pieces[-1][0] in _PROSE

@@ -1,4 +1,4 @@
-"""The pieces of a line, each in its style."""
+"""Syntax highlighting of a line."""
 
 from __future__ import annotations
 
@@ -34,20 +34,20 @@ STYLE = Style.from_dict(
 
 
 def styled(dialect: Dialect, text: str) -> StyleAndTextTuples:
-    """`text` in pieces, each with its style; nothing of it is left out."""
+    """Split all of `text` into fragments, each with its style."""
     if is_command(text):
         return [("class:dotted", text)]
     return [(_STYLES.get(kind, ""), piece) for _, kind, piece in pieces(dialect, text)]
 
 
 class WordLexer(Lexer):
-    """`styled`, a line at a time, as the terminal wants it."""
+    """`styled` for each line, in the form that the terminal needs."""
 
     def __init__(self, dialect: Dialect) -> None:
         self._dialect = dialect
 
     def lex_document(self, document: Document) -> Callable[[int], StyleAndTextTuples]:
-        """Styled text by line number; beyond the last line nothing."""
+        """Return styled text by line number; lines past the last one are empty."""
         lines: list[StyleAndTextTuples] = [[]]
         for style, text, *_ in styled(self._dialect, document.text):
             first, *rest = text.split("\n")

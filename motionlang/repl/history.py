@@ -1,4 +1,7 @@
-"""What was typed, kept between sessions in the user's own state folder; in memory only where that cannot be written."""
+"""History of typed lines, stored between sessions in the user's state folder.
+
+If that folder cannot be written, the history is in memory only.
+"""
 
 from __future__ import annotations
 
@@ -9,19 +12,19 @@ from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 
 from motionlang.cache import own_folder
 
-# Names another file; empty: nothing is kept.
+# Names another file; an empty value stores no history.
 VARIABLE = "MOTIONLANG_HISTORY"
 
 
 def history(dialect: str) -> History:
-    """The history of a dialect."""
+    """Return the history of a dialect."""
     folder = _folder()
     path = os.environ.get(VARIABLE, os.path.join(folder, f"{dialect}-history") if folder else "")
     return KeptHistory(path) if path and _is_writable(path) else InMemoryHistory()
 
 
 class KeptHistory(FileHistory):
-    """A history whose trouble is never the session's: a full disk costs the history, not the work."""
+    """A history whose errors do not disturb the session, such as a full disk."""
 
     def store_string(self, string: str) -> None:
         try:
@@ -31,12 +34,15 @@ class KeptHistory(FileHistory):
 
 
 def _folder() -> str | None:
-    """The user's state folder for motionlang; None without a home."""
+    """Return the user's state folder for motionlang, or None without a home."""
     return own_folder("Application Support", "XDG_STATE_HOME", os.path.join(".local", "state"))
 
 
 def _is_writable(path: str) -> bool:
-    """Whether the file is, or could be made, this user's alone: nobody else has a business with what was typed."""
+    """True if the file is, or can be created as, private to this user.
+
+    Typed lines are nobody else's business.
+    """
     try:
         os.makedirs(os.path.dirname(path) or ".", 0o700, exist_ok=True)
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0), 0o600)

@@ -1,4 +1,7 @@
-"""Ctrl-C as a request: a running command is ended between two steps, where every axis is in order."""
+"""Ctrl-C as a request to end a running command.
+
+The command ends between two steps, when every axis is consistent.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,10 @@ from types import FrameType, TracebackType
 
 
 class Interrupts:
-    """`with interrupts:` turns Ctrl-C into `pressed()`; pressed twice it is the ordinary KeyboardInterrupt."""
+    """`with interrupts:` turns Ctrl-C into `pressed()`.
+
+    A second press raises the ordinary KeyboardInterrupt.
+    """
 
     def __init__(self) -> None:
         self._pressed = False
@@ -31,4 +37,4 @@ class Interrupts:
             raise KeyboardInterrupt
         self._pressed = True
         if os.isatty(2):
-            os.write(2, b"\n")  # the terminal has shown ^C, and what comes belongs on a line of its own
+            os.write(2, b"\n")  # the terminal has shown ^C, and further output belongs on its own line

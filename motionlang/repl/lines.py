@@ -1,4 +1,7 @@
-"""A session without a terminal: lines from standard input, answers to standard output, troubles to standard error."""
+"""A session without a terminal.
+
+It reads lines from standard input, writes answers to standard output and errors to standard error.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +13,10 @@ from motionlang.source import Source
 
 
 def read_lines(session: Session) -> int:
-    """Execute every line of standard input, of which an INPUT takes the next; 1 if anything was wrong.
+    """Execute every line of standard input; return 1 if any had an error.
 
-    Nobody is there to go on after Ctrl-C: the command is ended in good order, and KeyboardInterrupt follows.
+    An INPUT takes the next line. After Ctrl-C no user is there to continue, so the command is ended cleanly
+    and KeyboardInterrupt follows.
     """
     interrupts = Interrupts()
     session.interrupted = interrupts.pressed

@@ -1,4 +1,7 @@
-"""Live mode: machine time follows the clock on the wall, as at a real controller; off unless the user asks for it."""
+"""Live mode, in which machine time follows real time.
+
+It is off unless the user turns it on.
+"""
 
 from __future__ import annotations
 
@@ -10,21 +13,21 @@ STEP = 0.02
 
 
 class Live:
-    """Lets the session's machine time catch up with the wall, and holds a running command back to it."""
+    """Keeps the session's machine time at real time, also during a command."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
         self._wall = time.monotonic()
 
     def catch_up(self) -> None:
-        """Let as much machine time pass as passed on the wall since the last call."""
+        """Let as much machine time pass as real time has passed since the last call."""
         wall = time.monotonic()
         passed, self._wall = wall - self._wall, wall
         if self._session.live:
             self._session.runner.pass_time(passed)
 
     def begin(self) -> None:
-        """A command begins: from here on its time is held to the wall."""
+        """Begin a command, whose time is then held to real time."""
         self.catch_up()
         clock = self._session.machine.controller.clock
         zero = clock.now - self._wall
@@ -36,6 +39,6 @@ class Live:
         self._session.pace = hold if self._session.live else None
 
     def end(self) -> None:
-        """The command has ended."""
+        """End the command."""
         self._session.pace = None
         self._wall = time.monotonic()

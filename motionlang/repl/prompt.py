@@ -1,4 +1,7 @@
-"""The prompt at a terminal: history, highlighting, completion, blocks, and the machine in the bottom bar."""
+"""The prompt at a terminal.
+
+It has history, highlighting, completion and blocks, and shows the machine in the bottom bar.
+"""
 
 from __future__ import annotations
 
@@ -23,12 +26,15 @@ from motionlang.repl.session import Session
 from motionlang.views.terminal import width_of
 from motionlang.views.words import dialect_name
 
-# How often the bottom bar follows in live mode, seconds.
+# Seconds between two updates of the bottom bar in live mode.
 REFRESH = 0.1
 
 
 def converse(session: Session) -> int:
-    """Ask and answer until the user leaves; a person at a terminal has seen every trouble, so always 0."""
+    """Read and execute lines until the user leaves; return 0.
+
+    The exit status is always 0, because a person at a terminal has seen every error.
+    """
     interrupts = Interrupts()
     session.interrupted = interrupts.pressed
     session.live = False
@@ -56,8 +62,11 @@ def converse(session: Session) -> int:
 
 
 def _answer(begun: str) -> str | None:
-    """The line that is typed behind a question; the program itself shows both, as it shows what `[[answer]]` says."""
-    print(end="\r", flush=True)  # the question is written over itself
+    """Return the line that the user types after a question.
+
+    The program itself shows both, as it shows the text of `[[answer]]`.
+    """
+    print(end="\r", flush=True)  # the question is overwritten by itself
     try:
         line = PromptSession[str](erase_when_done=True).prompt(ANSI(begun))
     except EOFError:
@@ -89,7 +98,10 @@ def _asker(session: Session, live: Live) -> PromptSession[str]:
 
 
 def _keys(session: Session) -> KeyBindings:
-    """Enter executes what is complete and goes on with what is not; Alt-Enter always begins a new line."""
+    """Return the key bindings.
+
+    Enter executes a complete text and continues an incomplete one. Alt-Enter always begins a new line.
+    """
     keys = KeyBindings()
 
     @keys.add("enter")

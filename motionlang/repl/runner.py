@@ -1,4 +1,4 @@
-"""Runs one command after the other on one machine, and outlives whatever goes wrong with any of them."""
+"""Runs one command after another on one machine, and survives their errors."""
 
 from __future__ import annotations
 
@@ -18,20 +18,21 @@ from motionlang.lang.task import Task, Wait, wait_idle, wait_until
 from motionlang.repl.status import moving
 from motionlang.source import Source
 
-# Machine time after which a busy command is asked again whether somebody pressed Ctrl-C.
+# Machine time after which a busy command is polled again for Ctrl-C.
 SLICE = 0.25
 NOWHERE = Source("input", "")
 
 
 class Interrupted(Exception):
-    """Somebody pressed Ctrl-C while a command was running."""
+    """The user pressed Ctrl-C while a command was running."""
 
 
 class Runner:
-    """`tell(diagnostics, source)` is called with what goes wrong.
+    """Executes the commands of a session on its machine.
 
-    `poll(time)` is called between two steps of a command, where every axis is in order, with the machine time that is
-    about to be reached; it raises `Interrupted` to end the command.
+    `tell(diagnostics, source)` reports errors. `poll(time)` is called between two steps of a command, when
+    every axis is consistent, with the machine time that is about to be reached. It raises `Interrupted` to
+    end the command.
     """
 
     def __init__(
@@ -43,22 +44,26 @@ class Runner:
     ) -> None:
         self.dialect, self.machine = dialect, machine
         self._tell, self._poll = tell, poll
-        # One for the whole session: background tasks and event handlers go on under every command.
+        # One scheduler for the whole session: background tasks and event handlers continue during every
+        # command.
         idle = _Passing(wait_until(machine, 0.0, 0.0))
         self._scheduler = machine.scheduler = Scheduler(machine, idle, poll)
         self._interactive = dialect.interactive(machine)
 
     @property
     def keeps_places(self) -> bool:
-        """Whether troubles of an earlier text are told with their columns."""
+        """True if errors of an earlier text are reported with their columns."""
         return self._interactive.keeps_places
 
     def is_complete(self, text: str) -> bool:
-        """Whether `text` leaves no block open."""
+        """True if `text` leaves no block open."""
         return self._interactive.is_complete(text)
 
     def execute(self, source: Source) -> bool:
-        """Run a source until its task has ended; motion stays under way. False when something went wrong."""
+        """Run a source until its task has ended; return False after an error.
+
+        Motion continues.
+        """
         try:
             task = self._interactive.task(source)
         except ProgramError as error:
@@ -70,13 +75,16 @@ class Runner:
         return self._run(task, source)
 
     def pass_time(self, seconds: float) -> bool:
-        """Let machine time pass; False when something went wrong on the way."""
+        """Let machine time pass; return False if an error occurred."""
         controller = self.machine.controller
         now = controller.clock.now
         return self._run(_Passing(wait_until(controller, now, now + seconds)), NOWHERE)
 
     def settle(self) -> bool:
-        """Let the motion that is under way end; False when it never does, or something went wrong on the way."""
+        """Let the motion in progress end.
+
+        Returns False if it never ends or an error occurs.
+        """
         controller = self.machine.controller
         return self._run(_Passing(wait_idle(controller, controller.clock.now, moving(self.machine))), NOWHERE)
 
@@ -95,7 +103,7 @@ class Runner:
         return self._guard(source, run)
 
     def _let_run(self, task: Task) -> None:
-        """Put a command in the place of the one before it."""
+        """Replace the previous command by a new one."""
         scheduler = self._scheduler
         before = scheduler.parent
         scheduler.tasks = [task, *(each for each in scheduler.tasks if each is not before and not each.done)]
@@ -103,13 +111,13 @@ class Runner:
         scheduler.parent = scheduler.current = task
 
     def _pass_on(self, source: Source) -> None:
-        """Tell what the machine has complained of without ending the command."""
+        """Report the machine's diagnostics that did not end the command."""
         complaints, self.machine.diagnostics = self.machine.diagnostics, []
         if complaints:
             self._tell(complaints, source)
 
     def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
-        """Do `work`; whatever goes wrong is told, and the machine lives on."""
+        """Do `work`; report any error and keep the machine running."""
         try:
             try:
                 with Room():
@@ -130,12 +138,15 @@ class Runner:
         return False
 
     def _tell_at(self, source: Source, at: int, code: str, message: str, hint: str = "") -> None:
-        """Tell of trouble where the command stands, or stood."""
+        """Report an error at the current position of the command."""
         place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, at)
         self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
 
     def _drop_if_broken(self, error: Exception) -> None:
-        """A task that an error went through cannot go on, be it the command or something in the background."""
+        """Remove the current task if the error passed through it: it cannot continue.
+
+        The task is the command or a background task.
+        """
         task = self._scheduler.current
         frames = (frame for frame, _ in walk_tb(error.__traceback__))
         if any(frame.f_code.co_name == "resume" and frame.f_locals.get("self") is task for frame in frames):
@@ -144,7 +155,7 @@ class Runner:
                     tasks.remove(task)
 
     def _explain(self, error: Exception, task: Task | None, source: Source) -> None:
-        """Tell what went wrong; our own mistakes go on upwards."""
+        """Report an error; internal errors are raised again."""
         foreground = source is not NOWHERE and task is self._scheduler.parent
         diagnostic = explain(self.dialect, source, task if foreground else None, error)
         if diagnostic is None:
@@ -156,7 +167,7 @@ class Runner:
 
 
 class _Passing(Task):
-    """Nothing but time."""
+    """A task that only waits."""
 
     __slots__ = ("_wait",)
 

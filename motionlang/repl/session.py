@@ -1,8 +1,9 @@
-"""A session at the prompt: one line after the other on one living machine. There is no terminal in it.
+"""A session at the prompt: lines executed one by one on a running machine.
 
-Time is the machine's own. A line runs until its task has ended, so its waits pass; motion that it started stays under
-way, and **time stands still at the prompt** until the next line, or `.run` and `.settle`, let it pass. The same lines
-therefore always give the same answers, however long somebody thinks between them.
+It does not depend on a terminal. Time is machine time. A line runs until its task has ended, so its waits
+pass. Motion that it started continues later: **time stops at the prompt** until the next line, or `.run` or
+`.settle`, lets it pass. The same lines therefore always give the same answers, regardless of the time between
+them.
 """
 
 from __future__ import annotations
@@ -28,13 +29,13 @@ REMARK_ON_MOTION = (
 
 
 class Session:
-    """`feed(text)` executes lines and answers with all that they made appear.
+    """An interactive session: `feed(text)` executes lines and returns their output.
 
-    `show` is called with the machine's output and the session's answers as they come, `complain` with troubles
-    and remarks (by default `show` gets them too). `interrupted()` is polled while a command runs, `pace(time)` is
-    called with the machine time that is about to be reached. `ask(begun)` answers with the line for an INPUT that
-    stands behind the text `begun`, None where there is none; time stands still meanwhile. `failed` says whether
-    anything ever went wrong, `over` that the user has asked to leave.
+    `show` is called with the machine's output and the session's answers as they come, `complain` with errors
+    and remarks (by default `show` gets them too). `interrupted()` is polled while a command runs.
+    `pace(time)` is called with the machine time that is about to be reached. `ask(begun)` returns the line
+    for an INPUT whose prompt is `begun`, or None if there is none; time stops meanwhile. `failed` is true
+    after any error, `over` after the user has asked to leave.
     """
 
     def __init__(
@@ -52,7 +53,7 @@ class Session:
         self.ask: Callable[[str], str | None] = lambda begun: None
         self.colour, self.width = False, WIDTH
         self.failed = self.over = False
-        # Whether machine time follows the wall; None where nobody sits before a clock.
+        # True if machine time follows real time; None if no user is present.
         self.live: bool | None = None
         self._settings, self._overrides = settings, overrides
         self._show, self._complain = show, complain or show
@@ -61,7 +62,7 @@ class Session:
         self.reset()
 
     def reset(self) -> None:
-        """Power-up: a new machine at time zero, no names, no open block."""
+        """Reset to power-up: a new machine at time zero, no names, no open block."""
         self.machine = Machine(
             self._settings,
             first_axis=self.dialect.first_axis,
@@ -79,15 +80,15 @@ class Session:
 
     @property
     def in_block(self) -> bool:
-        """Whether a block is open, so that more lines must follow."""
+        """True if a block is open, so that more lines must follow."""
         return bool(self._block)
 
     def is_complete(self, text: str) -> bool:
-        """Whether `text` could be executed as it stands."""
+        """True if `text` could be executed as it is."""
         return is_command(text) or self.runner.is_complete(text)
 
     def feed(self, text: str) -> str:
-        """Execute `text`, one line or more; the answer is all that it made appear."""
+        """Execute `text`, one or more lines, and return all of its output."""
         self._answer.clear()
         for line in text.split("\n"):
             if self.over or self.interrupted():
@@ -97,7 +98,7 @@ class Session:
         return "".join(self._answer)
 
     def finish(self) -> str:
-        """No more lines will come: a block that is still open is executed, and says what it lacks."""
+        """End the input: execute a block that is still open, and report its missing end."""
         self._answer.clear()
         if self._block:
             self._execute_block()
@@ -105,7 +106,7 @@ class Session:
 
     def _line(self, line: str) -> None:
         if is_command(line):
-            # Typed lines are counted, these too: the numbers of a piped session are those of its file.
+            # Count these lines too, so that the line numbers of a piped session are those of its file.
             (self._block or self._lines).append("")
             obey(self, line.strip())
             return
@@ -114,7 +115,10 @@ class Session:
             self._execute_block()
 
     def _execute_block(self) -> None:
-        """Lines are numbered through the session, as the report of moves names them."""
+        """Execute the open block; lines are numbered through the session.
+
+        The report of moves uses these numbers.
+        """
         text, before = "\n".join(self._block), len(self._lines)
         self._lines.extend(self._block)
         self._block.clear()
@@ -124,14 +128,17 @@ class Session:
     # ---------------------------------------------------------------------------------------------- executing
 
     def load(self, source: Source) -> bool:
-        """Execute a whole program, keeping its names as far as the dialect can; False when something went wrong."""
+        """Execute a whole program; return False after an error.
+
+        Its names stay defined as far as the dialect allows.
+        """
         fine = self.execute(source)
-        # A number up to here may mean a line of the program or of the session.
+        # A number up to here may be a line of the program or of the session.
         self._ambiguous = max(len(self._lines), source.text.count("\n") + 1)
         return fine
 
     def execute(self, source: Source) -> bool:
-        """Execute a source; False when something went wrong."""
+        """Execute a source; return False after an error."""
         fine = self.runner.execute(source)
         self.machine.terminal.close()
         self.machine.terminal.forget()
@@ -156,13 +163,13 @@ class Session:
             self._show(text)
 
     def remark(self, text: str) -> None:
-        """Show what is not output: a trouble, a remark."""
+        """Show text that is not output: an error or a remark."""
         self._answer.append(text)
         if self._complain is not None:
             self._complain(text)
 
     def trouble(self, diagnostics: list[Diagnostic], source: Source | None = None) -> None:
-        """Show what went wrong."""
+        """Report errors."""
         self.machine.terminal.close()
         for diagnostic in diagnostics:
             self.failed = self.failed or diagnostic.severity == "error"
@@ -172,14 +179,17 @@ class Session:
             self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:
-        """The text that a diagnostic's line is a line of: an earlier one for what was left in a move buffer."""
+        """Return the source that contains a diagnostic's line.
+
+        This is an earlier text for a move left in a move buffer.
+        """
         if source is None or not diagnostic.line:
             return None
         if source.line(diagnostic.line):
             return source
         if diagnostic.line > self._ambiguous:
             if not self.runner.keeps_places:
-                diagnostic.column = 0  # what was left behind is somewhere in that line
+                diagnostic.column = 0  # the move is somewhere in that line
             return Source("input", "\n".join(self._lines))
         diagnostic.line = 0
         return None

@@ -1,4 +1,4 @@
-"""The machine in a few words: machine time, and every axis that is not as it was at power-up."""
+"""The state of the machine: time, and every axis that has changed since power-up."""
 
 from __future__ import annotations
 
@@ -7,20 +7,26 @@ from motionlang.lang.machine.machine import Machine
 
 
 def moving(machine: Machine) -> list[int]:
-    """The axes in motion."""
+    """Return the axes in motion."""
     controller = machine.controller
     return [number for number in controller.axes if not controller.is_idle(number)]
 
 
 def one_line(machine: Machine) -> str:
-    """Machine time and positions, for the bottom bar: `1.5 s   0: 200   1: 12.5 moving`."""
+    """Return machine time and positions for the bottom bar.
+
+    For example: `1.5 s   0: 200   1: 12.5 moving`.
+    """
     parts = [f"{number_text(machine.controller.clock.now, 9)} s"]
     parts += [_brief(machine, axis) for axis in _touched(machine)]
     return "   ".join(parts)
 
 
 def table(machine: Machine) -> str:
-    """A line an axis, in user units: position, velocity, target, what it is doing."""
+    """Return a table of the axes in user units.
+
+    A line has an axis, its position, velocity, target and activity.
+    """
     rows = [("axis", "position", "velocity", "target", "")]
     rows += [_row(machine, axis) for axis in _touched(machine)]
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
@@ -30,7 +36,7 @@ def table(machine: Machine) -> str:
 
 
 def number_text(value: float, digits: int = 10) -> str:
-    """A number as people write it, without the noise of the last bits."""
+    """Format a number without the rounding noise of its last bits."""
     return f"{value:.{digits}g}" if round(value, 12) else "0"
 
 
