@@ -1,1 +1,4 @@
-"""Copley PVT drives: points on the wire, the drive's buffer and trajectory generator, and the CAN bus to them."""
+"""Copley PVT drives: wire format, the drive's buffer and motion, the CAN bus.
+
+The motion is that of the drive's trajectory generator.
+"""

@@ -1,4 +1,4 @@
-"""The drive's trajectory buffer: 32 points, first in first out, with the errors that it latches."""
+"""The drive's trajectory buffer: a FIFO queue of 32 points with latched errors."""
 
 from __future__ import annotations
 
@@ -9,15 +9,16 @@ from motionlang.copley.packet import OVERFLOW, BufferStatus
 from motionlang.copley.point import WirePoint
 
 SIZE = 32
-"""Points that the buffer holds; the note promises no more."""
+"""Capacity of the buffer in points; the note promises no more."""
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One place of the buffer: position (counts), velocity (0.1 counts/s; None: linear), time (microseconds).
+    """One point in the buffer.
 
-    Microseconds, because object 0x60C2 can set fixed times finer than the milliseconds of a point. An
-    `initial` entry only says where the move begins, and takes no time.
+    `position` is in counts, `velocity` in 0.1 counts/s (None for a linear segment). The time is in
+    microseconds, because object 0x60C2 can set fixed times finer than the milliseconds of a point. An
+    `initial` entry only states where the move begins, and takes no time.
     """
 
     position: int
@@ -28,7 +29,7 @@ class Entry:
 
 
 class Buffer:
-    """What the drive still has to do, the number of the next segment, and the errors latched so far."""
+    """The queued entries, the number of the next segment, and the latched errors."""
 
     def __init__(self, size: int = SIZE) -> None:
         self.size = size
@@ -38,16 +39,16 @@ class Buffer:
 
     @property
     def free(self) -> int:
-        """The free positions."""
+        """The number of free positions."""
         return self.size - len(self.entries)
 
     @property
     def status(self) -> BufferStatus:
-        """What object 0x2012 shows."""
+        """The value of object 0x2012."""
         return BufferStatus(self.next_number, self.free, self.errors, not self.entries)
 
     def add(self, entry: Entry) -> bool:
-        """Append a point; a full buffer drops it, latches an overflow and answers False."""
+        """Append a point; if full, drop it, latch an overflow and return False."""
         if not self.free:
             self.errors |= OVERFLOW
             return False
@@ -56,19 +57,19 @@ class Buffer:
         return True
 
     def take(self) -> Entry | None:
-        """The oldest point, removed; None from an empty buffer."""
+        """Remove and return the oldest point; return None if the buffer is empty."""
         return self.entries.popleft() if self.entries else None
 
     def clear(self) -> None:
-        """Remove every point; latched errors and the running number stay."""
+        """Remove every point; the latched errors and the running number stay."""
         self.entries.clear()
 
     def pop(self, count: int) -> None:
-        """Remove the `count` most recently added points, or all where there are fewer."""
+        """Remove the last `count` points, or all if there are fewer."""
         for _ in range(min(count, len(self.entries))):
             self.entries.pop()
 
 
 def entry_of(point: WirePoint) -> Entry:
-    """The entry of a point whose time is in milliseconds."""
+    """Return the entry of a point whose time is in milliseconds."""
     return Entry(point.position, point.velocity, point.time * 1000, point.relative)

@@ -1,8 +1,8 @@
-"""A CAN bus between a master and the simulated drive, in virtual time and in one thread.
+"""A CAN bus between a master and the simulated drive.
 
-Real frames go over python-can's virtual bus (or another interface that loops back, such as SocketCAN's vcan).
-Whoever sends then lets every frame in flight be delivered before the call returns, so a run is the same every
-time, and nothing ever waits on a clock.
+It runs in virtual time and in one thread. Real frames go over python-can's virtual bus, or over another
+interface that loops back, such as SocketCAN's vcan. Every send delivers all frames in flight before the call
+returns. A run is therefore always the same, and nothing waits for real time.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from motionlang.copley.node import DriveNode
 
 VIRTUAL = "virtual"
 NEWS_TIMEOUT = 0.05
-"""Seconds that a master waits for news of a real drive before it looks again."""
+"""Seconds that a master waits for a message of a real drive before it polls again."""
 _CHANNELS = itertools.count(1)
 
 
@@ -28,7 +28,10 @@ class BusError(Exception):
 
 
 def open_bus(interface: str, channel: str) -> can.BusABC:
-    """One end of a bus; `BusError` where python-can or the machine has no such interface or channel."""
+    """Open one end of a bus.
+
+    Raises `BusError` if python-can or the machine has no such interface or channel.
+    """
     try:
         return can.Bus(interface=interface, channel=channel)
     except (can.CanError, OSError, ValueError) as problem:
@@ -37,20 +40,23 @@ def open_bus(interface: str, channel: str) -> can.BusABC:
 
 
 class LockstepNetwork(canopen.Network):
-    """A network whose frames are delivered by the bus it belongs to, not by a thread."""
+    """A network whose bus delivers its frames, instead of a thread."""
 
     def __init__(self, owner: LockstepBus, bus: can.BusABC) -> None:
         super().__init__(bus)
         self.owner, self.end = owner, bus
 
     def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
-        """Send a frame and have it delivered, and whatever is sent in answer to it."""
+        """Send a frame, and deliver it and all frames sent in answer."""
         super().send_message(can_id, data, remote)
         self.owner.deliver()
 
 
 class RealBus:
-    """A bus with a real drive, or anyone else's, on its other end; frames come in by a thread of python-can."""
+    """A bus whose other end is real; a thread of python-can receives its frames.
+
+    The other end is a real drive or anyone else's.
+    """
 
     patience = 100
 
@@ -68,20 +74,20 @@ class RealBus:
         self.close()
 
     def wait(self) -> None:
-        """Wait until the drive sends its buffer status, or a moment."""
+        """Wait until the drive sends its buffer status, but at most `NEWS_TIMEOUT`."""
         self._news.wait(NEWS_TIMEOUT)
         self._news.clear()
 
     def close(self) -> None:
-        """Leave the bus."""
+        """Disconnect from the bus."""
         self.network.disconnect()
 
 
 class LockstepBus:
-    """A bus with a simulated drive on one end; `network` is the master's end, `wait` lets virtual time pass.
+    """A bus with a simulated drive on one end.
 
-    `step` is the time in microseconds that passes between two looks of the master at the bus. `frames` counts
-    what was delivered.
+    `network` is the master's end, and `wait` lets virtual time pass. `step` is the time, in microseconds,
+    between two polls of the bus by the master. `frames` counts the delivered frames.
     """
 
     patience = 5000
@@ -92,7 +98,7 @@ class LockstepBus:
         name = channel or f"motionlang-{next(_CHANNELS)}"
         self.drive, self.step, self.frames = drive, step, 0
         self._delivering = False
-        # A virtual bus has nothing in flight; a kernel may need a moment to loop a frame back.
+        # A virtual bus has no delay; a kernel may need a moment to loop a frame back.
         self._patience = 0.0 if interface == VIRTUAL else 0.01
         near, far = (open_bus(interface, name) for _ in range(2))
         self.network, self._far = LockstepNetwork(self, near), LockstepNetwork(self, far)
@@ -106,11 +112,11 @@ class LockstepBus:
         self.close()
 
     def wait(self) -> None:
-        """Let one step of virtual time pass, or the drive come to rest."""
+        """Let one step of virtual time pass."""
         self.drive.run_until(self.drive.microseconds + self.step)
 
     def deliver(self) -> None:
-        """Deliver frames until none is in flight; a frame sent meanwhile joins them."""
+        """Deliver frames until none is in flight, including those sent meanwhile."""
         if self._delivering:
             return
         self._delivering = True
@@ -121,7 +127,7 @@ class LockstepBus:
             self._delivering = False
 
     def close(self) -> None:
-        """Leave the bus."""
+        """Disconnect from the bus."""
         self.drive.listener = None
         for network in (self.network, self._far):
             network.end.shutdown()

@@ -1,6 +1,6 @@
-"""A simulated Copley drive in PVT mode: it takes points from its buffer and makes a motion of them.
+"""A simulated Copley drive in PVT mode, which turns buffered points into motion.
 
-The motion is a history of profiles, exact at any time, as that of an axis is. Time is virtual, in whole
+The motion is a sequence of profiles, exact at any time, like that of an axis. Time is virtual, in whole
 microseconds while a move runs, and passes only in `run_until`.
 """
 
@@ -18,17 +18,17 @@ from motionlang.planners.stop import plan_stop
 IDLE, WAITING, MOVING, STOPPING = "idle", "waiting", "moving", "stopping"
 
 SERVO_PERIOD = 250
-"""Microseconds of one servo period; sub-mode 0 adjusts its times by one of them."""
+"""Servo period in microseconds; sub-mode 0 adjusts its times by one of them."""
 KEPT = 3
-"""Points that sub-mode 0 waits for before it moves, and tries to keep in the buffer."""
+"""Points that sub-mode 0 needs before it moves, and aims to keep in the buffer."""
 ABORT_DECELERATION = 1_000_000.0
-"""Counts/s^2 at which an aborted move comes to rest."""
+"""Deceleration of an aborted move, counts/s²."""
 
 
 class Drive:
     """A drive at rest at `position` with an empty buffer.
 
-    `log` tells what happened (seconds, sentence). `listener` is called when a point leaves the buffer or an
+    `log` lists the events (seconds, sentence). `listener` is called when a point leaves the buffer or an
     error is latched: the event of object 0x2012.
     """
 
@@ -42,7 +42,7 @@ class Drive:
         self.buffer = Buffer()
         self.servo_period, self.abort_deceleration = servo_period, abort_deceleration
         self.state = IDLE
-        # Sub-mode 0: begin with an empty buffer, wait for points, and steer the segment times.
+        # Sub-mode 0: begin with an empty buffer, wait for points, and adjust the segment times.
         self.steering = False
         self.microseconds = 0
         self.starts: list[float] = [0.0]
@@ -73,17 +73,20 @@ class Drive:
 
     @property
     def next_boundary(self) -> int | None:
-        """The microsecond at which the present segment ends; None at rest."""
+        """The microsecond at which the current segment ends; None at rest."""
         return self._boundary
 
     # ------------------------------------------------------------------------------------------ commands
 
     def add(self, point: WirePoint) -> bool:
-        """Put a point into the buffer; False where it was full."""
+        """Put a point into the buffer; return False if it was full."""
         return self.add_entry(entry_of(point))
 
     def add_entry(self, entry: Entry) -> bool:
-        """Put an entry into the buffer; in sub-mode 0 the third one lets a waiting move begin."""
+        """Put an entry into the buffer.
+
+        In sub-mode 0 the third entry starts a waiting move.
+        """
         taken = self.buffer.add(entry)
         if not taken:
             self._note("a point came to a full buffer and was dropped: overflow")
@@ -99,7 +102,7 @@ class Drive:
         self._event()
 
     def clear_errors(self, mask: int) -> None:
-        """Forget the latched errors of a mask."""
+        """Clear the latched errors in a mask."""
         self.buffer.errors &= ~mask
 
     def clear(self) -> None:
@@ -108,11 +111,11 @@ class Drive:
         self.stop("the buffer was cleared")
 
     def pop(self, count: int) -> None:
-        """Remove the most recently added points; a move goes on unless it runs dry."""
+        """Remove the last points added; a move continues unless it runs out of points."""
         self.buffer.pop(count)
 
     def start(self) -> None:
-        """Begin the move in the buffer; ignored while one is in progress."""
+        """Begin the move in the buffer; a no-op while one is in progress."""
         if self.state in (MOVING, STOPPING, WAITING):
             return
         if self.steering:
@@ -123,7 +126,7 @@ class Drive:
             self._begin()
 
     def stop(self, why: str = "stopped by the master") -> None:
-        """Abort the move in progress: brake to rest; the buffer keeps what it has."""
+        """Abort the move in progress by braking to rest; the buffer stays unchanged."""
         if self.state == MOVING:
             word = "aborted" if self.velocity else "ended"
             self._note(f"move {word} at {self.position:.10g}: {why}")
@@ -144,7 +147,7 @@ class Drive:
     # ---------------------------------------------------------------------------------- the life of a move
 
     def _begin(self) -> None:
-        """Take the first point: where the move begins, and how fast."""
+        """Take the first point: the initial position and velocity of the move."""
         self._reference = here = self.position
         first = self._take()
         while first is not None and first.initial:
@@ -164,14 +167,14 @@ class Drive:
         self._next_segment()
 
     def _arrive(self) -> None:
-        """The present profile is over: the next segment, or rest."""
+        """End the current profile; begin the next segment or come to rest."""
         if self.state == STOPPING:
             self._rest(self.profiles[-1].end)
         else:
             self._next_segment()
 
     def _next_segment(self) -> None:
-        """From the point just reached to the next one in the buffer."""
+        """Begin the segment from the point just reached to the next one in the buffer."""
         if self._entry.microseconds == 0:
             self._note(f"move ended at {self._reference:.10g}")
             self._rest(self._reference)
@@ -195,7 +198,11 @@ class Drive:
         self._boundary = self.microseconds + span
 
     def _steered(self, span: int) -> int:
-        """Sub-mode 0: one servo period more while the buffer is short of points, one less while it has too many."""
+        """Return the segment time adjusted for sub-mode 0.
+
+        It is one servo period longer while the buffer has too few points, and one shorter while it has too
+        many.
+        """
         if not self.steering or span == 0:
             return span
         surplus = len(self.buffer.entries) - KEPT
@@ -203,7 +210,7 @@ class Drive:
         return max(span + step, self.servo_period)
 
     def _place(self, entry: Entry) -> float:
-        """The absolute position of a point, remembered for the one after it."""
+        """Return the absolute position of a point, and store it as the next reference."""
         self._reference = self._reference + entry.position if entry.relative else float(entry.position)
         return self._reference
 

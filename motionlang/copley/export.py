@@ -1,7 +1,7 @@
-"""A PVT move as text for other programs: CSV, serial words, or the CAN frames of a whole session.
+"""Export of a PVT move as CSV, serial words or the CAN frames of a whole session.
 
-Frames are written as can-utils writes them, `identifier#data`, so that `cansend` takes a line as it is. In every
-format a line that begins with # is a comment.
+Frames have the format of can-utils, `identifier#data`, so that `cansend` accepts each line. In every format a
+line that begins with # is a comment.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ LATER = "# from here on: whenever object 0x2012 shows free places"
 
 
 class Unwritable(ValueError):
-    """A move that a format cannot hold."""
+    """The format cannot represent the move."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,10 @@ class Export:
 
 
 def export(points: Sequence[WirePoint], form: str, node: int = 1) -> Export:
-    """A move in one of `FORMATS`; `Unwritable` where the format cannot hold it."""
+    """Return a move in one of `FORMATS`.
+
+    Raises `Unwritable` if the format cannot hold it.
+    """
     if form == "csv":
         return Export(write_points(from_wire(points)), list(points))
     if form == "serial":
@@ -61,7 +64,10 @@ def export(points: Sequence[WirePoint], form: str, node: int = 1) -> Export:
 
 
 def sdo_download(node: int, index: int, sub: int, data: bytes) -> list[str]:
-    """The frames a master sends to write an object: one for up to four bytes, else segments of seven."""
+    """Return the frames that a master sends to write an object.
+
+    One frame holds up to four bytes; more are sent in segments of seven.
+    """
     address = index.to_bytes(2, "little") + bytes([sub])
     size = len(data)
     if size <= 4:
@@ -76,7 +82,7 @@ def sdo_download(node: int, index: int, sub: int, data: bytes) -> list[str]:
 
 
 def frame(can_id: int, data: bytes) -> str:
-    """One frame as can-utils writes it."""
+    """Return one frame in the format of can-utils."""
     return f"{can_id:03X}#{data.hex().upper()}"
 
 
@@ -97,7 +103,10 @@ def _serial(points: Sequence[WirePoint]) -> Export:
 
 
 def _read_back(messages: Sequence[bytes]) -> list[WirePoint]:
-    """The points in the messages, an initial position worked into the point that counts from it."""
+    """Return the points in the messages.
+
+    An initial position is added to the point that counts from it.
+    """
     points: list[WirePoint] = []
     initial = None
     for message in messages:
@@ -161,7 +170,10 @@ def _session(node: int, groups: Sequence[Iterable[str]]) -> list[str]:
 
 
 def _map_pdo(node: int, communication: int, can_id: int, mapped: int) -> list[str]:
-    """Switch a PDO off, map one object, make it event-driven, switch it on."""
+    """Return the frames that disable a PDO, map one object and enable it again.
+
+    The PDO is event-driven.
+    """
     mapping = communication + 0x200
     steps = (
         (communication, 1, can_id | 1 << 31, 4),

@@ -1,7 +1,8 @@
-"""A master that streams a PVT move to a drive over CANopen and keeps its buffer fed.
+"""A master that streams a PVT move to a drive over CANopen.
 
-The order is that of the manual: the status object 0x2012 mapped to an event-driven PDO, the buffer filled, bit 4 of
-the control word raised, and more points sent whenever the status says that the drive has taken some.
+The steps are those of the manual. Map the status object 0x2012 to an event-driven PDO, fill the buffer, and
+raise bit 4 of the control word. Then send more points whenever the status shows that the drive has taken
+some.
 """
 
 from __future__ import annotations
@@ -40,21 +41,25 @@ class StreamError(Exception):
 
 
 class Bus(Protocol):
-    """What the master needs: a canopen network, and a way to let time pass until something may be new."""
+    """A canopen network with a method that waits for possible news."""
 
     @property
     def network(self) -> canopen.Network: ...
 
     @property
     def patience(self) -> int:
-        """Waits in a row without any news of the drive after which the master gives up."""
+        """The number of waits without news of the drive after which the master gives up."""
 
     def wait(self) -> None: ...
 
 
 @dataclass(slots=True)
 class Streamed:
-    """What a stream took: messages with points sent, and sent again; the fewest points seen waiting in the buffer."""
+    """Statistics of a stream.
+
+    `sent` counts the messages with points, and `resent` those sent again. `lowest` is the smallest number of
+    points seen in the buffer.
+    """
 
     sent: int = 0
     resent: int = 0
@@ -72,7 +77,7 @@ class Master:
         self.news = 0
 
     def prepare(self) -> None:
-        """Bring the drive to operation enabled, in interpolated position mode, with an empty buffer."""
+        """Enable operation in interpolated position mode, with an empty buffer."""
         self._map_pdos()
         self.node.nmt.state = "OPERATIONAL"
         self._write(0x6060, 0, INTERPOLATED_POSITION)
@@ -88,7 +93,10 @@ class Master:
         self.refresh()
 
     def stream(self, points: Sequence[WirePoint], way: str = "pdo") -> Streamed:
-        """Run a whole move by one of `WAYS`; `StreamError` where the drive or the points do not allow it."""
+        """Run a whole move by one of `WAYS`.
+
+        Raises `StreamError` if the drive or the points do not allow it.
+        """
         if way not in WAYS:
             raise StreamError(f"there is no way {way!r} to stream; there is {', '.join(WAYS)}")
         try:
@@ -105,7 +113,7 @@ class Master:
         if way in ("pdo", "sdo"):
             self._write(
                 0x60C0, 0, CUBIC_MODE
-            )  # any but 0, which would forget the points sent before the start
+            )  # any mode but 0, which would drop the points sent before the start
             return self._stream_packets(points, self._send_pdo if way == "pdo" else self._send_sdo)
         mode = int(way)
         self._write(0x60C0, 0, mode)
@@ -162,14 +170,17 @@ class Master:
             silent = self._wait(silent)
 
     def _stream_fixed(self, points: Sequence[WirePoint], mode: int) -> Streamed:
-        """Sub-modes 0 and -1: one position each period, the last repeated until it is reached, then bit 4 lowered."""
+        """Stream by sub-mode 0 or -1: one position per period.
+
+        The last position is repeated until it is reached. Then bit 4 is lowered.
+        """
         period = _common_time(points)
         self._write(0x60C2, 2, -3)
         self._write(0x60C2, 1, period)
         base, result, silent = self.status.next_number, Streamed(), 0
         started = mode == 0
         if started:
-            self._start()  # sub-mode 0 forgets what came before the start
+            self._start()  # sub-mode 0 drops the points sent before the start
         positions = [_absolute_only(point).position for point in points]
         while True:
             room = self._room(base + result.sent)
@@ -183,7 +194,7 @@ class Master:
             if result.sent < len(points):
                 result.lowest = min(result.lowest, SIZE - self.status.free)
             elif self._taken(base, result.sent) > len(points):
-                # The drive is on its way from the last point to its repetition: it stands there.
+                # The drive is between the last point and its repetition, so it is at rest.
                 self._write(0x6040, 0, ENABLED)
                 return result
             silent = self._wait(silent)
@@ -194,10 +205,11 @@ class Master:
         self._write(0x6040, 0, START)
 
     def _lost(self, next_number: int, *, everything: bool) -> int:
-        """How many of the last points the drive does not have, after a lost frame; clears its sequence error.
+        """Return how many of the last points the drive does not have after a lost frame.
 
-        A drive sees that a segment is missing when the next one comes. Once everything is sent none will, so
-        the status is read: that request arrives after the points.
+        Clears the sequence error of the drive. The drive notices a missing segment when the next one comes.
+        If everything has been sent, none will come, so the status is read. That request arrives after the
+        points.
         """
         if everything:
             self.refresh()
@@ -210,20 +222,26 @@ class Master:
         return missing
 
     def _room(self, next_number: int) -> int:
-        """Free positions, less the points that were on their way when the drive counted them."""
+        """Return the free positions, less the points in transit at the drive's last count."""
         return max(0, self.status.free - (next_number - self.status.next_number & 0xFFFF))
 
     def _taken(self, base: int, sent: int) -> int:
-        """How many of `sent` points, numbered from `base`, the drive had taken out of its buffer when it last told."""
+        """Return how many of `sent` points had left the buffer at the last status.
+
+        The points are numbered from `base`.
+        """
         return sent - (base + sent - self.status.next_number & 0xFFFF) - (SIZE - self.status.free)
 
     def _check(self) -> None:
-        """Stop at an error that ends a move; the latest word of the drive counts."""
+        """Raise `StreamError` if the drive's last status has an error that ends a move."""
         if self.status.errors & (packet.UNDERFLOW | packet.OVERFLOW):
             raise StreamError(f"the drive reports: {packet.error_names(self.status.errors)}")
 
     def _at_rest(self) -> bool:
-        """Whether the move is over: asked of the drive only once its buffer is said to be empty."""
+        """True if the move is over.
+
+        The drive is only queried after it has reported an empty buffer.
+        """
         if self.news == 0:
             self.refresh()
         return self.status.empty and not self._moving()
@@ -233,7 +251,7 @@ class Master:
         return bool(self._read(0x6041) & MOVING_BIT)
 
     def _wait(self, silent: int) -> int:
-        """Let time pass; how many waits in a row have brought no news."""
+        """Let time pass; return the number of consecutive waits without news."""
         before = self.news
         self.bus.wait()
         self._check()
@@ -245,7 +263,7 @@ class Master:
     # -------------------------------------------------------------------------------------------- the bus
 
     def _map_pdos(self) -> None:
-        """RPDO 1 carries object 0x2010, TPDO 1 object 0x2012 on every event."""
+        """Map object 0x2010 to RPDO 1, and 0x2012 to TPDO 1 on every event."""
         receive, transmit = self.node.rpdo[1], self.node.tpdo[1]
         for pdo, index, can_id in (
             (receive, 0x2010, 0x200 + self.node_id),

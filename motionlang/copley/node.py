@@ -1,4 +1,7 @@
-"""The simulated drive as a CANopen node: SDO server, PDOs and the event of object 0x2012, by the `canopen` library."""
+"""The simulated drive as a CANopen node, by the `canopen` library.
+
+It has an SDO server, PDOs and the event of object 0x2012.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +28,11 @@ PDO_INVALID = 1 << 31
 
 
 def object_dictionary() -> ObjectDictionary:
-    """The dictionary of the drive: `OBJECTS`, the device type, and four PDOs each way."""
-    dictionary = ObjectDictionary()  # type: ignore[no-untyped-call]  # the library is typed in parts
+    """Return the drive's dictionary.
+
+    It has `OBJECTS`, the device type, and four PDOs in each direction.
+    """
+    dictionary = ObjectDictionary()  # the library is only partly typed
     dictionary.add_object(_variable("Device type", 0x1000, 0, datatypes.UNSIGNED32, "ro", 0x00020192))
     for number in range(PDOS):
         _add_pdo(dictionary, 0x1400 + number, 0x1600 + number, "Receive", 0x200 + number * 0x100)
@@ -37,7 +43,7 @@ def object_dictionary() -> ObjectDictionary:
 
 
 class DriveNode(LocalNode):
-    """A node that answers for one drive: reads and writes go to its objects, PDOs to the same places."""
+    """A node for one drive, whose objects SDOs and PDOs read and write."""
 
     def __init__(self, node_id: int, drive: Drive) -> None:
         super().__init__(node_id, object_dictionary())
@@ -48,7 +54,7 @@ class DriveNode(LocalNode):
         self._receive_ids: list[int] = []
 
     def get_data(self, index: int, subindex: int, check_readable: bool = False) -> bytes:
-        """The bytes of an object, for the SDO server and for transmit PDOs."""
+        """Return the bytes of an object, for the SDO server and for transmit PDOs."""
         entry = BY_ADDRESS.get((index, subindex))
         if entry is None:
             return bytes(super().get_data(index, subindex, check_readable=check_readable))
@@ -87,7 +93,7 @@ class DriveNode(LocalNode):
         self.objects.write(entry.index, entry.sub, value)
 
     def _map_pdos(self) -> None:
-        """Listen to the receive PDOs, and remember the transmit PDOs, that the master has configured."""
+        """Subscribe to the configured receive PDOs, and store the transmit PDOs."""
         for can_id in self._receive_ids:
             self.network.unsubscribe(can_id)
         self._receive_ids, self._status_maps = [], []
@@ -107,7 +113,7 @@ class DriveNode(LocalNode):
                 try:
                     self.set_data(index, sub, bytes(data[at : at + size]))
                 except SdoAbortedError:
-                    return  # a PDO has no answer; what went wrong is in the drive's log and status
+                    return  # a PDO has no answer; the error is in the drive's log and status
                 at += size
 
         self._receive_ids.append(can_id)
@@ -147,7 +153,7 @@ def _add(dictionary: ObjectDictionary, entry: Object) -> None:
 
 
 def _add_pdo(dictionary: ObjectDictionary, communication: int, mapping: int, way: str, can_id: int) -> None:
-    """One PDO: not valid and empty until a master configures it."""
+    """Add one PDO, which is invalid and empty until a master configures it."""
     record = ODRecord(f"{way} PDO {communication & 0xFF} communication", communication)
     for sub, name, kind, default in (
         (0, "Highest sub-index", datatypes.UNSIGNED8, 2),

@@ -1,7 +1,7 @@
-"""The CANopen objects of the simulated drive: what each is, and what reading and writing it does.
+"""The CANopen objects of the simulated drive, with the effects of access to each.
 
-`OBJECTS` is the table; the node's object dictionary, the documentation and the checks derive from it. There is
-no CAN in this file: `ObjectServer` answers reads and writes, and `Abort` carries the SDO abort code.
+`OBJECTS` is the table; the node's object dictionary, the documentation and the checks derive from it. This
+file does not depend on CAN: `ObjectServer` answers reads and writes, and `Abort` carries the SDO abort code.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from motionlang.copley.drive import MOVING, STOPPING, WAITING, Drive
 from motionlang.copley.point import MAX_TIME
 
 INTERPOLATED_POSITION = 7
-"""Mode of operation (object 0x6060) in which the drive takes PVT points."""
+"""Mode of operation (object 0x6060) in which the drive accepts PVT points."""
 SUB_MODES: dict[int, str] = {
     0: "linear, fixed time of 0x60C2 steered by one servo period, starts after three new points",
     -1: "linear, fixed time of 0x60C2",
@@ -23,7 +23,7 @@ SUB_MODES: dict[int, str] = {
     -3: "cubic, the time and velocity of each point written with it",
 }
 FIXED_TIME = (0, -1)
-# The sub-index of 0x60C1 whose writing copies the record into the buffer.
+# The sub-index of 0x60C1 that copies the record into the buffer when it is written.
 TRIGGERS: dict[int, int] = {0: 1, -1: 1, -2: 2, -3: 3}
 
 VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY, LENGTH = (
@@ -36,7 +36,7 @@ VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY, LENGTH = (
 
 
 class Abort(Exception):
-    """A read or write that the drive refuses, with the SDO abort code it answers."""
+    """The drive rejects a read or write with this SDO abort code."""
 
     def __init__(self, code: int, reason: str) -> None:
         super().__init__(reason)
@@ -45,7 +45,10 @@ class Abort(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Object:
-    """One object, or one sub-index of it. `kind` is i or u and its bits, or bytes8; `access` r, w or rw."""
+    """One object, or one sub-index of it.
+
+    `kind` is i or u with the number of bits, or bytes8. `access` is r, w or rw.
+    """
 
     index: int
     sub: int
@@ -94,7 +97,10 @@ _READY, _ON, _ENABLED = 1, 2, 3
 
 
 class ObjectServer:
-    """The objects of one drive. `power` is the DS402 state: 0 switch-on disabled, ready, switched on, enabled."""
+    """The objects of one drive.
+
+    `power` is the DS402 state: switch-on disabled (0), ready, switched on or enabled.
+    """
 
     def __init__(self, drive: Drive) -> None:
         self.drive = drive
@@ -134,14 +140,14 @@ class ObjectServer:
         return self.values[0x60C0, 0]
 
     def read(self, index: int, sub: int) -> int:
-        """The value of an object; `Abort` for one that can only be written."""
+        """Return the value of an object; raise `Abort` if it can only be written."""
         if "r" not in BY_ADDRESS[index, sub].access:
             raise Abort(WRITE_ONLY, f"object {index:#06x} can only be written")
         made = self._reads.get(index)
         return made() if made else self.values[index, sub]
 
     def write(self, index: int, sub: int, value: int) -> None:
-        """Write a number; `Abort` where the drive refuses it."""
+        """Write a number; raise `Abort` if the drive rejects it."""
         if "w" not in BY_ADDRESS[index, sub].access:
             raise Abort(READ_ONLY, f"object {index:#06x} can only be read")
         self._writes[index](sub, value)
@@ -173,7 +179,7 @@ class ObjectServer:
     def _segment(self, segment: packet.Packet) -> None:
         buffer = self.drive.buffer
         if buffer.errors & packet.SEQUENCE:
-            return  # until the master clears the error and sends again from the number it finds
+            return  # until the master clears the error and sends again from the drive's number
         if segment.number != buffer.next_number & 7:
             why = f"a segment numbered {segment.number} came where {buffer.next_number & 7} was due: sequence error"
             self.drive.latch(packet.SEQUENCE, why)
@@ -206,7 +212,7 @@ class ObjectServer:
         return Entry(self.values[0x60C1, 1], velocity, span)
 
     def period(self) -> int:
-        """The fixed time of sub-modes 0 and -1, microseconds."""
+        """The fixed time of sub-modes 0 and -1, in microseconds."""
         return int(self.values[0x60C2, 1] * 10 ** (6 + self.values[0x60C2, 2]))
 
     def _set_period(self, sub: int, value: int) -> None:
@@ -255,7 +261,10 @@ class ObjectServer:
 
 
 def _next_power(power: int, control: int) -> int:
-    """DS402's state machine without its faults: up one command at a time, down at any time."""
+    """Return the next DS402 state, without faults.
+
+    It rises one command at a time and falls at any time.
+    """
     if not control & 0x02 or not control & 0x04:
         return 0
     asked = _READY if not control & 0x01 else _ON if not control & 0x08 else _ENABLED

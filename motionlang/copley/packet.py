@@ -1,7 +1,8 @@
-"""Object 0x2010, a PVT point or a buffer command in the eight bytes of one CAN frame, and the status 0x2012.
+"""Objects 0x2010 and 0x2012 in bits: PVT points, buffer commands and the status.
 
-The note leaves the layout to the CANopen Programmer's Manual. Byte 0 is the header. Bit 7 set: a buffer command,
-its code in bits 0-6. Bit 7 clear: a segment, bits 0-2 the low bits of its running number, bits 3-6 the format.
+Object 0x2010 is eight bytes in one CAN frame. The note refers to the CANopen Programmer's Manual for the
+layout. Byte 0 is the header. If bit 7 is set, it is a buffer command with its code in bits 0-6. If bit 7 is
+clear, it is a segment: bits 0-2 are the low bits of its running number, and bits 3-6 the format.
 """
 
 from __future__ import annotations
@@ -32,17 +33,20 @@ SEQUENCE, OVERFLOW, UNDERFLOW = 1, 2, 4
 ERRORS: dict[int, str] = {SEQUENCE: "sequence error", OVERFLOW: "overflow", UNDERFLOW: "underflow"}
 
 COARSE = 100
-"""Tenths of a count per second in the coarse velocity unit, 10 counts/s."""
+"""Tenths of a count per second in the coarse velocity unit of 10 counts/s."""
 INT24 = range(-(2**23), 2**23)
 
 
 class BadPacket(ValueError):
-    """Eight bytes that object 0x2010 does not allow, or a point that they cannot hold."""
+    """Object 0x2010 does not allow these eight bytes, or cannot hold the point."""
 
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A segment: its running number (modulo 8 when decoded), and a point, or with no point an initial position."""
+    """A segment: its running number and a point, or else an initial position.
+
+    The number is modulo 8 after decoding.
+    """
 
     number: int
     point: WirePoint | None = None
@@ -59,7 +63,7 @@ class PacketCommand:
 
 @dataclass(frozen=True, slots=True)
 class BufferStatus:
-    """Object 0x2012: the next running number, the free positions, latched errors, and whether the buffer is empty."""
+    """Object 0x2012: next running number, free positions, latched errors, empty flag."""
 
     next_number: int
     free: int
@@ -68,9 +72,10 @@ class BufferStatus:
 
 
 def encode_points(points: Sequence[WirePoint], number: int = 0) -> list[bytes]:
-    """One packet per point, plus an initial position first where 24 bits cannot hold it.
+    """Encode each point as one packet.
 
-    Positions beyond 24 bits go as distances, velocities beyond 24 bits in units of 10 counts/s (rounded).
+    An initial position comes first if 24 bits cannot hold the first position. Positions beyond 24 bits are
+    sent as distances, and velocities beyond 24 bits in units of 10 counts/s (rounded).
     """
     packets, last = list[bytes](), None
     for i, point in enumerate(points):
@@ -84,7 +89,7 @@ def encode_points(points: Sequence[WirePoint], number: int = 0) -> list[bytes]:
 
 
 def encode_packet(packet: Packet) -> bytes:
-    """The eight bytes of one segment."""
+    """Return the eight bytes of one segment."""
     if packet.initial is not None:
         return _header(packet.number, INITIAL) + packet.initial.to_bytes(4, "little", signed=True) + bytes(3)
     point = packet.point
@@ -101,14 +106,17 @@ def encode_packet(packet: Packet) -> bytes:
 
 
 def encode_command(command: PacketCommand) -> bytes:
-    """The eight bytes of a buffer command."""
+    """Return the eight bytes of a buffer command."""
     if command.code not in COMMANDS:
         raise BadPacket(f"there is no buffer command {command.code}")
     return bytes([0x80 | command.code]) + command.data.to_bytes(2, "little") + bytes(5)
 
 
 def decode(data: bytes) -> Packet | PacketCommand:
-    """The segment or the command of eight bytes; `BadPacket` for a format or a code that does not exist."""
+    """Return the segment or command in eight bytes.
+
+    Raises `BadPacket` for a format or a code that does not exist.
+    """
     if len(data) != 8:
         raise BadPacket(f"object 0x2010 holds 8 bytes, not {len(data)}")
     header = data[0]
@@ -128,7 +136,10 @@ def decode(data: bytes) -> Packet | PacketCommand:
 
 
 def encode_status(status: BufferStatus) -> int:
-    """The 32 bits of object 0x2012: number 0-15, free 16-23, errors 24-26, empty 31."""
+    """Return the 32 bits of object 0x2012.
+
+    Number is bits 0-15, free 16-23, errors 24-26 and empty 31.
+    """
     return (
         status.next_number & 0xFFFF
         | (status.free & 0xFF) << 16
@@ -138,24 +149,24 @@ def encode_status(status: BufferStatus) -> int:
 
 
 def decode_status(value: int) -> BufferStatus:
-    """What the 32 bits of object 0x2012 say."""
+    """Decode the 32 bits of object 0x2012."""
     return BufferStatus(value & 0xFFFF, value >> 16 & 0xFF, value >> 24 & 7, bool(value >> 31 & 1))
 
 
 def error_names(errors: int) -> str:
-    """The latched errors in words."""
+    """Return the names of the latched errors."""
     return ", ".join(name for bit, name in ERRORS.items() if errors & bit)
 
 
 def _place(point: WirePoint, last: int | None) -> int | None:
-    """Where a point lies; None as long as that depends on where the motor stood."""
+    """Return the position of a point; None while it depends on the start position."""
     if not point.relative:
         return point.position
     return None if last is None else last + point.position
 
 
 def _fitting(i: int, point: WirePoint, last: int | None) -> WirePoint:
-    """The point in a form whose position fits."""
+    """Return the point in a form whose position fits in 24 bits."""
     if point.velocity is None or point.position in INT24:
         return point
     if point.relative or last is None or point.position - last not in INT24:

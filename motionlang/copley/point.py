@@ -1,4 +1,4 @@
-"""A PVT point as it goes over the wire, and what the wire can hold."""
+"""A PVT point in wire units, and the limits of the wire format."""
 
 from __future__ import annotations
 
@@ -9,13 +9,16 @@ from math import isfinite, isnan
 from motionlang.planners.pvt.points import Point
 
 MAX_TIME = 255
-"""Milliseconds in the eight bits of the time field."""
+"""The largest time in milliseconds, from the eight bits of its field."""
 INT32 = range(-(2**31), 2**31)
 
 
 @dataclass(frozen=True, slots=True)
 class WirePoint:
-    """Position in counts, velocity in 0.1 counts/s (None: linear), time in ms to the next point (0: the end)."""
+    """Position in counts, velocity in 0.1 counts/s, time in ms to the next point.
+
+    A velocity of None means a linear segment, a time of 0 the end.
+    """
 
     position: int
     velocity: int | None
@@ -25,9 +28,10 @@ class WirePoint:
 
 @dataclass(frozen=True, slots=True)
 class BadPoint:
-    """A point (counted from 0) that a drive would not take as it is meant: why, and what the drive would do.
+    """A point that a drive would not execute as meant, with reason and consequence.
 
-    `severe` points cannot be sent; the others can, and something else happens than the table says.
+    `index` counts from 0. A `severe` point cannot be sent. Any other can, but its effect differs from the
+    table.
     """
 
     index: int
@@ -37,7 +41,7 @@ class BadPoint:
 
 
 def to_wire(points: Sequence[Point]) -> list[WirePoint]:
-    """Points rounded to what the wire can say; ValueError names the first that fits no field."""
+    """Round points to wire units; raise ValueError for the first that does not fit."""
     for bad in check_points(points):
         if bad.severe:
             raise ValueError(f"point {bad.index}: {bad.reason}")
@@ -45,7 +49,7 @@ def to_wire(points: Sequence[Point]) -> list[WirePoint]:
 
 
 def from_wire(points: Iterable[WirePoint]) -> list[Point]:
-    """The same points in counts, counts/s and seconds."""
+    """Convert points to counts, counts/s and seconds."""
     return [
         Point(
             float(p.position), None if p.velocity is None else p.velocity / 10.0, p.time / 1000.0, p.relative
@@ -55,7 +59,10 @@ def from_wire(points: Iterable[WirePoint]) -> list[Point]:
 
 
 def check_points(points: Sequence[Point], start: float | None = None) -> list[BadPoint]:
-    """Every point that a drive would misunderstand, in order; `start` is where the motor stands, if known."""
+    """Return every point that a drive would misinterpret, in order.
+
+    `start` is the position of the motor, if known.
+    """
     if not points:
         return [BadPoint(0, "there are no points", "the drive would have nothing to start with")]
     found = []

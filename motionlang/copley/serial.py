@@ -1,7 +1,7 @@
-"""Serial parameter 0x115, the trajectory buffer: every bit of its words, both ways.
+"""Encoding and decoding of serial parameter 0x115, the trajectory buffer.
 
-A point is one 16-bit word and one or two 32-bit integers (position; velocity, where there is one); a buffer
-command is one word. Words are plain integers here; `as_words` splits the 32-bit ones.
+A point is one 16-bit word and one or two 32-bit integers: the position, and the velocity if there is one. A
+buffer command is one word. Words are plain integers here; `as_words` splits the 32-bit ones.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ START_OPCODE = 17
 """The op-code of the start-move command."""
 TRAJECTORY_PARAMETER = 0xC8
 PVT_CONFIGURATION = 3
-"""What parameter 0xC8 must hold for PVT interpolation."""
+"""The value that parameter 0xC8 must have for PVT interpolation."""
 
 TIME_BITS = 0x00FF
 RELATIVE_BIT = 1 << 12
@@ -37,14 +37,17 @@ class BadWord(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class BufferCommand:
-    """A buffer command: its code (`CLEAR`, `POP`) and the byte that goes with it."""
+    """A buffer command: its code (`CLEAR`, `POP`) and its data byte."""
 
     code: int
     data: int = 0
 
 
 def encode_point(point: WirePoint) -> tuple[int, ...]:
-    """The time word, the position and, for a cubic segment, the velocity, as unsigned integers."""
+    """Return the words of a point: time, position and, if cubic, velocity.
+
+    The words are unsigned integers.
+    """
     if not 0 <= point.time <= MAX_TIME:
         raise BadWord(f"the time {point.time} ms does not fit bits 0-7")
     values = [point.position] if point.velocity is None else [point.position, point.velocity]
@@ -56,7 +59,7 @@ def encode_point(point: WirePoint) -> tuple[int, ...]:
 
 
 def encode_command(command: BufferCommand) -> tuple[int, ...]:
-    """The one word of a buffer command."""
+    """Return the one word of a buffer command."""
     if command.code not in COMMANDS:
         raise BadWord(f"there is no buffer command {command.code}")
     if not 0 <= command.data <= TIME_BITS:
@@ -65,7 +68,10 @@ def encode_command(command: BufferCommand) -> tuple[int, ...]:
 
 
 def decode(message: Sequence[int]) -> WirePoint | BufferCommand:
-    """The point or the command of a message; `BadWord` for a reserved bit, or too few or too many values."""
+    """Return the point or the command of a message.
+
+    Raises `BadWord` for a reserved bit, and for too few or too many values.
+    """
     if not message:
         raise BadWord("a message needs at least its 16-bit word")
     word, *values = message
@@ -82,18 +88,24 @@ def decode(message: Sequence[int]) -> WirePoint | BufferCommand:
 
 
 def status_words(free: int) -> tuple[int, int, int]:
-    """What reading the parameter returns: the free positions, and two reserved words."""
+    """Return the words that a read of the parameter gives.
+
+    These are the free positions and two reserved words.
+    """
     return (free, 0, 0)
 
 
 def as_words(message: Sequence[int]) -> list[int]:
-    """The message in 16-bit words, the high half of a 32-bit value first."""
+    """Return the message in 16-bit words, the high half of a 32-bit value first."""
     word, *values = message
     return [word, *(half for value in values for half in (value >> 16, value & 0xFFFF))]
 
 
 def from_words(words: Sequence[int]) -> tuple[int, ...]:
-    """The message of 16-bit words; `BadWord` where they do not make whole 32-bit values."""
+    """Return the message of 16-bit words.
+
+    Raises `BadWord` if they do not form whole 32-bit values.
+    """
     if not words or len(words) % 2 == 0:
         raise BadWord(f"{len(words)} words do not make a 16-bit word and 32-bit values")
     for word in words:

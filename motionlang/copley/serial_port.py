@@ -1,7 +1,6 @@
-"""The drive's serial end: the two parameters and the op-code that a PVT move needs.
+"""The drive's serial port: the two parameters and the op-code of a PVT move.
 
-The framing of the serial protocol is another document; a message here is what goes into a parameter or comes
-out of it.
+Another document defines the framing of the serial protocol. A message here is the content of a parameter.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Refused(Exception):
-    """What the drive's serial end does not accept."""
+    """The drive's serial port rejects the request."""
 
 
 class SerialPort:
@@ -28,7 +27,10 @@ class SerialPort:
         self.configuration = 0
 
     def write(self, parameter: int, message: Sequence[int]) -> None:
-        """Write a parameter; `Refused` says why not. A point that finds the buffer full is an overflow."""
+        """Write a parameter; raise `Refused` if it is rejected.
+
+        A point that finds the buffer full is an overflow.
+        """
         if parameter == serial.TRAJECTORY_PARAMETER:
             if list(message) not in ([0], [serial.PVT_CONFIGURATION]):
                 raise Refused(f"trajectory configuration {list(message)} is not simulated: 3 is PVT")

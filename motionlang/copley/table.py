@@ -1,7 +1,8 @@
-"""PVT points in a CSV file: one line per point, columns position, velocity, time and relative.
+"""PVT points in a CSV file, one line per point.
 
-Positions are counts, velocities counts/s, times whole milliseconds. An empty velocity means a linear approach; a
-file may leave out all columns but the first. Lines that begin with # are comments.
+The columns are position, velocity, time and relative. Positions are in counts, velocities in counts/s, times
+in whole milliseconds. An empty velocity means a linear segment. A file may leave out all columns but the
+first. Lines that begin with # are comments.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ YES, NO = ("1", "yes", "true"), ("0", "no", "false", "")
 
 @dataclass(slots=True)
 class Table:
-    """Points with the line each came from; `has` names the columns that the file had."""
+    """Points, each with the line that it came from; `has` names the file's columns."""
 
     points: list[Point] = field(default_factory=list)
     lines: list[int] = field(default_factory=list)
@@ -32,7 +33,10 @@ class Table:
 
 
 def read_points(source: Source) -> Table:
-    """The points of a CSV file; `ProgramError` with every mistake. NaN is a number here: `check_points` judges it."""
+    """Return the points of a CSV file; raise `ProgramError` with every mistake.
+
+    NaN counts as a number here; `check_points` rejects it.
+    """
     table, wrong = Table(), list[Diagnostic]()
     names: tuple[str, ...] = ()
     for number, line in enumerate(source.text.split("\n"), 1):
@@ -57,7 +61,10 @@ def read_points(source: Source) -> Table:
 
 
 def write_points(points: Sequence[Point]) -> list[str]:
-    """The lines of a CSV file that `read_points` reads back; the relative column only where it is needed."""
+    """Return the lines of a CSV file that `read_points` reads.
+
+    The relative column is only written if a point needs it.
+    """
     extra = any(point.relative for point in points)
     lines = [",".join(COLUMNS if extra else COLUMNS[:3])]
     for point in points:
@@ -68,7 +75,10 @@ def write_points(points: Sequence[Point]) -> list[str]:
 
 
 def _names(cells: list[str], number: int, wrong: list[Diagnostic]) -> tuple[str, ...]:
-    """The columns: of a header line, or the usual order where the file begins with numbers."""
+    """Return the columns of a header line, or the default order without one.
+
+    A file that begins with numbers has no header line.
+    """
     if _number(cells[0]) is not None:
         return COLUMNS[: max(1, min(len(cells), len(COLUMNS)))]
     names = tuple(cell.lower() for cell in cells)
