@@ -1,1 +1,1 @@
-"""The figures that vendors' notes print, a note a file; no run imports this package."""
+"""Figures that the vendors' notes print, one file per note; no run imports them."""

@@ -1,7 +1,8 @@
-"""The C listing that closes chapter 12: trajectory, PID and direct DAC override in one interrupt routine.
+"""The C listing at the end of chapter 12, as one interrupt routine.
 
-The scan's text is damaged; this is the program that its comments describe, with the physics put right where a test
-was lost (`NOTES`). Whole numbers throughout: counts, counts per update, DAC steps.
+It combines the trajectory, PID and direct DAC override. The scan's text is damaged. This is the program that
+its comments describe, with the physics corrected where a test was lost (`NOTES`). All values are integers:
+counts, counts per update, DAC steps.
 """
 
 from __future__ import annotations
@@ -26,10 +27,10 @@ NOTES = (
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The constants of the listing, by its own names in the comments.
+    """The constants of the listing, under the names in its comments.
 
-    `hold` RegCnt, `max_steps` MxDAC_Stps (0: no override), `accel` is what the velocity changes by every `hold`
-    updates, `speed` MxVel, `derivative_every` Differ_Smple_Tme.
+    `hold` is RegCnt, `max_steps` MxDAC_Stps (0 for no override), `speed` MxVel and `derivative_every`
+    Differ_Smple_Tme. `accel` is the change of velocity every `hold` updates.
     """
 
     distance: int
@@ -61,11 +62,14 @@ class Listing:
 
     @property
     def is_done(self) -> bool:
-        """Whether the trajectory has arrived."""
+        """True if the trajectory has reached its end."""
         return self.position >= self.settings.distance
 
     def update(self, actual_position: int, actual_velocity: int) -> int:
-        """One interrupt: counts from the encoder, DAC steps from the tachometer; the DAC value that goes out."""
+        """Execute one interrupt and return the output value of the DAC.
+
+        The position is in counts from the encoder, the velocity in DAC steps from the tachometer.
+        """
         self.updates += 1
         if self.updates < self.settings.hold:
             if not self._begins_to_stop():
@@ -84,7 +88,7 @@ class Listing:
     # -- the trajectory
 
     def _begins_to_stop(self) -> bool:
-        """Set the deceleration flag at the moment it becomes true; False ever after, and before."""
+        """Set the deceleration flag when it is due; return True only at that moment."""
         if self.decelerating:
             return False
         s, ahead = self.settings, self.position + self.velocity
@@ -129,7 +133,10 @@ class Listing:
 
 @dataclass(frozen=True, slots=True)
 class ListingRun:
-    """Columns of a run of the listing, one row an update; velocity in counts per update, dac in steps."""
+    """A run of the listing in columns, with one row per update.
+
+    Velocity is in counts per update, `dac` in steps.
+    """
 
     period: float
     demand: Sequence[int]
@@ -137,7 +144,7 @@ class ListingRun:
     velocity: Sequence[float]
     dac: Sequence[int]
     onset: Sequence[float]
-    """Acceleration just after the DAC has changed, counts per update²."""
+    """Acceleration just after a change of the DAC, counts per update²."""
 
     @property
     def peak_onset(self) -> float:
@@ -154,9 +161,10 @@ class ListingRun:
 def run_listing(
     settings: Settings, full_speed: float, time_constant: float, updates: int, period: float = 1.0
 ) -> ListingRun:
-    """The listing on chapter 12's drive: a velocity that goes to the DAC's with a first-order lag.
+    """Run the listing on chapter 12's drive.
 
-    `full_speed` is counts per update at full scale, `time_constant` in updates, `period` seconds an update.
+    The velocity follows that of the DAC with a first-order lag. `full_speed` is in counts per update at full
+    scale, `time_constant` in updates, `period` in seconds per update.
     """
     from math import exp
 

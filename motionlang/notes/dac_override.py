@@ -1,4 +1,7 @@
-"""Chapter 12's point in a run: the same move through the same gain, with and without a hand on the DAC."""
+"""Chapter 12's argument in a run: one move with and without a direct DAC override.
+
+The gain is the same in all runs.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.servo.trace import ServoTrace
 
 FULL_COUNTS = 100_000.0
-"""Counts a second at full scale: the encoder of the example."""
+"""Counts per second at full scale: the encoder of the example."""
 UPDATE = 1.0 / 4000.0
 REST = 0.5
 _CRUISE = 0.95
@@ -28,10 +31,11 @@ _SLEW = 0.1
 
 @dataclass(frozen=True, slots=True)
 class OverrideRun:
-    """One way to run the move. Accelerations in the unit of the limit; `slid` how far the load slid, same length unit.
+    """One variant of the move.
 
-    `onset` is the largest acceleration just after a DAC change, `mean` that over a whole update; `error` the largest
-    following error.
+    Accelerations are in the unit of the limit. `onset` is the largest acceleration just after a DAC change,
+    `mean` the largest over a whole update, `error` the largest following error. `slid` is the distance that
+    the load slipped, in the same unit of length.
     """
 
     name: str
@@ -49,10 +53,11 @@ class OverrideRun:
 def demonstrate(
     speed: float, limit: float, friction: float, gravity: float, share: float, gain: int
 ) -> list[OverrideRun]:
-    """A trapezoid at `share` of the `limit` to nearly `speed` (full scale of the DAC), four times.
+    """Run a trapezoid at `share` of the `limit` to nearly `speed` in four variants.
 
-    12 and 16 bits, each free and with the override: one step of 12 bits held for the five time constants of the
-    chapter; of 16 bits as many steps as the motor's time constant allows, every update. Speed in units a second.
+    `speed`, in units per second, is the full scale of the DAC. The variants are 12 and 16 bits, each free and
+    with the override. With 12 bits the override holds one step for the five time constants of the chapter.
+    With 16 bits it allows, every update, as many steps as the motor's time constant does.
     """
     if not share < 1.0:
         raise ValueError(f"the demanded share of the limit must be below 1, not {share:g}")

@@ -1,7 +1,8 @@
-"""Would the load slip? A load that only friction holds follows no acceleration beyond mu g (chapter 12).
+"""Check whether a load slips that only friction holds.
 
-A profile is checked exactly, piece by piece; a servo trace sample by sample, and there the load is let slip: its
-own velocity follows the motor's no faster than the friction allows.
+Such a load follows no acceleration beyond mu g (chapter 12). A profile is checked exactly, piece by piece. A
+servo trace is checked sample by sample and the slip is simulated: the load's own velocity follows the motor's
+no faster than the friction allows.
 """
 
 from __future__ import annotations
@@ -26,7 +27,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """`limit` and `peak` accelerations; `spans` (s) when it slips; `distance` by how far, where it was simulated."""
+    """The accelerations `limit` and `peak`, and the `spans` (s) of slip.
+
+    `distance` is the distance of the slip, if it was simulated.
+    """
 
     limit: float
     peak: float
@@ -36,32 +40,35 @@ class Slip:
 
     @property
     def slips(self) -> bool:
-        """Whether the load slips at all."""
+        """True if the load slips."""
         return bool(self.spans)
 
     @property
     def first(self) -> float:
-        """When it first slips, seconds; inf if never."""
+        """The time of the first slip in seconds; inf if there is none."""
         return self.spans[0][0] if self.spans else inf
 
     @property
     def margin(self) -> float:
-        """How much of the limit is left at the peak, as a share of it; negative where it slips."""
+        """The fraction of the limit left at the peak; negative if the load slips."""
         return 1.0 - self.peak / self.limit
 
 
 _BRACKETS = 64
 _EPSILON = 1e-9
-"""An acceleration planned at exactly the limit is at it, not beyond."""
+"""An acceleration planned at exactly the limit does not exceed it."""
 
 
 def check_profile(profile: Profile, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check one profile; `scale` is counts (the profile's length unit) per length unit of `gravity`."""
+    """Check one profile.
+
+    `scale` is counts (the length unit of the profile) per length unit of `gravity`.
+    """
     return _merged(slip_acceleration(friction, gravity), scale, [(0.0, profile, inf)])
 
 
 def check_track(track: Demanded, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check a whole history of motion."""
+    """Check a whole sequence of profiles."""
     ends = [*track.starts[1:], inf]
     return _merged(
         slip_acceleration(friction, gravity), scale, zip(track.starts, track.profiles, ends, strict=True)
@@ -69,7 +76,7 @@ def check_track(track: Demanded, friction: float, gravity: float, scale: float =
 
 
 def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check what a simulated motor does, and how far the load would slip on it."""
+    """Check the motion of a simulated motor, and simulate the slip of the load on it."""
     limit = slip_acceleration(friction, gravity)
     check_positive(scale=scale)
     most, period = limit * scale * (1.0 + _EPSILON), trace.loop.period
@@ -83,7 +90,10 @@ def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float
 
 
 def _slid(velocities: list[float], reach: float, period: float) -> float:
-    """Path of the load relative to what carries it; `reach` is how much its velocity can change in a sample."""
+    """Return the distance that the load moves relative to its carrier.
+
+    `reach` is the largest change of the load's velocity in one sample.
+    """
     load, total = velocities[0] if velocities else 0.0, 0.0
     for carrier in velocities:
         gap = carrier - load
@@ -118,7 +128,10 @@ def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, fl
 
 
 def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[float, float]], float, float]:
-    """Spans beyond `most`, the peak and its time, of a profile that has no pieces: in brackets between its knots."""
+    """Return the spans beyond `most`, the peak and its time.
+
+    This is for a profile without pieces. The acceleration is sampled in brackets between the knots.
+    """
     edges = [knot for knot in profile.knots if knot < last] + [last]
     times = [a + (b - a) * k / _BRACKETS for a, b in pairwise(edges) for k in range(_BRACKETS)] + [last]
     sizes = [abs(profile.acceleration(time)) for time in times]
@@ -133,7 +146,10 @@ def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[flo
 
 
 def _turn(profile: Profile, inside: float, beyond: float, most: float) -> float:
-    """Where the acceleration passes `most` between a time inside the limit and one beyond it."""
+    """Return the time at which the acceleration crosses `most`.
+
+    It lies between the time `inside` the limit and the time `beyond` it.
+    """
     for _ in range(50):
         middle = 0.5 * (inside + beyond)
         if abs(profile.acceleration(middle)) > most:
@@ -144,7 +160,7 @@ def _turn(profile: Profile, inside: float, beyond: float, most: float) -> float:
 
 
 def _turns(piece: Piece, span: float) -> list[float]:
-    """Where the acceleration of a half wave peaks."""
+    """Return the local times at which the acceleration of a half wave peaks."""
     amplitude, omega, phase = piece[4:]
     if not amplitude:
         return []
@@ -153,7 +169,7 @@ def _turns(piece: Piece, span: float) -> list[float]:
 
 
 def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]:
-    """Local times between which the piece's acceleration is beyond `most` in size."""
+    """Return the local spans in which the piece's acceleration exceeds `most` in size."""
     marks = [0.0, *sorted(x for x in _levels(piece, most) if 0.0 < x < span), span]
     found = []
     for a, b in pairwise(marks):
@@ -164,7 +180,10 @@ def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]
 
 
 def _levels(piece: Piece, most: float) -> list[float]:
-    """Local times at which the acceleration is `most` or -`most`; a sine piece is within one half wave."""
+    """Return the local times at which the acceleration is `most` or -`most`.
+
+    A sine piece lies within one half wave.
+    """
     _, _, c2, c3, amplitude, omega, phase = piece
     if not amplitude:
         return [(sign * most - 2.0 * c2) / (6.0 * c3) for sign in (1.0, -1.0)] if c3 else []
@@ -175,7 +194,7 @@ def _levels(piece: Piece, most: float) -> list[float]:
 
 
 def _joined(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Spans that touch, as one."""
+    """Merge spans that touch."""
     made: list[tuple[float, float]] = []
     for begin, end in sorted(spans):
         if made and begin <= made[-1][1] + 1e-12:

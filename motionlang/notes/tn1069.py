@@ -1,6 +1,7 @@
-"""PMC's technical note TN1069: its comparison of four profiles, exact and as printed, and the same of any move.
+"""PMC's technical note TN1069: its comparison of four profiles, for any move.
 
-Where the print and the physics disagree the exact figure is right; `ERRATA` says what went wrong.
+The figures are exact and as printed. Where the print and the physics disagree, the exact figure is right;
+`ERRATA` explains the error.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ VELOCITY = 40_000.0
 DISTANCE = 40_000.0
 """counts"""
 CYCLES = 1000.0
-"""Trajectory cycles a second: the note gives its times in cycles."""
+"""Trajectory cycles per second; the note states its times in cycles."""
 
 RAMP = 0.1
 """T_1 / T_A of the trapezoidal S-curve."""
 LARGEST = 1e100
-"""What a figure of a demand stays below, so that every square of one is a number."""
+"""Upper bound of the figures of a demand, so that each of their squares is finite."""
 
 COLUMNS = ("trapezoidal", "sinusoidal", "trapezoidal 0.1", "parabolic")
 
@@ -52,7 +53,10 @@ ERRATA = (
 
 
 class Demand:
-    """One move to compare the profiles by: counts and seconds; `ramp` is n of the trapezoidal S-curve."""
+    """A move for the comparison, in counts and seconds.
+
+    `ramp` is n of the trapezoidal S-curve.
+    """
 
     __slots__ = ("acceleration", "deceleration", "distance", "ramp", "velocity")
 
@@ -75,18 +79,18 @@ class Demand:
 
     @property
     def printed(self) -> bool:
-        """Whether it is the note's own example."""
+        """True if this is the note's own example."""
         return self.symmetric and (self.acceleration, self.velocity, self.distance, self.ramp) == (
             ACCELERATION, VELOCITY, DISTANCE, RAMP)  # fmt: skip
 
     @property
     def symmetric(self) -> bool:
-        """Whether it slows down as it speeds up."""
+        """True if acceleration and deceleration are equal."""
         return self.acceleration == self.deceleration
 
     @property
     def columns(self) -> tuple[str, str, str, str]:
-        """The names of the profiles, that of the trapezoidal S-curve with its ramp."""
+        """The names of the profiles; that of the trapezoidal S-curve includes its ramp."""
         return (*COLUMNS[:2], f"trapezoidal {self.ramp:g}", COLUMNS[3])
 
 
@@ -94,7 +98,7 @@ NOTE = Demand()
 
 
 class Row:
-    """One quantity of the table for the four profiles; None where the move has no such figure."""
+    """One quantity of the table for the four profiles; None if it does not exist."""
 
     __slots__ = ("exact", "name", "printed", "unit")
 
@@ -108,7 +112,10 @@ class Row:
 
 
 def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]:
-    """The move planned in each of the four shapes (counts, seconds), in the order of `COLUMNS`."""
+    """Plan the move in each of the four shapes, in the order of `COLUMNS`.
+
+    The units are counts and seconds.
+    """
     limits = (demand.velocity, demand.acceleration, demand.deceleration)
     return (
         plan_trapezoid(0.0, demand.distance, *limits),
@@ -119,9 +126,10 @@ def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]
 
 
 def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
-    """T_A (cycles) and S_A (counts) of the ramp to full velocity, whether or not the move has room for it.
+    """T_A (cycles) and S_A (counts) of the ramp to full velocity.
 
-    Each is read off a move long enough to reach it. T_D and S_D follow where they are others.
+    They hold even if the move is too short to reach that velocity, because each is taken from a move that is
+    long enough. T_D and S_D follow if they differ.
     """
     slowest = min(demand.acceleration, demand.deceleration)
     room = 8.0 * demand.velocity * demand.velocity / slowest
@@ -136,7 +144,10 @@ def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
 
 
 def comparison(demand: Demand = NOTE) -> tuple[Row, ...]:
-    """The note's table, exact beside printed, with two rows of our own: the peak and the whole move."""
+    """The note's table, exact next to printed, with two more rows.
+
+    The added rows are the peak and the whole move.
+    """
     moves = profiles(demand)
     slews = [next((phase for phase in made.phases if phase.name == "slew"), None) for made in moves]
     distances = tuple(slew.distance if slew else None for slew in slews)
@@ -155,7 +166,10 @@ def _row(demand: Demand, name: str, unit: str, exact: tuple[float | None, ...]) 
 
 
 def printed_sinusoidal_position(share: float) -> tuple[float, float]:
-    """The position, counts, at a share of T_A in the sinusoidal S-curve: as the note prints it, and as it is."""
+    """Return the printed and the exact position at a fraction of T_A, in counts.
+
+    The profile is the sinusoidal S-curve.
+    """
     move = profiles()[1]
     ramp = move.phases[0].duration
     sine = VELOCITY * ramp / (2.0 * pi) * sin(pi * share)

@@ -1,4 +1,7 @@
-"""The four profiles of TN1069 on one axis under servo: what each costs in time, error, torque and jerk."""
+"""The four profiles of TN1069 on one axis under servo control.
+
+They are compared by time, error, torque and jerk.
+"""
 
 from __future__ import annotations
 
@@ -20,14 +23,16 @@ if TYPE_CHECKING:
 SHAPES = ("trapezoid", "sinusoidal", "scurve", "parabolic")
 BASES = ("acceleration", "time")
 REST = 0.5
-"""Seconds that are watched after the move."""
+"""Seconds that are simulated after the move."""
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One profile: `settle` is seconds from the end of the profile until the error stays within the window.
+    """One profile and its figures under servo control.
 
-    `jerk` is the largest of the demand, counts/s³ (inf where the acceleration jumps), `motor_jerk` of the motor.
+    `settle` is the time in seconds from the end of the profile until the error stays within the window.
+    `jerk` is the largest jerk of the demand, counts/s³ (inf if the acceleration jumps), and `motor_jerk` that
+    of the motor.
     """
 
     shape: str
@@ -52,9 +57,10 @@ def compare(
     window: float = 1.0,
     ramp: float = 0.1,
 ) -> list[Row]:
-    """The move in each shape: with the same peak acceleration, or all in the time of the trapezoid.
+    """Simulate the move in each shape, at equal peak acceleration or equal time.
 
-    `window` in counts. At equal time the others get the acceleration they need for it.
+    The equal time is that of the trapezoid; the other shapes get the acceleration that they need for it.
+    `window` is in counts.
     """
     if basis not in BASES:
         raise ValueError(f"profiles are compared at equal {' or '.join(BASES)}, not {basis!r}")
@@ -68,7 +74,10 @@ def compare(
 
 
 def accel_for(shape: str, distance: float, speed: float, time: float, ramp: float) -> float:
-    """The acceleration with which a move of this shape takes `time`; ValueError if none does."""
+    """Return the acceleration at which a move of this shape takes `time`.
+
+    Raises ValueError if there is none.
+    """
     if time <= distance / speed:
         raise ValueError(
             f"{distance:g} counts at {speed:g} counts/s take longer than {time:g} s in every shape"
@@ -90,7 +99,7 @@ def accel_for(shape: str, distance: float, speed: float, time: float, ramp: floa
 
 
 def peak_jerk(profile: Profile) -> float:
-    """The largest jerk of a profile; inf where its acceleration jumps."""
+    """Return the largest jerk of a profile; inf if its acceleration jumps."""
     if profile.shape in ("trapezoid", "parabolic"):
         return inf
     worst = 0.0
