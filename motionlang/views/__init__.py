@@ -1,1 +1,1 @@
-"""Everything a person sees: diagnostics, tables, charts, plots, exports and the keyword pages."""
+"""User output: diagnostics, tables, charts, plots, exports and the keyword pages."""

@@ -27,7 +27,10 @@ COLUMNS = (
 def certificate_lines(
     run: Run, lines: Sequence[Limit], proof: Proof | None, machine: str, *, width: int, colour: bool = False
 ) -> list[str]:
-    """The table, what was proved of the motion, what was certified, and the place for a name."""
+    """Return the certificate as lines.
+
+    It has the table, the proof of the motion, the certified inputs and a signature line.
+    """
     rows = [_row(line) for line in lines]
     styles = ["" if line.verdict == "within" else "error" for line in lines]
     within = sum(line.verdict == "within" for line in lines)
@@ -66,5 +69,5 @@ def _row(line: Limit) -> list[str]:
 
 
 def _digest(text: str) -> str:
-    """The first letters of the SHA-256 of a text, by which two of them are told apart."""
+    """Return the start of a text's SHA-256, which identifies it."""
     return f"sha256 {sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:16]}"

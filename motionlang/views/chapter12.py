@@ -1,4 +1,4 @@
-"""The eleven figures of "Dissecting a Move Profile" in numbers."""
+"""The eleven figures of "Dissecting a Move Profile" as numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 LIMIT = dissect.slip_acceleration(dissect.FRICTION, dissect.GRAVITY_FT)
 SPEED = dissect.SPEED_FT_MIN / 60.0
 DISTANCE = 2.0
-"""ft: far enough for both profiles of the chapter's cube to reach their speed."""
+"""In ft: far enough for both profiles of the chapter's cube to reach their speed."""
 CHANGES = (1, 2, 1)
 TIME_CONSTANTS = {"C": 1.0 / 5.0, "D to G": 2.0 / 3.0, "whole": 1.0}
 _WIDTH = 100
@@ -31,7 +31,7 @@ class Picture:
 
 
 def figure_lines(number: str) -> list[str]:
-    """The title of a figure and its numbers."""
+    """Return the title of a figure and its numbers."""
     picture = FIGURES[number]
     return [f"Figure {number}  {picture.title}", "", *picture.lines()]
 
@@ -40,12 +40,12 @@ def figure_lines(number: str) -> list[str]:
 
 
 def trapezoid() -> Profile:
-    """The chapter's cube over `DISTANCE` as fast as it may: ft and seconds."""
+    """Return the fastest trapezoid of the chapter's cube over `DISTANCE`, in ft and s."""
     return plan("trapezoid", 0.0, DISTANCE, SPEED, LIMIT, LIMIT)
 
 
 def s_curve() -> Profile:
-    """The same as an S-curve of two linear ramps of the acceleration."""
+    """Return the same move as an S-curve, whose acceleration has two linear ramps."""
     return plan("scurve", 0.0, DISTANCE, SPEED, LIMIT, LIMIT, ramp=0.5)
 
 

@@ -1,4 +1,4 @@
-"""The eleven figures of "Dissecting a Move Profile" as pictures, drawn from the numbers that `chapter12` gives."""
+"""The eleven figures of "Dissecting a Move Profile", drawn from `chapter12`."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""A chart in braille dots: the velocity of an axis over time, small enough for a terminal.
+"""A chart of an axis's velocity over time in braille dots, for a terminal.
 
-A character holds two dots across and four down. Every column of dots spans the lowest and the highest velocity of
-its stretch of time, read off the pieces of the motion, so that no short move is missed in a long run.
+A character has two columns of four dots. Every column of dots spans the lowest and the highest velocity of
+its interval. These come from the pieces of the motion, so that no short move is missed in a long run.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ _DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 
 
 def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: bool = False) -> list[str]:
-    """The lines of a chart of `axis` from 0 to `end` seconds, `width` characters in all, `height` rows of dots."""
+    """Return the lines of a chart of `axis` from 0 to `end` seconds.
+
+    `width` is the whole width in characters, `height` the number of rows of dots.
+    """
     scale = axis.scale.counts or 1.0
     label = 10
     across = max(10, width - label - 2)
@@ -56,7 +59,10 @@ def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: b
 
 
 def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
-    """The lowest and the highest velocity, counts/s, in each of `count` equal stretches of 0…`end`."""
+    """Return the lowest and highest velocity in each of `count` equal intervals.
+
+    The intervals divide 0…`end`; the velocities are in counts/s.
+    """
     step = (end or 1.0) / count
     lows, highs = [float("inf")] * count, [-float("inf")] * count
 
@@ -79,7 +85,10 @@ def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
 
 
 def dots(spans: Sequence[Span], low: float, high: float, height: int) -> list[str]:
-    """Rows of braille characters, two spans a character, each drawn from its low to its high and to its neighbour."""
+    """Return rows of braille characters, two spans per character.
+
+    Each span is drawn from its low to its high and joined to its neighbour.
+    """
     top = 4 * height - 1
     factor = top / (high - low)
     columns = [(round((high - b) * factor), round((high - a) * factor)) for a, b in spans]
@@ -94,7 +103,10 @@ def dots(spans: Sequence[Span], low: float, high: float, height: int) -> list[st
 
 
 def _velocities(profile: Profile, begin: float, finish: float) -> list[float]:
-    """Velocities at both ends of a stretch and at the knots inside it: between them it only rises or only falls."""
+    """Return the velocities at both ends of an interval and at the knots inside it.
+
+    Between these the velocity is monotonic.
+    """
     found = [profile.velocity(begin), profile.velocity(finish)]
     if profile.shape != "hold":
         found += [profile.velocity(knot) for knot in profile.knots if begin < knot < finish]
@@ -102,7 +114,10 @@ def _velocities(profile: Profile, begin: float, finish: float) -> list[float]:
 
 
 def _turning_velocities(profile: Profile, length: float) -> list[float]:
-    """What a profile that lies in one stretch reaches, without making its pieces."""
+    """Return the velocities that a profile within one interval reaches.
+
+    This does not make its pieces.
+    """
     if profile.shape == "hold" or length >= profile.duration:
         return [phase.end_velocity for phase in profile.phases]
     return _velocities(profile, 0.0, length)

@@ -1,4 +1,7 @@
-"""A recording against a run, for a person: how far each signal is off, and each move with its lag and overshoot."""
+"""A recording compared with a run, as text.
+
+It shows the error of each signal, and each move with its lag and overshoot.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,7 @@ if TYPE_CHECKING:
 
     Row = dict[str, Any]
 
-# Up to so many moves are shown with their phases; of more than `MOST`, those that are furthest off.
+# At most this many moves are shown with their phases; of more than `MOST`, only the worst are shown.
 WITH_PHASES, MOST = 6, 40
 
 _SIGNALS = (
@@ -47,7 +50,10 @@ _MOVES = (
 def render_comparison(
     made: Comparison, *, width: int = 100, colour: bool = False, everything: bool = False
 ) -> str:
-    """The comparison as text that ends with a newline; of very many moves the worst, or all of them."""
+    """Return the comparison as text that ends with a newline.
+
+    Of very many moves only the worst are shown, unless `everything` is set.
+    """
     run = made.run
     head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"
     later = "later" if made.delay >= 0.0 else "earlier"
@@ -85,7 +91,7 @@ def _signal(row: Row, rows: Sequence[Row]) -> list[str]:
 
 
 def _peaks(row: Row, rows: Sequence[Row]) -> list[str]:
-    """The largest residual, when, the RMS, and whether that is too much."""
+    """Return the largest residual, its time, the RMS and the verdict."""
     if row["peak"] is None:
         return ["", "", "", "not recorded"]
     places = decimals_of(

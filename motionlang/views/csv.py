@@ -1,8 +1,10 @@
-"""Columns as CSV text, many times as fast as `np.savetxt` and with its digits: fixed point, by tables of digits.
+"""Fast conversion of columns to CSV text in fixed point, by tables of digits.
 
-A number becomes words of four bytes: one to four words before the point, the first with the sign in it, two to four
-words of three digits behind it, the last with the separator. Unused places are NUL, and one `translate` deletes them
-all. What does not fit into that, because it is too large or no number, takes the slow way, row by row.
+It is many times as fast as `np.savetxt` and gives the same digits. A number becomes words of four bytes. One
+to four words hold the digits before the point, the first including the sign. Two to four words of three
+digits hold those after it, the last including the separator. Unused bytes are NUL, and one `translate`
+deletes them all. Rows with values that do not fit, because they are too large or not a number, are formatted
+one by one.
 """
 
 from __future__ import annotations
@@ -20,18 +22,18 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Words = NDArray[np.uint32]
 
-# Decimals that a column can have.
+# The numbers of decimals that a column can have.
 DECIMALS = (6, 9, 12)
-# Rows worked on together, so that all that is in hand stays in the cache.
+# The number of rows processed together, so that all data stays in the cache.
 BLOCK = 16_384
-# Fewer rows than these are written one like the other, though they are alike.
+# Shorter runs of equal rows are written like any others.
 LONG_REST = 64
-# A number times 10^decimals must stay below this: doubles count every integer up to 2^53.
+# A number times 10^decimals must stay below this: doubles represent every integer up to 2^53.
 LARGEST = 9.0e15
-# Whole parts below these have so many words: three digits with the sign, then four each.
+# Bounds of integer parts with one, two and three words: three digits with the sign, then four each.
 _WIDTHS = (1e3, 1e7, 1e11)
-# Products this near to a half, of nine decimals and of more, may have been rounded to the wrong side of it; those are
-# formatted one by one.
+# A product this near to a half, with nine decimals and with more, may have been rounded in the wrong
+# direction. Such numbers are formatted one by one.
 _NEAR_HALF, _NEARER = 1e-6, 1e-3
 
 
@@ -39,12 +41,13 @@ def _table(texts: Sequence[bytes]) -> Words:
     return np.frombuffer(b"".join(texts), "<u4").copy()
 
 
-# 0…9999 with zeros, and with NUL for leading zeros: nothing at all for 0, or one digit for it.
+# 0…9999 with leading zeros, and with NUL instead of them. In the latter, 0 has either no digit or one.
 _FOUR = _table([b"%04d" % i for i in range(10_000)])
 _LEADING = _table([b"\0\0\0\0", *((b"%d" % i).rjust(4, b"\0") for i in range(1, 10_000))])
 _UNITS = _LEADING.copy()
 _UNITS[0] = np.frombuffer(b"\0\0\x000", "<u4")[0]
-# A sign and three digits, of the numbers from 0, then of those below it, as the first word or as the only one.
+# A sign and three digits, first for numbers from 0 up, then for those below it. There is one table for the
+# first of several words and one for a single word.
 _SIGNED = _table(
     [sign + text.tobytes()[1:] for sign in (b"\0", b"-") for text in np.split(_LEADING[:1000], 1000)]
 )
@@ -58,7 +61,7 @@ _NEWLINE = _table([b"%03d\n" % i for i in range(1000)])
 
 
 def decimals_for(resolution: float) -> int:
-    """The fewest decimals that still show a thousandth of `resolution`, within `DECIMALS`."""
+    """Return the fewest of `DECIMALS` that show a thousandth of `resolution`."""
     for decimals in DECIMALS:
         if 10.0**-decimals <= abs(resolution) / 1000.0 * (1.0 + 1e-9):
             return decimals
@@ -66,7 +69,10 @@ def decimals_for(resolution: float) -> int:
 
 
 class Formatter:
-    """Turns columns of equal length into CSV lines; `decimals` has one of `DECIMALS` for each."""
+    """Turns columns of equal length into CSV lines.
+
+    `decimals` has one of `DECIMALS` for each column.
+    """
 
     __slots__ = ("_decimals", "_first", "_rows")
 
@@ -77,7 +83,7 @@ class Formatter:
         self._first = _Buffer()
 
     def lines(self, columns: Sequence[Array]) -> list[bytes]:
-        """The lines of the columns, in blocks."""
+        """Return the lines of the columns, in blocks."""
         texts: list[bytes] = []
         for first in range(0, len(columns[0]), BLOCK):
             texts += self._block([column[first : first + BLOCK] for column in columns])
@@ -104,14 +110,14 @@ class Formatter:
         return texts
 
     def _slow(self, columns: Sequence[Array]) -> bytes:
-        # Adding 0.0 turns -0.0 into 0.0, as the fast way prints it.
+        # Adding 0.0 turns -0.0 into 0.0, to match the fast path.
         row = ",".join(f"%.{decimals}f" for decimals in self._decimals) + "\n"
         values = zip(*((column + 0.0).tolist() for column in columns), strict=True)
         return "".join([row % each for each in values]).encode("ascii")
 
 
 class _Buffer:
-    """Rows of words, in memory that is used again."""
+    """Rows of words in memory that is reused."""
 
     __slots__ = ("_bytes", "_row")
 
@@ -120,13 +126,13 @@ class _Buffer:
         self._row = 0
 
     def fill(self, columns: Sequence[Array], decimals: Sequence[int], last_ends: Words) -> bool:
-        """Write the columns; False where one of them does not fit into words."""
+        """Write the columns; return False if one of them does not fit into words."""
         sizes = [max(-column.min(), column.max()) for column in columns]
         for size, each in zip(sizes, decimals, strict=True):
             if not size * 10.0**each < LARGEST:
                 return False
         wholes = [1 + len([most for most in _WIDTHS if size >= most - 1.0]) for size in sizes]
-        # An even number of words each: they go into their rows two or four at a time.
+        # Each has an even number of words, because they are copied two or four at a time.
         widths = [whole + each // 3 for whole, each in zip(wholes, decimals, strict=True)]
         edges = [0, *accumulate(width + width % 2 for width in widths)]
         self._row = 4 * edges[-1]
@@ -145,12 +151,12 @@ class _Buffer:
         return True
 
     def text(self, begin: int, end: int) -> bytes:
-        """The text of some of the rows."""
+        """Return the text of some of the rows."""
         return bytes(memoryview(self._bytes)[begin * self._row : end * self._row]).translate(None, b"\0")
 
 
 def _rests(columns: Sequence[Array]) -> list[tuple[int, int]]:
-    """The long runs of rows that differ from the row before them in the first column alone."""
+    """Find the long runs of rows that differ from their predecessor only in column 0."""
     if len(columns) < 2:
         return []
     changes = columns[1][1:] != columns[1][:-1]
@@ -162,12 +168,15 @@ def _rests(columns: Sequence[Array]) -> list[tuple[int, int]]:
 
 
 def _write(words: Words, first: int, point: int, column: Array, decimals: int, ends: Words) -> None:
-    """One column's digits into its words: the whole part from `first`, the decimals from `point`."""
+    """Write the digits of one column into words.
+
+    The integer part begins at `first`, the decimals at `point`.
+    """
     below = column <= -0.5 * 10.0**-decimals if column.min() < 0.0 else None
     parts = np.abs(column)
     whole = np.floor(parts)
     parts -= whole  # exact
-    # Up to nine decimals are one number of 32 bits; of more the last three are another one.
+    # Up to nine decimals are one 32-bit number; of twelve, the last three are another.
     upper = min(decimals, 9)
     parts *= 10.0**upper
     high = None
@@ -198,7 +207,7 @@ def _write(words: Words, first: int, point: int, column: Array, decimals: int, e
 
 
 def _carry(digits: Array, most: float, into: Array) -> None:
-    """What has been rounded up to a digit more."""
+    """Carry digits that were rounded up to the next power of ten."""
     if digits.max() >= most:
         over = digits >= most
         into[over] += 1.0
@@ -211,7 +220,7 @@ def _write_exactly(
     rows: Sequence[int],
     parts: tuple[Array, Array | None, Array, NDArray[np.bool_] | None],
 ) -> None:
-    """The digits of some rows as Python has them, into the parts that the others are written from."""
+    """Replace the digits of some rows by Python's own, in the arrays to be written."""
     whole, high, digits, below = parts
     for row in rows:
         shown = f"{abs(column[row]):.{decimals}f}"

@@ -1,4 +1,4 @@
-"""Where the time of a run went, for a person: by cause, by line and by sub, who waits for whom, and each task's own."""
+"""The time of a run as text: by cause, line, sub and task, and who waits for whom."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.cycle.profile import Share, TimeProfile
 
-# Lines of the program in the table, and of a program that is listed as a whole.
+# The largest number of lines in the table, and of lines in a full program listing.
 MOST_LINES, MOST_LISTED = 20, 60
 LONGEST = 40
 
@@ -63,7 +63,10 @@ _TASKS = (
 def render_profile(
     made: TimeProfile, *, width: int = 100, colour: bool = False, everything: bool = False
 ) -> str:
-    """The profile as text that ends with a newline; `everything` has all lines, and the program listed."""
+    """Return the profile as text that ends with a newline.
+
+    `everything` adds all lines and the program listing.
+    """
     whole = made.seconds
     parts = [
         [styled(f"where the {clock_time(whole)} go", "bold", colour)],
@@ -97,7 +100,7 @@ def _kinds(made: TimeProfile, whole: float, width: int, colour: bool) -> list[st
 
 
 def _causes(causes: Mapping[str, float]) -> str:
-    """How long of a travel each phase took."""
+    """Return the duration of each phase of a travel."""
     if len(causes) < 2:
         return ""
     return ", ".join(f"{name} {_seconds(causes[name])}" for name in MOVING if name in causes)
@@ -137,7 +140,7 @@ def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
 def _held(
     made: TimeProfile, shares: Sequence[Share], whole: float, width: int, colour: bool, everything: bool
 ) -> list[str]:
-    """Where the program waits, and for what."""
+    """Return a table of the lines at which the program waits, with the causes."""
     rows = [
         [
             str(share.line),
@@ -153,7 +156,7 @@ def _held(
 
 
 def _awaited(causes: Mapping[str, float]) -> str:
-    """What a line waits for, with the seconds of each where there are several."""
+    """Return the causes that a line waits for, with seconds if there are several."""
     names = sorted(causes, key=lambda name: (-causes[name], name))
     told = [name.removeprefix("waiting for ").removeprefix("travel of ") for name in names]
     if len(names) < 2:
@@ -189,7 +192,7 @@ def _task(made: TimeProfile, number: int) -> list[str]:
 
 
 def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:
-    """The program with the seconds and the share of each line before it."""
+    """Return the program with the seconds and the share of time before each line."""
     by_line = {share.line: share.seconds for share in made.lines()}
     lines = made.run.source.text.rstrip("\n").split("\n")
     out = []
@@ -201,7 +204,7 @@ def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:
 
 
 def _seconds(value: float) -> str:
-    """Seconds as a person reads them in a column."""
+    """Format seconds for a column."""
     return f"{value:.4f}"
 
 

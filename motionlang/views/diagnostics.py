@@ -1,4 +1,4 @@
-"""How a mistake looks: what it is, where it is, the line itself with the place marked, and what to do about it.
+"""Layout of a diagnostic: message, location, excerpt with a mark, and hint.
 
     error[unknown-word]: there is no keyword MOVR
      --> pick.mnt:5:1
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 TAB = 4
 # A message quotes the user's text, which may be a megabyte without a space.
 LONGEST_MESSAGE = 500
-# Diagnostics of one file that somebody is shown.
+# The largest number of diagnostics shown for one file.
 MOST = 100
 
 
@@ -36,9 +36,10 @@ def render(
     colour: bool = False,
     width: int = WIDTH,
 ) -> str:
-    """One diagnostic with its excerpt, lines ended by newlines; without `source` there is no excerpt.
+    """Return one diagnostic with its excerpt, in lines that end with newlines.
 
-    `name` is how the user called the file, where that is more than the name of its source.
+    Without `source` there is no excerpt. `name` is the file as the user named it, if that differs from the
+    name of its source.
     """
     severity = diagnostic.severity
     message = styled(_short(diagnostic.message), "bold", colour)
@@ -67,7 +68,10 @@ def render_all(
     colour: bool = False,
     width: int = WIDTH,
 ) -> str:
-    """An empty line between two; of very many the first, and how many more there are."""
+    """Return the diagnostics, separated by empty lines.
+
+    Of very many only the first are shown, with the number of others.
+    """
     found = list(diagnostics)
     texts = [render(each, source, name=name, colour=colour, width=width) for each in found[:MOST]]
     if len(found) > MOST:
@@ -76,7 +80,7 @@ def render_all(
 
 
 def tally(diagnostics: Iterable[Diagnostic]) -> str:
-    """How many of each kind: "2 errors, 1 warning"; empty where there are none."""
+    """Count diagnostics by kind: "2 errors, 1 warning"; empty if there are none."""
     severities = [each.severity for each in diagnostics]
     parts = []
     for severity in ("error", "warning"):
@@ -101,7 +105,7 @@ def _short(text: str) -> str:
 
 
 def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width: int) -> list[str]:
-    """The line with its number, and below it the carets where the column is known."""
+    """Return the line with its number, and carets below it if the column is known."""
     bar = styled("|", "place", colour)
     number = styled(f"{diagnostic.line:>{gutter}}", "place", colour)
     column = max(diagnostic.column, 1)
@@ -115,9 +119,12 @@ def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width
 
 
 def _window(line: str, at: int, length: int, room: int) -> tuple[str, int, int]:
-    """The part of `line` around `at` that fits into `room` cells, where the mark begins in it, and its width."""
+    """Return the excerpt of `line` around `at` that fits into `room` cells.
+
+    Returns also the start and the width of the mark in it.
+    """
     at = min(at, len(line))
-    # More characters than `room` on either side can never be shown: a megabyte costs as little as a line.
+    # More characters than `room` on either side never fit, so a megabyte costs as little as a line.
     first = max(0, at - room)
     before = _widened(line[first:at])
     after = _widened(line[at : at + room], cells(before))
@@ -134,7 +141,10 @@ def _window(line: str, at: int, length: int, room: int) -> tuple[str, int, int]:
 
 
 def _widened(text: str, start: int = 0) -> str:
-    """`text` as a terminal can show it, tabs turned into spaces up to the next stop; it begins in cell `start`."""
+    """Return `text` as printable cells, with tabs expanded to spaces.
+
+    The text begins in cell `start`.
+    """
     if "\t" not in text:
         return printable(text)
     made, column = [], start
@@ -148,7 +158,7 @@ def _widened(text: str, start: int = 0) -> str:
 
 
 def _last(text: str, room: int) -> str:
-    """The end of `text` that fits into `room` cells."""
+    """Return the end of `text` that fits into `room` cells."""
     kept = text[-room:]
     while cells(kept) > room:
         kept = kept[1:]
@@ -156,7 +166,7 @@ def _last(text: str, room: int) -> str:
 
 
 def _first(text: str, room: int) -> str:
-    """The beginning of `text` that fits into `room` cells."""
+    """Return the start of `text` that fits into `room` cells."""
     kept = text[: max(room, 0)]
     while cells(kept) > room:
         kept = kept[:-1]

@@ -1,4 +1,7 @@
-"""What a change did, in words: time first, then lines, prints, errors and the rest."""
+"""The effect of a change as text.
+
+Time comes first, then lines, prints, errors and the rest.
+"""
 
 from __future__ import annotations
 
@@ -17,11 +20,12 @@ if TYPE_CHECKING:
     from motionlang.analysis.diff.reports import Difference, LineChange
 
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
-# Figures of a motor that no tube is about.
+# Figures of a motor that have no unit in `UNITS`.
 MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
-# What fields of a report are called where that is not their name.
+# Printed names of report fields, if they differ from the field.
 WORDS = {"asked_speed": "commanded speed"}
-# Entries of a kind that are told one by one; lines that a difference in time is charged to.
+# The largest number of entries of a kind that are listed, and of lines that a time difference is attributed
+# to.
 MOST, MOST_CHARGED = 12, 4
 
 
@@ -33,7 +37,10 @@ def diff_lines(
     colour: bool = False,
     most: int = MOST,
 ) -> list[str]:
-    """The difference as lines of text; none where there is none. `charges` are of a difference in time."""
+    """Return the difference as lines of text; none if there is no difference.
+
+    `charges` attribute a difference in time to lines.
+    """
     out: list[str] = []
     if found.status is not None:
         out.append(f"the run: {found.status[0]} → {found.status[1]}")
@@ -85,7 +92,10 @@ def _first(lines: list[str], most: int, what: str) -> list[str]:
 
 
 def _together(changes: Sequence[LineChange]) -> list[list[LineChange]]:
-    """Changes of several axes that are one: segments of a path, and moves of a list; the longest in time come first."""
+    """Group equal changes of several axes, such as segments of a path.
+
+    Moves of an axis list are grouped, too. The largest changes in time come first.
+    """
     found: dict[tuple[object, ...], list[LineChange]] = {}
     for each in sorted(changes, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis)):
         same = each.old, each.new, each.command, each.count, each.first, each.duration, each.wait
@@ -94,7 +104,10 @@ def _together(changes: Sequence[LineChange]) -> list[list[LineChange]]:
 
 
 def _line(change: LineChange, *others: LineChange) -> str:
-    """A change; with `others`, those of more axes, what is not otherwise on all of them is told with its axis."""
+    """Return the text of a change, or of equal changes of several axes in `others`.
+
+    Values that differ between the axes are shown with their axis.
+    """
     where = f"line {change.old}" if change.old == change.new else f"line {change.old}, now {change.new}"
     moves = "1 move" if change.count == 1 else f"{change.count} moves"
     alike = (change, *others)
@@ -141,7 +154,7 @@ def _move(move: dict[str, Any]) -> str:
 
 
 def change_lines(found: Difference, change: Change) -> list[str]:
-    """One change by itself, as it is asked about."""
+    """Return the text of one change on its own."""
     kind, what = change.kind, change.what
     if kind == "status":
         return diff_lines(found, most=0)[:1]

@@ -1,4 +1,7 @@
-"""A trace as a file, written chunk by chunk in bounded memory: `--trace OUT` with one suffix of `_WRITERS`."""
+"""Trace files, written chunk by chunk in bounded memory.
+
+`--trace OUT` chooses one of `_WRITERS` by suffix.
+"""
 
 from __future__ import annotations
 
@@ -21,14 +24,15 @@ if TYPE_CHECKING:
 
     Report = Callable[[float], object]
 
-# A nanosecond, which is a hundredth of the shortest statement anybody sets.
+# A nanosecond is a hundredth of the shortest statement time in use.
 TIME_DECIMALS = 9
 
 
 def write_trace(trace: Trace, path: str, rate: float = 1000.0, progress: Report = lambda part: None) -> int:
-    """Sample `trace` at `rate` into `path`, in the format of its suffix; answers with the number of rows.
+    """Sample `trace` at `rate` into `path`; return the number of rows.
 
-    `progress` is called with the part done. Raises OSError, and leaves no part of a file behind.
+    The suffix of `path` selects the format. `progress` is called with the completed fraction. Raises OSError,
+    and leaves no incomplete file behind.
     """
     write = _WRITERS[os.path.splitext(path)[1].lower()]
     with replacing(path) as file:
@@ -37,7 +41,10 @@ def write_trace(trace: Trace, path: str, rate: float = 1000.0, progress: Report 
 
 
 def _write_csv(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """A header with names and units, then numbers: a column shows at least a thousandth of a count."""
+    """Write a header with names and units, then numbers.
+
+    A column resolves at least a thousandth of a count.
+    """
     columns = trace.columns()
     formatter = Formatter([_decimals(trace, column) for column in columns])
     file.write((",".join(column.name for column in columns) + "\n").encode("ascii"))
@@ -53,7 +60,7 @@ def _decimals(trace: Trace, column: Column) -> int:
 
 
 def _write_npz(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """What `np.savez` would write, without ever holding more than a chunk; the same bytes for the same trace."""
+    """Write the output of `np.savez` with one chunk in memory, deterministically."""
     columns, total = trace.columns(), trace.rows(rate)
     work = total * len(columns)
     done = 0
@@ -75,7 +82,10 @@ def _entry(name: str) -> ZipInfo:
 
 
 def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """A row group a chunk; the unit of each column is in its metadata. Needs pyarrow."""
+    """Write one row group per chunk, with the unit of each column as metadata.
+
+    Needs pyarrow.
+    """
     need("a Parquet file", "pyarrow")
     import pyarrow as arrow  # type: ignore[import-untyped]
     from pyarrow.parquet import ParquetWriter  # type: ignore[import-untyped]
@@ -89,7 +99,7 @@ def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report)
     total, done = trace.rows(rate), 0
     with ParquetWriter(file, schema) as writer:
         for chunk in trace.chunks(rate):
-            # Copied: the next chunk comes into the same arrays.
+            # Copied, because the next chunk reuses the same arrays.
             writer.write_table(arrow.table([values.copy() for values in chunk.data], schema=schema))
             done += len(chunk)
             progress(done / total)

@@ -1,4 +1,7 @@
-"""What was found in many files, as the tools of others read it: SARIF, JUnit's XML, GitHub's commands in a log."""
+"""Diagnostics of many files in formats for other tools.
+
+The formats are SARIF, JUnit XML and GitHub workflow commands.
+"""
 
 from __future__ import annotations
 
@@ -22,9 +25,9 @@ SARIF = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 class Found:
-    """The diagnostics of one file; `place` is the file that they are about, which may be its machine file.
+    """The diagnostics of one file.
 
-    `strict` counts warnings as mistakes.
+    `place` is the file that they refer to, which may be its machine file. `strict` counts warnings as errors.
     """
 
     __slots__ = ("diagnostics", "file", "is_wrong", "place", "source")
@@ -42,7 +45,11 @@ class Found:
 
 
 def written(found: Sequence[Found], form: str, command: str) -> str:
-    """The whole document in one of `FORMATS` but "text" and "json"; `command` is what was done, as in "check"."""
+    """Return the whole document in a format for other tools.
+
+    `form` is one of `FORMATS` except "text" and "json". `command` is the name of the command, such as
+    "check".
+    """
     return {"sarif": _sarif, "junit": _junit, "github": _github}[form](found, command)
 
 
@@ -74,7 +81,10 @@ def _result(file: str, one: Diagnostic) -> dict[str, object]:
 
 
 def _junit(found: Sequence[Found], command: str) -> str:
-    """A test case a file: a failure where it has a mistake; warnings are what it printed."""
+    """Return one test case per file.
+
+    A file with an error is a failure; warnings are its output.
+    """
     name = quoteattr(f"motionlang {command}")
     wrong = [each for each in found if each.is_wrong]
     head = f'name={name} tests="{len(found)}" failures="{len(wrong)}"'
@@ -93,7 +103,7 @@ def _junit(found: Sequence[Found], command: str) -> str:
 
 
 def _xml(text: str) -> str:
-    """The text without the control characters that XML cannot have."""
+    """Return the text without the control characters that XML does not allow."""
     return "\n".join(printable(line) for line in text.split("\n"))
 
 

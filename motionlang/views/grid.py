@@ -1,4 +1,7 @@
-"""Columns of text, lined up by rich's widths; the least important columns are dropped where a terminal is narrow."""
+"""Aligned columns of text.
+
+Widths are rich's. On a narrow terminal the least important columns are dropped.
+"""
 
 from __future__ import annotations
 
@@ -12,9 +15,10 @@ GAP = 2
 
 
 class Column:
-    """`title` over `unit`; `align` "<" or ">"; the columns with the highest `drop` go first when room is short.
+    """A column of a grid, with `title` over `unit`; `align` is "<" or ">".
 
-    `drop` 0 means that the column stays whatever happens. `style` colours its cells.
+    Columns with the highest `drop` are removed first if there is not enough room; 0 means never. `style`
+    colours the cells.
     """
 
     __slots__ = ("align", "drop", "style", "title", "unit")
@@ -31,7 +35,10 @@ def grid(
     colour: bool = False,
     styles: Sequence[str] = (),
 ) -> list[str]:
-    """The lines of a table, header and rule first; `styles` may name a style for each row."""
+    """Return the lines of a table, beginning with header and rule.
+
+    `styles` may name a style for each row.
+    """
     kept, widths = _kept(columns, rows, width)
     columns = [columns[k] for k in kept]
     heads = [([column.title for column in columns], "bold")]
@@ -48,7 +55,10 @@ def grid(
 
 
 def decimals_of(values: Sequence[float], most: int = 4) -> int:
-    """The fewest decimals that show all of `values`, at most `most`, more where all are small."""
+    """Return the fewest decimals that show all of `values`, at most `most`.
+
+    If all values are small, the result may be larger.
+    """
     largest = max((abs(value) for value in values), default=0.0)
     while most < 12 and 0.0 < largest < 10.0 ** (2 - most):
         most += 1
@@ -61,7 +71,10 @@ def decimals_of(values: Sequence[float], most: int = 4) -> int:
 def _kept(
     columns: Sequence[Column], rows: Sequence[Sequence[str]], width: int
 ) -> tuple[list[int], list[int]]:
-    """The columns for which there is room, and how wide each is; one without a word in it is left out as well."""
+    """Return the columns that fit, with the width of each.
+
+    A column without text is dropped, too.
+    """
     kept = [k for k in range(len(columns)) if not columns[k].drop or any(row[k] for row in rows)]
     widths = {
         k: max(map(cells, (columns[k].title, columns[k].unit, *(row[k] for row in rows)))) for k in kept
@@ -78,7 +91,7 @@ def _line(
     styles: Sequence[str],
     colour: bool,
 ) -> str:
-    """The cells of a row, each as wide as its column; the blanks around a word have no style."""
+    """Return the cells of a row, padded to their columns; padding has no style."""
     parts = []
     for column, width, text, style in zip(columns, widths, texts, styles, strict=True):
         if column.align == ">":

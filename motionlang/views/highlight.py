@@ -1,4 +1,7 @@
-"""Highlighting for the prompt and for Pygments: the dialect cuts a text up, the rows say which words it knows."""
+"""Highlighting for the prompt and for Pygments.
+
+The dialect splits a text into tokens; the rows of its table define the keywords.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +12,15 @@ if TYPE_CHECKING:
 
     from motionlang.lang.dialect import Dialect
 
-# The kinds of a dialect's tokens that name a word of its table.
+# The kinds of tokens that are looked up in the table of the dialect.
 _WORDS = frozenset(("word", "command", "not-simulated"))
 
 
 def pieces(dialect: Dialect, text: str) -> Iterator[tuple[int, str, str]]:
-    """Offset, kind and text of each piece; nothing of the text is left out, "" is the kind of what is in between.
+    """Split a text into fragments with offset, kind and text, leaving nothing out.
 
-    A word of the table is "move", "keyword" or "not-simulated"; the other kinds are those of `Dialect.tokens`.
+    Text between tokens has the kind "". A keyword of the table has the kind "move", "keyword" or
+    "not-simulated". The other kinds are those of `Dialect.tokens`.
     """
     at = 0
     for kind, piece, offset in dialect.tokens(text):

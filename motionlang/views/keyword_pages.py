@@ -1,6 +1,7 @@
-"""The keyword pages of the documents, written from the table of a dialect: one page a dialect, a section a group.
+"""The keyword page of a dialect in the documentation, written from its table.
 
-Groups and words stand in the order of the alphabet, as a page of hundreds of words is for looking up.
+There is one section per group. Groups and keywords are in alphabetical order, because a page of hundreds of
+keywords is for reference.
 """
 
 from __future__ import annotations
@@ -17,23 +18,24 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 
-# The most lines of an example's output that are shown.
+# The largest number of output lines shown for an example.
 MOST = 12
-# Groups whose names are no titles.
+# Titles of groups whose names are not titles.
 TITLES = {
     "io": "Inputs and outputs",
     "v4": "Older words",
     "state": "State of an axis",
     "tables": "Cams and splines",
 }
-# Control characters, as the signs that stand for them.
+# Control characters, mapped to the symbols that represent them.
 SIGNS = {code: 0x2400 + code for code in range(32) if code not in (9, 10)}
 
 
 def markdown(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], Sequence[str]]) -> str:
-    """The whole page: simulated words with all that the table knows, then those that are only known.
+    """Return the whole page.
 
-    `shown` tells what a word's example prints.
+    Keywords that are simulated come first, with all facts in the table, then the others. `shown` returns the
+    output of a keyword's example.
     """
     simulated = [row for row in rows if row.simulated]
     known = [row for row in rows if not row.simulated]
@@ -84,7 +86,7 @@ def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]
 
 
 def _open(row: Keyword, dialect: str) -> list[str]:
-    """What the sources leave open of a word, a question a line."""
+    """Return the open questions on a keyword, one per line."""
     lines: list[str] = []
     for each in of_word(dialect, row):
         others = f"; or: {'; or '.join(each.alternatives)}" if each.alternatives else ""

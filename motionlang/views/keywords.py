@@ -1,4 +1,4 @@
-"""The words of a language for a person: all of them as a list, one of them as a page."""
+"""The keywords of a language as text: all in a list, one as a page."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
-# How a fact is known, by the first word of its strength.
+# The certainty of a fact, by the first word of its strength.
 TRUST = {
     "manual": "printed in a manual",
     "code": "read off running code",
@@ -43,16 +43,17 @@ INDEX = {
     "bank": "a bank",
     "none": "",
 }
-# Rows of the vocabulary that are known and not simulated, for the list.
+# The heading of keywords that are known but not simulated, in the list.
 KNOWN = "known, not simulated"
 
 
 def listing(
     rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False, whole: bool = False
 ) -> str:
-    """All rows, group by group, a line a word; words that are not simulated come last, several a line.
+    """List all rows by group, one keyword per line.
 
-    A line is cut at `width`, unless it is to be `whole`: what nobody sees on a screen is searched, or read.
+    Keywords that are not simulated come last, several per line. Lines are cut at `width` unless `whole` is
+    set, for output that is searched or read.
     """
     simulated = [row for row in rows if row.simulated]
     known = [row.name for row in rows if not row.simulated]
@@ -76,12 +77,12 @@ def listing(
 
 
 def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False) -> str:
-    """Everything that the table knows about each word."""
+    """Return a page with all facts on each keyword in the table."""
     return "\n".join(_page(row, dialect, width, colour) for row in rows)
 
 
 def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
-    """A row as JSON shows it."""
+    """Return a row as JSON data."""
     names = (name for name in type(row).__slots__ if name not in ("actions", "simulated", "verb"))
     known = of_word(dialect, row)
     evidence = {fact: {"strength": each.strength, "source": each.source} for fact, each in known.items()}
@@ -120,9 +121,10 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
 
 
 def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
-    """What the row says, as pairs of label and text; empty where it says nothing.
+    """Return the facts of a row as pairs of label and text.
 
-    Behind a fact stands what it rests on, where that is another thing than what the word is known from.
+    A missing fact has an empty text. A fact is followed by its evidence if that differs from the evidence of
+    the keyword itself.
     """
     default = "" if row.default is None else _figure(row.default)
     evidence = of_word(dialect, row)
@@ -146,7 +148,7 @@ def _trust(evidence: Evidence) -> str:
 
 
 def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:
-    """A fact with what it rests on."""
+    """Return a fact with its evidence."""
     own, meaning = evidence.get(fact), evidence["meaning"]
     if not text or own is None or (own.strength, own.source) == (meaning.strength, meaning.source):
         return text

@@ -1,4 +1,4 @@
-"""What the channels of a controller did, a lane each: when it changed, and to what."""
+"""The history of a controller's channels, one lane per channel."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from motionlang.log.records import Changed
     from motionlang.log.stream import Stream
 
-# group -> (the log's name for it, how a lane is called, whether it is on or off)
+# group -> (name in the log, prefix of a lane's name, True for digital channels)
 GROUPS = {
     "inputs": ("inputs", "in", True),
     "outputs": ("outputs", "out", True),
@@ -19,7 +19,10 @@ GROUPS = {
 
 
 class Lane(NamedTuple):
-    """One channel: `values[i]` holds from `times[i]` (seconds) on; the first is the value at 0."""
+    """One channel: `values[i]` holds from `times[i]` (seconds) on.
+
+    The first value is the one at 0.
+    """
 
     group: str
     name: str
@@ -28,7 +31,10 @@ class Lane(NamedTuple):
     values: list[float]
 
     def spans(self, end: float) -> list[tuple[float, float]]:
-        """When a digital channel is on, in a run that ends at `end`."""
+        """Return the intervals in which a digital channel is on.
+
+        The run ends at `end`.
+        """
         found: list[tuple[float, float]] = []
         begin = None
         for time, value in zip(self.times, self.values, strict=True):
@@ -41,7 +47,7 @@ class Lane(NamedTuple):
 
 
 def lanes(controller: Controller) -> list[Lane]:
-    """A lane for every channel that ever changed, group by group, by their numbers."""
+    """Return a lane for every channel that changed, by group and number."""
     made: list[Lane] = []
     for group, (attribute, prefix, is_digital) in GROUPS.items():
         changes: Stream[Changed] = getattr(controller.log, attribute)

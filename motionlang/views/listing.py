@@ -1,4 +1,4 @@
-"""A listing: the lines of a program at the left margin, below each the code that it became."""
+"""A listing: the lines of a program, each with the generated code below it."""
 
 from __future__ import annotations
 
@@ -19,12 +19,15 @@ if TYPE_CHECKING:
 
 WIDTH = 80
 _BREAK = " \\"
-# The styles of the pieces of a program's line, by their kind.
+# The styles of the tokens of a program's line, by kind.
 _STYLES = {"move": "word", "keyword": "word", "not-simulated": "warning", "comment": "dim"}
 
 
 def render_listing(dialect: Dialect, source: Source, listing: Listing, *, colour: bool) -> Iterator[str]:
-    """The text of a listing, line by line; code of Python with its comments is still the code that runs."""
+    """Return the lines of a listing.
+
+    Python code with its comments is still runnable.
+    """
     for text in listing.head.splitlines():
         yield styled(f"# {text}".rstrip(), "dim", colour) + "\n"
     before = 0
@@ -51,7 +54,10 @@ def _program_line(dialect: Dialect, source: Source, number: int, colour: bool) -
 
 
 def _wrapped(code: str, indent: str) -> str:
-    """A line of Python, broken with backslashes at blanks between its tokens where it is longer than 80 columns."""
+    """Return a line of Python, broken with backslashes if longer than 80 columns.
+
+    It is broken at blanks between tokens.
+    """
     if len(code) <= WIDTH:
         return code
     starts, before, room = [0], 0, WIDTH - len(_BREAK)
@@ -66,7 +72,7 @@ def _wrapped(code: str, indent: str) -> str:
 
 
 def _blanks(code: str) -> Iterator[int]:
-    """The offsets of the blanks between two tokens of a line of Python."""
+    """Return the offsets of the blanks between two tokens of a line of Python."""
     text = code.lstrip()
     shift, ended = len(code) - len(text), 0
     for token in tokenize.generate_tokens(io.StringIO(text).readline):

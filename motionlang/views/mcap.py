@@ -1,7 +1,8 @@
-"""A trace as an MCAP file, which PlotJuggler and Foxglove open: motion, channels, and what the program was doing.
+"""A trace as an MCAP file, for PlotJuggler and Foxglove.
 
-Messages are JSON with a JSON schema each: a topic an axis at the trace's rate, a topic a channel at each change, and
-`/program`, which says at each move and phase which line of the program it comes from. Times are those of the machine.
+It has the motion, the channels and the activity of the program. Messages are JSON, each with a JSON schema.
+There is one topic per axis at the trace's rate, and one per channel with each change. `/program` names the
+program line of each move and phase. Times are machine times.
 """
 
 from __future__ import annotations
@@ -30,7 +31,10 @@ _TEXTS = {"line": "integer", "command": "string", "state": "string", "axis": "in
 
 
 def write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """Every message in the order of time. Needs the package mcap."""
+    """Write all messages in the order of time.
+
+    Needs the package mcap.
+    """
     need("an MCAP file", "mcap")
     from mcap.writer import CompressionType, Writer
 
@@ -51,13 +55,16 @@ def write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> 
 
 
 class _Topics:
-    """Topics as they are first asked for, each with a schema of its own."""
+    """Topics, created on first use, each with its own schema."""
 
     def __init__(self, writer: Any) -> None:
         self._writer = writer
 
     def add(self, name: str, fields: Mapping[str, str]) -> int:
-        """The number of a topic whose messages have `fields`: names, and JSON types."""
+        """Return the number of a new topic whose messages have `fields`.
+
+        `fields` maps names to JSON types.
+        """
         schema = {"type": "object", "properties": {field: {"type": kind} for field, kind in fields.items()}}
         number = self._writer.register_schema(
             name=name.strip("/"), encoding="jsonschema", data=json.dumps(schema).encode()
@@ -67,7 +74,10 @@ class _Topics:
 
 
 def _motion(trace: Trace, rate: float, topics: _Topics, progress: Report) -> Iterator[Message]:
-    """A message an axis and row; names have their units, as the columns of a CSV file have."""
+    """Return a message per axis and row.
+
+    Names include units, like the columns of a CSV file.
+    """
     columns = trace.columns()[1:]
     groups: dict[str, list[tuple[int, str]]] = {}
     for place, column in enumerate(columns):
@@ -101,7 +111,7 @@ def _channels(trace: Trace, topics: _Topics) -> Iterator[Message]:
 
 
 def _events(trace: Trace, topics: _Topics) -> Iterator[Message]:
-    """Limits, faults, clamps, jumps: docs/events.md has the kinds."""
+    """Return limits, faults, clamps and jumps; docs/events.md lists the kinds."""
     fields = {"kind": "string", "axis": "integer", "value": "number", "limit": "number", "text": "string"}
     number = topics.add("/events", fields)
     for event in trace.controller.log.events:
@@ -111,7 +121,10 @@ def _events(trace: Trace, topics: _Topics) -> Iterator[Message]:
 
 
 def _program(trace: Trace, topics: _Topics) -> Iterator[Message]:
-    """What each axis does from when on: the move and its phase, or that it has ended."""
+    """Return the activity of each axis over time.
+
+    This is the move and its phase, or the end of a move.
+    """
     number = topics.add("/program", _TEXTS)
     found: list[tuple[float, int, int, str, str]] = []
     for move in trace.controller.log.moves:

@@ -1,4 +1,4 @@
-"""A run as a notebook shows it: what was printed, what is wrong, and the table of its moves."""
+"""A run as a notebook shows it: output, diagnostics and the table of moves."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 WIDTH = 110
-# Lines that the program printed, of more the first and the last half of so many.
+# The largest number of output lines; of more, the first and the last half of these are shown.
 MOST_LINES = 200
 
 
 def html(run: Run) -> str:
-    """The run as HTML, with nothing in it that a program could have made of it."""
+    """Return the run as HTML, with all text of the program escaped."""
     lines = run.output
     if len(lines) > MOST_LINES:
         half = MOST_LINES // 2

@@ -1,8 +1,9 @@
-"""A motion as the few points that a picture of it needs, taken from its pieces: no peak and no jump is lost.
+"""The few points of a motion that a picture needs, with every peak and jump.
 
-Every piece gives its ends, its quarters and its middle, and the points of an even grid that fall into it. A knot is
-there twice, once as the end of one piece and once as the begin of the next, so that a jump is drawn upright. Where
-there are more points than a picture has columns, each column keeps its lowest and its highest.
+The points come from the pieces of the motion. Every piece gives its ends, quarters and middle, and the points
+of an even grid inside it. A knot occurs twice, as the end of one piece and the start of the next, so that a
+jump is drawn vertically. If there are more points than a picture has columns, each column keeps only its
+lowest and its highest.
 """
 
 from __future__ import annotations
@@ -28,9 +29,9 @@ _PARTS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
 def outline(
     trace: Trace, axis: int, quantity: str, span: tuple[float, float] | None = None, bins: int = GRID
 ) -> tuple[Array, Array]:
-    """Times (s) and values (user units) of one quantity of one axis, at most about eight points a bin.
+    """Return times (s) and values (user units) of one quantity of one axis.
 
-    All of the run, or a `span` of it (s).
+    There are at most about eight points per bin. They cover the whole run, or a `span` of it (s).
     """
     span = span or (0.0, trace.end)
     piece, inside = _points(trace, axis, span, bins)
@@ -42,9 +43,10 @@ def outline(
 
 
 def thinned(times: Array, values: Array, span: tuple[float, float], bins: int = GRID) -> tuple[Array, Array]:
-    """The points in `span`, or of very many of them the lowest and the highest of each of `bins` stretches.
+    """Return the points in `span`; of very many only the extremes of each bin.
 
-    The last point before it is kept, too, so that a line comes in from the left.
+    The bins divide the span equally. The last point before the span is included, so that a line enters from
+    the left.
     """
     begin, end = span
     first = max(0, int(np.searchsorted(times, begin, "left")) - 1) if begin > 0.0 else 0
@@ -56,7 +58,7 @@ def thinned(times: Array, values: Array, span: tuple[float, float], bins: int = 
 
 
 def _points(trace: Trace, axis: int, span: tuple[float, float], bins: int) -> tuple[NDArray[np.int64], Array]:
-    """Which piece each point lies in, and its time since the begin of the piece, in the order of time."""
+    """Return the piece of each point and the time since it began, in time order."""
     begins, (begin, end) = trace.table(axis).origins, span
     skipped = np.maximum(begin - begins, 0.0)
     lengths = np.minimum(np.append(begins[1:], end), end) - begins
@@ -75,7 +77,7 @@ def _points(trace: Trace, axis: int, span: tuple[float, float], bins: int) -> tu
 
 
 def _extremes(times: Array, values: Array, span: tuple[float, float], bins: int) -> tuple[Array, Array]:
-    """The lowest and the highest value of each bin, in the order in which they come."""
+    """Return the lowest and highest value of each bin, in time order."""
     begin, end = span
     bin_of = np.minimum(((times - begin) * (bins / (end - begin))).astype(np.int64), bins - 1)
     firsts = np.flatnonzero(np.diff(bin_of, prepend=-1))
@@ -86,7 +88,7 @@ def _extremes(times: Array, values: Array, span: tuple[float, float], bins: int)
 
 
 def _positions(values: Array, firsts: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Where the lowest value of each stretch stands."""
+    """Return the index of the lowest value of each bin."""
     lowest = np.minimum.reduceat(values, firsts)
     counts = np.diff(np.append(firsts, len(values)))
     hits = np.flatnonzero(values == np.repeat(lowest, counts))

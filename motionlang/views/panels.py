@@ -1,4 +1,4 @@
-"""What a picture of a run shows, axis by axis: its panels and their curves, before anything is drawn."""
+"""The content of a picture of a run: panels and curves per axis, not yet drawn."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ COLOURS = {
     "output": "#6b4fa0",
     "motor": "#e08a1e",
 }
-# How much of a panel's usual height each quantity has.
+# The height of each quantity's panel, relative to the usual one.
 HEIGHTS = {
     "position": 1.0,
     "velocity": 1.0,
@@ -40,7 +40,7 @@ HEIGHTS = {
 
 
 class Curve(NamedTuple):
-    """Times (s) and values; `name` is empty where a panel has one curve."""
+    """Times (s) and values; `name` is empty if the panel has only one curve."""
 
     times: Array
     values: Array
@@ -49,7 +49,7 @@ class Curve(NamedTuple):
 
 
 class Panel(NamedTuple):
-    """One quantity of one axis; the last of the curves is what it is about."""
+    """One quantity of one axis; the last of the curves is the main one."""
 
     quantity: str
     unit: str
@@ -64,9 +64,10 @@ class Panel(NamedTuple):
 def panels(
     trace: Trace, axis: int, servo: ServoTrace | None = None, span: tuple[float, float] | None = None
 ) -> list[Panel]:
-    """The panels of an axis from the top down; jerk where acceleration does not only jump, a servo where one ran.
+    """Return the panels of an axis from the top down.
 
-    All of the run, or a `span` of it (s).
+    Jerk is included if the acceleration changes other than by jumps, and servo panels if a motor was
+    simulated. The panels cover the whole run, or a `span` of it (s).
     """
     span = span or (0.0, trace.end)
     made = [
@@ -93,7 +94,7 @@ def _with_motor(
 
 def _servo_panels(trace: Trace, axis: int, servo: ServoTrace, span: tuple[float, float]) -> Iterator[Panel]:
     times, error = thinned(servo.time, servo.error, span)
-    trace.to_user(axis, "velocity", error)  # a difference of positions: no zero in it
+    trace.to_user(axis, "velocity", error)  # a difference of positions: the zero does not apply
     yield Panel("following error", "uu", (Curve(times, error, COLOURS["following error"]),))
     has_dac = servo.loop.dac_bits > 0
     output = servo.dac_steps if has_dac else servo.output

@@ -1,4 +1,7 @@
-"""The path of two or three axes as a picture, its colour the speed along it: `--plot OUT --path 0,1`."""
+"""The path of two or three axes as a picture, coloured by speed along it.
+
+This is `--plot OUT --path 0,1`.
+"""
 
 from __future__ import annotations
 
@@ -22,13 +25,16 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Points along the path, and how many of its lines are named.
+# The number of points along the path, and the largest number of lines labelled.
 POINTS, MOST_NAMED = 6000, 40
 SIZE = 9.0
 
 
 def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
-    """A figure of the path of `axes`, two or three of them, in a window of the run. Raises ValueError, see Window."""
+    """Return a figure of the path of two or three `axes` in a window of the run.
+
+    Raises ValueError, see Window.
+    """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
@@ -67,7 +73,7 @@ def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
 
 
 def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
-    """Values of one axis at evenly spaced times."""
+    """Return values of one axis at evenly spaced times."""
     from motionlang.planners.sample import ORDERS
 
     values = np.empty(len(times))
@@ -78,7 +84,7 @@ def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
 
 
 def _draw(axes: Any, places: Array, speeds: Array, colours: Any) -> None:
-    """Stretches of line, each in the colour of the speed in its middle."""
+    """Draw segments, each in the colour of its mean speed."""
     stretches = np.stack((places[:-1], places[1:]), 1)
     middle = 0.5 * (speeds[:-1] + speeds[1:])
     kind: Any
@@ -99,7 +105,7 @@ def _draw(axes: Any, places: Array, speeds: Array, colours: Any) -> None:
 
 
 def _name_lines(axes: Axes, run: Run, of: tuple[int, ...], span: tuple[float, float]) -> None:
-    """Beside the path: which line of the program each stretch comes from, once each."""
+    """Label the sections of the path with their program lines, once per line."""
     rows: list[dict[str, Any]] = [row for row in moves_of(run) if row["axis"] == of[0] and row["line"]]
     named: set[int] = set()
     for row in rows:

@@ -1,4 +1,4 @@
-"""The paths of a run as a table, a line each: `run --paths`."""
+"""The paths of a run as a table, one per line: `run --paths`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from motionlang.log.paths import PathRow
 
 MOST = 60
-# Degrees that are no corner.
+# Smaller angles, in degrees, are not corners.
 SMOOTH = 0.05
 _COLUMNS = (
     Column("line"),
@@ -63,7 +63,10 @@ def render_paths(
 
 
 def at_its_end(row: PathRow) -> str:
-    """How a path goes over into the next, or why it comes to rest, as far as the motion tells."""
+    """Return how a path continues into the next, or why it stops.
+
+    The answer goes as far as the motion shows it.
+    """
     if row.ended:
         return f"ended by {row.ended}"
     if row.exit_speed:

@@ -1,7 +1,8 @@
-"""The run as a picture: position, velocity and acceleration over time, phases shaded, moves named by their lines.
+"""The run as a picture: position, velocity and acceleration over time.
 
-matplotlib draws it, without pyplot and without a display. The same run gives the same bytes: no dates, no random
-names. Long runs are drawn from their outline, which keeps every peak.
+Phases are shaded, and moves are labelled with their lines. matplotlib draws it without pyplot and without a
+display. The same run gives the same bytes: there are no dates and no random names. Long runs are drawn from
+their outline, which preserves every peak.
 """
 
 from __future__ import annotations
@@ -46,13 +47,13 @@ if TYPE_CHECKING:
     from motionlang.views.window import Window
 
 MOST_AXES, MOST_LANES, MOST_ANALOGUE = 8, 24, 4
-# Inches: the picture's width; a panel of one axis, of several, of a lane; what is above and below them all, and
-# between the groups of panels.
+# In inches: the width of the picture; the heights of a panel of one axis, of several axes and of a lane; the
+# margins above and below, and the gap between groups of panels.
 WIDTH, DPI = 11.0, 120
 PANEL, LANE = (1.9, 1.3), 0.26
 TOP, BOTTOM, BETWEEN, WITHIN = (0.95, 1.12), 0.5, 0.6, 0.24
 LEFT, RIGHT = 0.095, 0.985
-# "Any": every release of matplotlib types its keys differently.
+# "Any", because every release of matplotlib types its keys differently.
 STYLE: Any = {
     "font.family": "DejaVu Sans",
     "font.size": 9.0,
@@ -71,9 +72,10 @@ STYLE: Any = {
 def write_plot(
     run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({}), window: Window = WHOLE
 ) -> None:
-    """Draw a window of `run` into a .png or .svg file; `servos` has what the motors did, by axis, where simulated.
+    """Draw a window of `run` into a .png or .svg file.
 
-    Raises OSError, MissingExtra where matplotlib is missing, and ValueError where the window shows nothing.
+    `servos` has the simulated motion of the motors, by axis. Raises OSError, MissingExtra without matplotlib,
+    and ValueError if the window is empty.
     """
     import warnings
 
@@ -82,7 +84,7 @@ def write_plot(
 
     kind = os.path.splitext(path)[1].lower()[1:]
     with rc_context(STYLE), replacing(path) as file, warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # a letter that the font lacks is drawn as a box, and that is that
+        warnings.simplefilter("ignore")  # a letter that the font lacks is drawn as a box
         if window.path is None:
             figure = _figure(run, servos, window)
         else:
@@ -97,7 +99,7 @@ def _save(figure: Figure, file: IO[bytes], kind: str) -> None:
 
 
 class _Picture:
-    """What is drawn of a run: of its axes and channels, those for which there is room."""
+    """The content of a picture: as many axes and channels of the run as fit."""
 
     def __init__(self, run: Run, servos: Mapping[int, ServoTrace], window: Window) -> None:
         trace, channels = run.trace, lanes(run.controller)
@@ -119,7 +121,7 @@ class _Picture:
 
     @property
     def heights(self) -> list[list[float]]:
-        """Inches of every panel: a group an axis, and the channels."""
+        """The heights of all panels in inches: one group per axis, and the channels."""
         high = PANEL[len(self.axes) > 1]
         groups = [[high * HEIGHTS[panel.quantity] for panel in self.panels[axis]] for axis in self.axes]
         channels = [0.5 * high] * len(self.analogue)
@@ -166,7 +168,10 @@ def _draw_channels(group: Sequence[Axes], picture: _Picture, second: float) -> N
 
 
 def _layout(heights: Sequence[Sequence[float]], head: float) -> tuple[Figure, list[list[Axes]]]:
-    """A figure with groups of panels, inches high, one time scale for all, which only the last one spells out."""
+    """Return a figure with groups of panels and one time scale.
+
+    Heights are in inches. Only the last panel has labels of the time scale.
+    """
     from matplotlib.figure import Figure
 
     total = (
@@ -206,7 +211,7 @@ def _title(figure: Figure, run: Run, hidden: int, unseen: int) -> None:
 
 
 def _legend(figure: Figure, rows: Sequence[dict[str, Any]]) -> None:
-    """What the shades mean, top right."""
+    """Add a legend of the shades at the top right."""
     from matplotlib.patches import Patch
 
     names = {phase["name"] for row in rows for phase in row["phases"]}
@@ -228,13 +233,13 @@ def _legend(figure: Figure, rows: Sequence[dict[str, Any]]) -> None:
 
 
 def _darker(colour: str) -> str:
-    """The shade of a patch of `colour` on paper, strong enough for a small square."""
+    """Return a shade of `colour` that is strong enough for a small square on paper."""
     channels = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
     return "#" + "".join(f"{int(255 - 2.6 * (255 - channel)):02x}" for channel in channels)
 
 
 def _time_unit(end: float) -> tuple[str, float]:
-    """The unit that time is drawn in, and its seconds."""
+    """Return the unit of the time axis and its length in seconds."""
     if end >= 3 * 3600.0:
         return "h", 3600.0
     return ("min", 60.0) if end >= 600.0 else ("s", 1.0)

@@ -1,4 +1,4 @@
-"""One panel of a picture of a run: its curves, the phases behind them, the moves named above."""
+"""One panel of a picture of a run: curves, shaded phases and labels of moves."""
 
 from __future__ import annotations
 
@@ -29,15 +29,18 @@ PHASES = {
     "hold": "#f4f6f8",
 }
 ON, EVENT = "#3f6d9e", "#b3261e"
-# Beyond these numbers shading is noise and names lie on top of each other.
+# With more than these, shading is noise and labels overlap.
 MOST_SHADED, MOST_NAMED, MOST_EVENTS = 60, 40, 12
-# A letter of a name as a part of the width of the picture, and half a gap between two names.
+# The width of a letter of a label and half a gap between two labels, as fractions of the picture's width.
 LETTER, GAP = 0.0072, 0.004
 POINTS_PER_INCH = 72.0
 
 
 def draw_panel(axes: Axes, panel: Panel, rows: Rows, span: tuple[float, float], second: float) -> None:
-    """The curves of a panel, `rows` being the moves of its axis; `second` is a unit of the time axis in seconds."""
+    """Draw the curves of a panel over the phases of its moves.
+
+    `rows` are the moves of its axis; `second` is one unit of the time axis in seconds.
+    """
     if is_shaded(rows):
         _shade(axes, rows, pixel_of(axes, span), second)
     dense = len(rows) > MOST_SHADED
@@ -70,13 +73,13 @@ def draw_panel(axes: Axes, panel: Panel, rows: Rows, span: tuple[float, float], 
 
 
 def _ends_high(curves: Sequence[NDArray[np.float64]]) -> bool:
-    """Whether what is drawn ends in the upper half, where a legend would lie on it."""
+    """True if the curves end in the upper half, where a legend would cover them."""
     low, high = min(float(each.min()) for each in curves), max(float(each.max()) for each in curves)
     return float(curves[0][-1]) > 0.5 * (low + high)
 
 
 def draw_analogue(axes: Axes, lane: Lane, end: float, second: float) -> None:
-    """An analogue channel, which holds each value until the next."""
+    """Draw an analogue channel as steps, because each value holds until the next."""
     times = [time / second for time in (*lane.times, end)]
     axes.plot(
         times, [*lane.values, lane.values[-1]], color=ON, linewidth=1.3, drawstyle="steps-post", zorder=3
@@ -86,13 +89,16 @@ def draw_analogue(axes: Axes, lane: Lane, end: float, second: float) -> None:
 
 
 def draw_lanes(axes: Axes, lanes: Sequence[Lane], span: tuple[float, float], second: float) -> None:
-    """Digital channels in a `span` of time, one below the other: a bar while on, a line while off."""
+    """Draw digital channels one below the other: a bar while on, a line while off.
+
+    Only the `span` of time is drawn.
+    """
     begin, end = span
     for row, lane in enumerate(lanes):
         on = visible(lane.spans(end), span, pixel_of(axes, span))
         bars = [(start / second, (stop - start) / second) for start, stop in on]
         axes.hlines(row + 0.34, begin / second, end / second, color=AXIS, linewidth=0.8, zorder=1.5)
-        # Above the frame (2.5), so that a pulse at the begin is seen.
+        # Above the frame (2.5), so that a pulse at the start is visible.
         axes.broken_barh(bars, (row - 0.34, 0.68), facecolor=ON, edgecolor="none", alpha=0.8, zorder=2.6)
     axes.set_yticks(range(len(lanes)), [lane.name for lane in lanes])
     axes.set_ylim(len(lanes) - 0.4, -0.6)
@@ -101,12 +107,12 @@ def draw_lanes(axes: Axes, lanes: Sequence[Lane], span: tuple[float, float], sec
 
 
 def is_shaded(rows: Rows) -> bool:
-    """Whether the phases of these moves can be told from one another."""
+    """True if the phases of these moves are distinguishable."""
     return 0 < sum(len(row["phases"]) for row in rows) <= MOST_SHADED
 
 
 def name_moves(axes: Axes, rows: Rows, span: tuple[float, float], second: float) -> None:
-    """Above a panel: which line of the program each move comes from, where there is room to say so."""
+    """Label the moves above a panel with their program lines, where there is room."""
     begin, end = span
     length = end - begin
     if len(rows) > MOST_NAMED or not length:
@@ -124,7 +130,10 @@ def name_moves(axes: Axes, rows: Rows, span: tuple[float, float], second: float)
 
 
 def mark_events(group: Sequence[Axes], rows: Rows, span: tuple[float, float], second: float) -> None:
-    """Limits, faults, velocity jumps: a line across the panels of its axis where one happened, named in the first."""
+    """Mark limits, faults and velocity jumps across the panels of their axis.
+
+    The first panel has the labels.
+    """
     named: dict[float, list[str]] = {}
     for row in rows[:MOST_EVENTS]:
         named.setdefault(row["time"], []).append(row["kind"])
@@ -145,7 +154,7 @@ def mark_events(group: Sequence[Axes], rows: Rows, span: tuple[float, float], se
 
 
 def _names(row: dict[str, Any]) -> tuple[str, str, str]:
-    """What a move may be called, the longest first."""
+    """Return the possible labels of a move, the longest first."""
     command, line = row["command"] or "move", row["line"]
     return f"{command} · line {line}", f"{command} {line}", str(line)
 
@@ -169,7 +178,10 @@ def _above(axes: Axes, text: str, x: float, across: str, side: str, size: float)
 
 
 def pixel_of(axes: Axes, span: tuple[float, float]) -> float:
-    """Seconds of a point, the unit of an SVG and at least a pixel of a PNG, where `axes` show `span`."""
+    """Return the duration of one point when `axes` show `span`.
+
+    A point is the unit of an SVG and at least a pixel of a PNG.
+    """
     figure = axes.get_figure(root=True)
     assert figure is not None
     inches = axes.get_position().width * figure.get_figwidth()
@@ -177,7 +189,10 @@ def pixel_of(axes: Axes, span: tuple[float, float]) -> float:
 
 
 def _shade(axes: Axes, rows: Rows, pixel: float, second: float) -> None:
-    """Colour the phases of every move; one that is shorter than a pixel lies over those after it."""
+    """Shade the phases of every move.
+
+    A phase shorter than a pixel is drawn over those after it.
+    """
     for row in rows:
         begin = row["start_time"]
         for phase in row["phases"]:
@@ -192,7 +207,7 @@ def _shade(axes: Axes, rows: Rows, pixel: float, second: float) -> None:
 
 
 def _dress(axes: Axes, low: float, high: float) -> None:
-    """A few round ticks, a light grid, and room above and below."""
+    """Apply a few round ticks, a light grid, and margins above and below."""
     from matplotlib.ticker import MaxNLocator
 
     axes.grid(True, color="#8496a8", alpha=0.25, linewidth=0.7)
@@ -206,7 +221,7 @@ def _dress(axes: Axes, low: float, high: float) -> None:
 
 
 def _undress(axes: Axes) -> None:
-    """No ticks, no frame but below and to the left."""
+    """Remove ticks and all of the frame except its left and bottom edges."""
     axes.set_axisbelow(True)
     axes.tick_params(length=0, labelsize=8)
     for side in ("top", "right"):

@@ -1,4 +1,4 @@
-"""The four velocity profiles of one move over one another: position, velocity and acceleration."""
+"""The four profiles of one move overlaid: position, velocity and acceleration."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""One line on a terminal that says how far a long piece of work has come; rich keeps it in its place.
+"""A progress line on a terminal; rich keeps it in position.
 
-Nothing is imported or written before the work has taken a while, nor where no person reads the stream.
+Nothing is imported or written before the work has taken a while, or if no person reads the stream.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
     from rich.progress import Progress as Bar
     from rich.text import Text
 
-# Seconds before it shows at all, and between two changes.
+# Seconds before the line first appears, and between two updates.
 PATIENCE = 0.5
 PERIOD = 0.1
-# The same of a run, whose line a thread writes.
+# The same for a run, whose line a thread writes.
 RUN_PATIENCE, RUN_PERIOD = 1.0, 0.2
 
 
 class Progress:
-    """Called with the part done, 0 to 1."""
+    """A progress line, called with the completed fraction, 0 to 1."""
 
     __slots__ = ("_bar", "_label", "_next", "_stream")
 
@@ -48,7 +48,7 @@ class Progress:
         self._bar.update(self._bar.task_ids[0], completed=part, refresh=True)
 
     def done(self) -> None:
-        """Take the line away."""
+        """Remove the line."""
         if self._bar is not None:
             self._bar.stop()
 
@@ -72,10 +72,10 @@ def _bar(stream: TextIO, label: str) -> Bar:
 
 
 class Watcher:
-    """Shows the line that `describe` makes while something else works, from a thread of its own.
+    """Shows the line that `describe` returns, from a separate thread.
 
-    The thread only ever looks: it changes nothing of what it describes. Whatever else goes to the terminal is written
-    by `above`; the line comes back by itself as soon as the one before it is whole.
+    The thread only reads: it changes no data. All other output to the terminal is written by `above`; the
+    line returns as soon as the previous one is complete.
     """
 
     __slots__ = ("_begun", "_describe", "_ended", "_line", "_live", "_stop", "_stream")
@@ -83,31 +83,33 @@ class Watcher:
     def __init__(self, stream: TextIO, describe: Callable[[], str]) -> None:
         self._stream, self._describe = stream, describe
         self._live: Live | None = None
-        # Whether the cursor stands behind text, such as a question and what is typed: the line would wipe it.
+        # True if the cursor is behind unfinished text, such as a question and its answer: the line would
+        # erase it.
         self._begun = False
-        # Held by whoever writes; `_stop` and `_ended` are let go of when the thread is to end, and when it has.
+        # `_line` is locked by the thread that writes. `_stop` is released to end the thread, `_ended` when it
+        # has ended.
         self._line, self._stop, self._ended = (_thread.allocate_lock() for _ in range(3))
 
     def start(self) -> None:
-        """Begin to watch; there must be a `stop`."""
+        """Start the thread; `stop` must follow."""
         self._stop.acquire()
         self._ended.acquire()
         _thread.start_new_thread(self._watch, ())
 
     def stop(self) -> None:
-        """Take the line away and end the thread."""
+        """Remove the line and end the thread."""
         self._stop.release()
         self._ended.acquire()
 
     def above(self, write: Callable[[str], object], text: str) -> None:
-        """Let `write` write `text` where the line is, which goes away for that."""
+        """Remove the line and let `write` write `text` in its position."""
         with self._line:
             self._erase()
             write(text)
             self._begun = not text.endswith("\n") if text else self._begun
 
     def show(self) -> None:
-        """Write the line, or write it anew, unless another one is begun."""
+        """Write or update the line, unless another one is unfinished."""
         with self._line:
             if self._begun:
                 return
@@ -124,7 +126,7 @@ class Watcher:
             while not self._stop.acquire(timeout=RUN_PERIOD):
                 self.show()
         except OSError:
-            pass  # the terminal has gone, and with it whoever wanted to know
+            pass  # the terminal has gone, and its user with it
         finally:
             with self._line:
                 self._erase()
@@ -170,14 +172,15 @@ def _screen(stream: TextIO) -> Console:
 
 
 def is_shown(stream: TextIO) -> bool:
-    """Whether a line can come and go on `stream`: a person reads it, on a terminal that can erase."""
+    """True if `stream` is a terminal that can erase a line."""
     return is_terminal(stream) and os.environ.get("TERM") != "dumb"
 
 
 def run_line(time: float, elapsed: float, moves: int, *, stands: bool = False) -> str:
-    """How far a run has come: machine time, how much faster than the machine it is, moves.
+    """Return the progress of a run: machine time, speed relative to real time, moves.
 
-    `stands` says that the machine time is that of the line before: the time of a loop is added up when it waits.
+    `stands` means that the machine time has not changed since the last line, because a loop adds up its time
+    only when it waits.
     """
     factor = time / elapsed if elapsed > 0.0 else 0.0
     pace = f"{factor:,.0f}".replace(",", " ") if factor >= 10.0 else f"{factor:.1f}"

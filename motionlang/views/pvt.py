@@ -1,4 +1,4 @@
-"""PVT moves for a person: their segments, the ways to choose velocities side by side, and what a stream did."""
+"""PVT moves as text: segments, choices of velocities and results of a stream."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ WIDTH = 120
 MOST_ROWS = 40
 MOST_COLUMNS = 12
 NOISE = 1e-12
-"""A jump smaller than this part of the accelerations beside it is the arithmetic's, not the move's."""
+"""Largest jump, relative to the accelerations around it, that is a rounding error."""
 
 
 def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
-    """Each segment with its jerk and acceleration, and the jump of the acceleration where it begins."""
+    """Return each segment with its jerk, acceleration and initial acceleration jump."""
     columns = (
         Column("segment"),
         Column("start", "ms"),
@@ -69,7 +69,10 @@ def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
 def comparison_lines(
     rows: Sequence[tuple[str, Sequence[float], float]], accelerations: Sequence[float], width: int = WIDTH
 ) -> list[str]:
-    """The ways to choose velocities: each with its largest acceleration jump and, of short moves, its velocities."""
+    """Compare the choices of velocities by their largest acceleration jump.
+
+    Short moves include the velocities.
+    """
     scale = max(map(abs, accelerations), default=0.0)
     inner = len(rows[0][1]) - 2
     columns = [Column("velocities", align="<"), Column("largest jump", "counts/s²")]
@@ -82,18 +85,18 @@ def comparison_lines(
 
 
 def quiet(value: float, scale: float) -> float:
-    """The value, or 0 where it is but the rounding of figures of size `scale`."""
+    """Return the value, or 0 if it is only a rounding error at size `scale`."""
     return value if abs(value) > NOISE * scale else 0.0
 
 
 def pairs_lines(pairs: Sequence[tuple[str, str]]) -> list[str]:
-    """Names and values, lined up."""
+    """Return aligned names and values."""
     width = max(len(name) for name, _ in pairs)
     return [f"{name:<{width}}  {value}" for name, value in pairs]
 
 
 def figure(value: float, most: int = 4) -> str:
-    """A number with as many decimals as it needs, at most `most`."""
+    """Format a number with as many decimals as it needs, at most `most`."""
     return f"{value:.{decimals_of([value], most)}f}"
 
 

@@ -1,4 +1,7 @@
-"""PVT moves as the note draws them: position, velocity and acceleration, the given points as red asterisks."""
+"""PVT moves drawn like the note: position, velocity, acceleration.
+
+The given points are red asterisks.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,10 @@ SIZE, NARROW, DPI = (8.0, 7.5), 4.2, 120
 
 
 def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str) -> None:
-    """Draw moves side by side into a .png or .svg file; OSError, and MissingExtra where matplotlib is missing."""
+    """Draw moves side by side into a .png or .svg file.
+
+    Raises OSError, and MissingExtra if matplotlib is missing.
+    """
     need("a picture", "matplotlib")
     from matplotlib import rc_context
     from matplotlib.figure import Figure
@@ -47,7 +53,7 @@ def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str
 
 def _save(picture: Figure, file: object, kind: str) -> None:
     metadata = {"Creator": "motionlang", "Date": None} if kind == "svg" else {"Software": "motionlang"}
-    picture.savefig(file, format=kind, dpi=DPI, metadata=metadata)  # type: ignore[arg-type]  # any binary file
+    picture.savefig(file, format=kind, dpi=DPI, metadata=metadata)  # any binary file
 
 
 def _draw(panels: list[Axes], profile: Profile, title: str, *, leftmost: bool) -> None:
@@ -72,7 +78,7 @@ def _draw(panels: list[Axes], profile: Profile, title: str, *, leftmost: bool) -
 
 
 def _curve(profile: Profile, order: int) -> tuple[np.ndarray, np.ndarray]:
-    """Each piece on its own points, both its ends among them: a jump is drawn as the upright line it is."""
+    """Return each piece as its own points, with both ends, so that jumps are vertical."""
     per_piece = max(2, min(60, POINTS // max(1, len(profile.pieces))))
     xs, ys = [], []
     for piece, (begin, finish) in zip(profile.pieces, pairwise(profile.knots), strict=True):

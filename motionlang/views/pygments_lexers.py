@@ -1,4 +1,7 @@
-"""Mint and MCCL for Pygments, and so for Sphinx, `pygmentize` and `rich`: entry points name the two lexers."""
+"""Pygments lexers of Mint and MCCL, also for Sphinx, `pygmentize` and `rich`.
+
+Entry points name the two lexers.
+"""
 
 from __future__ import annotations
 
@@ -32,12 +35,12 @@ _TOKENS: dict[str, Any] = {
 
 
 class _DialectLexer(Lexer):
-    """What both have in common; `dialect_name` is the name of the language here."""
+    """Base of both lexers; `dialect_name` is the name of the language here."""
 
     dialect_name: ClassVar[str]
 
     def get_tokens_unprocessed(self, text: str) -> Iterator[tuple[int, Any, str]]:
-        """Offset, token type and text of each piece, as Pygments asks for them."""
+        """Return offset, token type and text of each token."""
         for offset, kind, piece in pieces(dialect(self.dialect_name), text):
             yield offset, _TOKENS.get(kind, Text), piece
 

@@ -1,4 +1,4 @@
-"""Open readings for a person: what a program rests on, one a line."""
+"""The assumptions that a program depends on, as text."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from motionlang.assumptions.reading import Reading
 
 
-# Programs of so many lines are written by the command, and not shown.
+# A program with this many lines is written to a file by the command and not shown.
 LONG = 7
 
 
 def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False) -> str:
-    """What a program rests on: strength, name and question of each reading, and what was chosen below it."""
+    """List strength, name and question of each assumption, with the default below it."""
     if not found:
         return "  rests on no open reading\n"
     count = f"{len(found)} open reading{'s' if len(found) > 1 else ''}"
@@ -36,7 +36,10 @@ def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False)
 
 
 def of_word(found: Sequence[Reading], axis: int, *, width: int = 100, colour: bool = False) -> str:
-    """What is open of a word: each question, what to type, and what each answer of a controller means."""
+    """Return the open questions on a keyword.
+
+    Each has the program to type and the meaning of each answer of a controller.
+    """
     how = "left open by the sources; motionlang probe NAME writes the program that asks a controller"
     lines = [styled(f"  {how}", "dim", colour)]
     for each in found:
@@ -46,7 +49,7 @@ def of_word(found: Sequence[Reading], axis: int, *, width: int = 100, colour: bo
 
 
 def _asked(reading: Reading, axis: int, width: int, colour: bool) -> list[str]:
-    """A question that a program asks: its lines, and its answers."""
+    """Return a question that a program asks: its lines and its answers."""
     probe = reading.probe
     assert probe is not None
     lines = _wrapped(f"{reading.question}:", width)
@@ -71,7 +74,7 @@ def _asked(reading: Reading, axis: int, width: int, colour: bool) -> list[str]:
 
 
 def _open(reading: Reading) -> str:
-    """A question, the answer taken and the others."""
+    """Return a question with the chosen answer and the others."""
     others = f"; or: {'; or '.join(reading.alternatives)}" if reading.alternatives else ""
     return f"{reading.question}: {reading.chosen}{others}"
 
@@ -81,7 +84,7 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 
 def as_dict(reading: Reading) -> dict[str, object]:
-    """A reading as JSON shows it."""
+    """Return an assumption as JSON data."""
     return {
         "name": reading.name,
         "question": reading.question,

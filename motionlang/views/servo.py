@@ -1,4 +1,4 @@
-"""Servo figures for a person: tables of plain text, the same on every machine."""
+"""Servo figures as tables of plain text, the same on every machine."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SHAPE_NAMES = {
 
 
 def slip_lines(args: argparse.Namespace, figures: Mapping[str, float]) -> list[str]:
-    """The chapter's example: the force that friction passes on, and what follows from it."""
+    """Return the chapter's example: the force of friction and its consequences."""
     unit, speed = args.unit, f"{figure(args.speed)} {args.unit}/{'min' if args.per == 'minute' else 's'}"
     friction, gravity = figure(args.friction), figure(args.gravity)
     rows = [
@@ -53,7 +53,7 @@ def slip_lines(args: argparse.Namespace, figures: Mapping[str, float]) -> list[s
 
 
 def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
-    """Whether one move keeps the load where it is, when not, and by which margin."""
+    """Return the verdict on the slip of a load in one move, with the times and margin."""
     title = SHAPE_NAMES.get(name, name)
     peak = f"peak {figure(found.peak)} of {figure(found.limit)} {unit}/s² at {figure(found.peak_time)} s"
     if not found.slips:
@@ -67,7 +67,7 @@ def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
 
 
 def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[str]:
-    """One DAC step for each number of bits: its speed, and the times that follow."""
+    """Return one DAC step for each number of bits: its speed, and the resulting times."""
     per = "min" if args.per == "minute" else "s"
     seconds = 60.0 if args.per == "minute" else 1.0
     columns = (
@@ -93,7 +93,7 @@ def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[st
 
 
 def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
-    """The same move with and without the override: accelerations as multiples of the limit."""
+    """Compare a move with and without override, by multiples of the limit."""
     columns = (
         Column("DAC", align="<"),
         Column("override", align="<"),
@@ -122,7 +122,7 @@ def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
 
 
 def plant_line(plant: Motor | Drive) -> str:
-    """The motor that a command has taken: what it has otherwise than a plant of which nothing is said."""
+    """Return the motor of a command, by the values that differ from the default plant."""
     kind = type(plant)
     values = [
         (field.name, getattr(plant, field.name), getattr(kind(), field.name)) for field in fields(plant)
@@ -135,7 +135,7 @@ def plant_line(plant: Motor | Drive) -> str:
 
 
 def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
-    """The motors that a run has taken by axis, each once."""
+    """Return the motors of a run by axis, each once."""
     lines: dict[str, list[str]] = {}
     for axis, plant in plants.items():
         lines.setdefault(plant_line(plant), []).append(str(axis))
@@ -143,7 +143,7 @@ def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
 
 
 def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
-    """The four profiles side by side."""
+    """Return the four profiles side by side."""
     columns = (
         Column("profile", align="<"),
         Column("acceleration", "counts/s²"),
@@ -173,7 +173,7 @@ def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
 
 
 def step_lines(figures: StepFigures, linear: LoopFigures | None) -> list[str]:
-    """Rise, overshoot, settling; of a linear loop bandwidth and margins too."""
+    """Return rise, overshoot, settling, and for a linear loop bandwidth and margins."""
     rows = [
         ("rise, 10 to 90 %", _seconds(figures.rise), ""),
         (
@@ -205,7 +205,7 @@ def _linear_rows(linear: LoopFigures | None) -> list[tuple[str, str, str]]:
 def tune_lines(
     made: Suggestion, figures: StepFigures, mint: Mapping[str, float], mccl: Mapping[str, float]
 ) -> list[str]:
-    """The gains in volts, as both languages write them, and the step they give."""
+    """Return the gains in volts and in both languages, and the resulting step."""
     loop = made.loop
     rows = [
         ("proportional", f"{loop.proportional:.6g}", "V per count"),
@@ -228,7 +228,7 @@ def tune_lines(
 
 
 def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
-    """What the listing did: a few rows of it, and the largest accelerations."""
+    """Return a few rows of a run of the listing, and the largest accelerations."""
     columns = (
         Column("update"),
         Column("demand", "counts"),
@@ -258,7 +258,7 @@ def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
 
 
 def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, object]:
-    """One axis of a run, as JSON has it."""
+    """Return one axis of a run as JSON data."""
     return {
         "axis": axis,
         "peak_error": trace.peak_error,
@@ -271,7 +271,7 @@ def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, objec
 
 
 def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> list[str]:
-    """The axes of a run: error, settling, torque and output."""
+    """Return the axes of a run: error, settling, torque and output."""
     columns = (
         Column("axis"),
         Column("peak error", "counts"),
@@ -301,7 +301,7 @@ def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> l
 
 
 def figure(value: float, digits: int = 7) -> str:
-    """A number to seven figures, with nothing that says nothing."""
+    """Format a number to seven significant digits, without trailing zeros."""
     return f"{value:.{digits}g}"
 
 
@@ -310,7 +310,7 @@ def _counts(value: float) -> str:
 
 
 def _plain(value: float) -> str:
-    """Six figures without an exponent: both languages read that."""
+    """Format a number to six digits without an exponent, which both languages read."""
     decimals = max(0, 5 - floor(log10(abs(value)))) if value else 0
     text = f"{value:.{decimals}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
@@ -321,7 +321,7 @@ def _seconds(value: float) -> str:
 
 
 def _quiet(value: float) -> float:
-    """No minus sign on what rounds to zero, and no rounding noise."""
+    """Return the value, or 0.0 if it is rounding noise, which would have a minus sign."""
     return 0.0 if abs(value) < 5e-4 else value
 
 

@@ -1,4 +1,7 @@
-"""Servo pictures: what the motor did under what was asked of it. matplotlib is imported when one is drawn."""
+"""Servo plots: motor motion against demand.
+
+matplotlib is imported only when one is drawn.
+"""
 
 from __future__ import annotations
 
@@ -29,14 +32,14 @@ BLUE, GREEN, RED, GREY, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#9aa6b2", "#6
 COLOURS = (BLUE, GREEN, RED, VIOLET)
 WIDTH = 10.0
 TAKE_OFF = 0.06
-"""Seconds of the start of a move that show what the DAC does."""
+"""Seconds at the start of a move in which a plot shows the DAC."""
 
 
 @contextmanager
 def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
-    """A figure that is written to `path` (.png or .svg) at the end, the same bytes for the same picture.
+    """Return a figure that is written to `path` (.png or .svg) at the end.
 
-    OSError, and MissingExtra where matplotlib is missing.
+    The same picture gives the same bytes. Raises OSError, and MissingExtra if matplotlib is missing.
     """
     need("a picture", "matplotlib")
     from matplotlib import rc_context
@@ -53,7 +56,7 @@ def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
 
 
 def dress(panel: Axes, label: str, unit: str = "") -> None:
-    """Labels, a light grid, no frame."""
+    """Apply labels and a light grid, and remove the frame."""
     panel.set_ylabel(f"{label}\n({unit})" if unit else label, fontsize=8.5)
     panel.grid(True, color="#8496a8", alpha=0.25, linewidth=0.7)
     panel.set_axisbelow(True)
@@ -63,7 +66,10 @@ def dress(panel: Axes, label: str, unit: str = "") -> None:
 
 
 def plot_trace(trace: ServoTrace, title: str, path: str) -> None:
-    """Position over demand, velocity, following error, output with integral, and torque of one axis."""
+    """Plot position, velocity, following error, output and torque of one axis.
+
+    Position is drawn over demand, and output with the integral.
+    """
     span = float(trace.time[0]), float(trace.time[-1])
     rows: list[tuple[str, str, list[tuple[str, str, str]]]] = [
         ("position", "counts", [("demand", GREY, "demand"), ("position", BLUE, "motor")]),
@@ -86,7 +92,10 @@ def plot_trace(trace: ServoTrace, title: str, path: str) -> None:
 
 
 def plot_comparison(tables: Mapping[str, Sequence[Row]], path: str) -> None:
-    """Velocity, motor acceleration and following error of the four profiles, a column for each comparison."""
+    """Plot velocity, motor acceleration and following error of the four profiles.
+
+    Each comparison is a column.
+    """
     with drawing(path, 5.6 * len(tables) + 0.6, 7.2) as figure:
         grid = figure.subplots(3, len(tables), sharex="col", squeeze=False)
         for column, (basis, rows) in enumerate(tables.items()):
@@ -111,7 +120,7 @@ def plot_comparison(tables: Mapping[str, Sequence[Row]], path: str) -> None:
 
 
 def plot_override(runs: Sequence[OverrideRun], limit: float, unit: str, path: str) -> None:
-    """How each run takes off: acceleration against the limit, and the DAC."""
+    """Plot the start of each run: acceleration against the limit, and the DAC."""
     with drawing(path, WIDTH, 1.9 * len(runs) + 0.8) as figure:
         grid = figure.subplots(
             len(runs), 2, squeeze=False, sharex=True, sharey="col", width_ratios=(1.6, 1.0)
@@ -133,7 +142,7 @@ def plot_override(runs: Sequence[OverrideRun], limit: float, unit: str, path: st
 
 
 def plot_listing(made: ListingRun, path: str) -> None:
-    """Velocity and DAC of the listing, update by update."""
+    """Plot velocity and DAC of the listing for each update."""
     updates = range(len(made.demand))
     with drawing(path, WIDTH, 5.4) as figure:
         first, second, third = figure.subplots(3, 1, sharex=True)

@@ -1,6 +1,7 @@
-"""Spans of time as a picture can show them: none, and no gap between two, is narrower than a pixel if there is room.
+"""Time spans for pictures, in which spans and gaps are at least a pixel wide.
 
-`visibleSpans` of the scope page (`scope/model.js`) does the same, for the window that is looked at.
+This holds as far as there is room. `visibleSpans` of the scope page (`scope/model.js`) does the same for the
+visible window.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ Span = tuple[float, float]
 
 
 def visible(spans: Iterable[Span], window: Span, pixel: float) -> list[Span]:
-    """The `spans`, in order, that touch the `window`, each at least `pixel` long.
+    """Return the `spans` in the `window`, in order, each at least `pixel` long.
 
-    A gap shorter than a pixel takes one from the span before it, or else from the span after it. Where neither has one
-    to spare, spans that overlap become one.
+    A gap shorter than a pixel is widened at the cost of the span before it, or else of the span after it. If
+    neither is long enough, overlapping spans are merged.
     """
     first, last = window
     made: list[Span] = []

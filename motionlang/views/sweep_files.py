@@ -14,12 +14,15 @@ if TYPE_CHECKING:
 
     Cells = Sequence[Any]
 
-# Rows that are worked on at a time.
+# The number of rows processed at a time.
 CHUNK = 10_000
 
 
 def write_rows(path: str, names: Sequence[str], rows: Iterable[Cells]) -> None:
-    """Write a table to a .csv or .parquet file. Raises OSError, and leaves no part of a file behind."""
+    """Write a table to a .csv or .parquet file.
+
+    Raises OSError, and leaves no incomplete file behind.
+    """
     with replacing(path) as file:
         if path.lower().endswith(".parquet"):
             _write_parquet(file, names, list(rows))
@@ -31,7 +34,7 @@ def write_rows(path: str, names: Sequence[str], rows: Iterable[Cells]) -> None:
 
 
 def write_csv(text: IO[str], names: Sequence[str], rows: Iterable[Cells]) -> None:
-    """The same as CSV to any stream; a cell without a value is empty."""
+    """Write a table as CSV to any stream; a missing value is an empty cell."""
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(names)
     for row in rows:
@@ -47,7 +50,10 @@ def _cell(value: object) -> object:
 
 
 def _write_parquet(file: IO[bytes], names: Sequence[str], rows: list[Cells]) -> None:
-    """A column is of numbers where all its values are, else of texts."""
+    """Write a table as Parquet.
+
+    A column with only numbers has a numeric type, any other is text.
+    """
     need("a Parquet file", "pyarrow")
     import pyarrow as arrow  # type: ignore[import-untyped]
     from pyarrow.parquet import write_table  # type: ignore[import-untyped]

@@ -1,4 +1,4 @@
-"""Pictures of a sweep: a line over one name, a heat map over two, the front of what cannot be had together."""
+"""Plots of a sweep: lines over one name, a heat map over two, the Pareto front."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     Point = tuple[float, ...]
 
 WIDTH, HEIGHT, PANEL = 9.0, 5.0, 2.2
-# Lines in one panel; of more nobody can tell which is which.
+# The largest number of lines in one panel; more are indistinguishable.
 MOST_LINES = 8
-# Points of a line that are marked.
+# The largest number of points of a line with markers.
 MOST_MARKED = 60
 
 
@@ -27,9 +27,10 @@ def plot_lines(
     units: Mapping[str, str],
     best: Mapping[str, Point] | None = None,
 ) -> None:
-    """A panel for each kept figure over the varied name `x`; in it a line for each combination of the others.
+    """Draw a panel for each figure over the varied name `x`.
 
-    `curves` has the points of each line by figure and label; `best` a point to be marked, by figure.
+    A panel has a line for each combination of the other names. `curves` has the points of each line by figure
+    and label; `best` has a point to be marked, by figure.
     """
     with drawing(path, WIDTH, max(HEIGHT, PANEL * len(curves) + 0.6)) as figure:
         panels = figure.subplots(len(curves), 1, sharex=True, squeeze=False)[:, 0]
@@ -56,7 +57,7 @@ def plot_map(
     units: Mapping[str, str],
     best: Point | None = None,
 ) -> None:
-    """The third name as colour over the first two: `points` are (x, y, value)."""
+    """Draw the third name as colour over the first two; `points` are (x, y, value)."""
     x, y, z = names
     with drawing(path, WIDTH, HEIGHT + 1.0) as figure:
         panel = figure.subplots()
@@ -65,7 +66,7 @@ def plot_map(
             values = {(p[0], p[1]): p[2] for p in points}
             table = [[values.get((a, b), float("nan")) for a in xs] for b in ys]
             drawn: Any = panel.pcolormesh(xs, ys, table, shading="nearest", cmap="viridis")
-        else:  # points that were drawn, not a grid
+        else:  # sampled points, not a grid
             drawn = panel.scatter(
                 [p[0] for p in points], [p[1] for p in points], c=[p[2] for p in points], cmap="viridis", s=22
             )
@@ -84,7 +85,7 @@ def plot_front(
     front: Sequence[Point],
     units: Mapping[str, str],
 ) -> None:
-    """All variants by two figures, and those of the front, joined."""
+    """Plot all variants by two figures, with those of the Pareto front joined."""
     x, y = names
     with drawing(path, WIDTH, HEIGHT) as figure:
         panel = figure.subplots()

@@ -9,7 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-# Characters of a text in a cell.
+# The largest number of characters of a text in a cell.
 MOST_LETTERS = 40
 
 
@@ -22,7 +22,7 @@ def sweep_table(
     colour: bool = False,
     best: int | None = None,
 ) -> list[str]:
-    """The lines of a table of `rows`; the one at the place `best` is marked."""
+    """Return the lines of a table of `rows`; the row with the index `best` is marked."""
     columns = [
         Column(
             name, unit, "<" if any(isinstance(row[k], str) for row in rows) else ">", drop=k if k > 1 else 0
@@ -36,7 +36,7 @@ def sweep_table(
 
 
 def cell(value: object) -> str:
-    """A value of a row: a number in six digits, a text on one line and cut where it is long."""
+    """Format a value of a row: a number to six digits, a text cut to one line."""
     if value is None:
         return ""
     if isinstance(value, bool):
@@ -49,5 +49,5 @@ def cell(value: object) -> str:
 
 
 def heading(text: str, colour: bool) -> str:
-    """A line above a table."""
+    """Return a line above a table."""
     return styled(text, "bold", colour)

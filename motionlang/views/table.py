@@ -1,6 +1,7 @@
-"""The report for a person: how the run ended, its moves with their phases, where the axes stand, a small chart.
+"""The report as text: outcome, moves with phases, final axes, a small chart.
 
-Few moves are shown phase by phase, more of them a line each, very many as totals a line of the program.
+A few moves are shown phase by phase, more of them one per line, and very many as totals per line of the
+program.
 """
 
 from __future__ import annotations
@@ -28,10 +29,11 @@ if TYPE_CHECKING:
 
     Row = dict[str, Any]
 
-# Up to this many moves are shown with their phases; of more than `MOST_ROWS`, so many are shown, and the totals.
+# At most `WITH_PHASES` moves are shown with their phases. Of more than `MOST_ROWS`, only `SHOWN` are shown,
+# with the totals.
 WITH_PHASES, MOST_ROWS, SHOWN = 10, 40, 10
 MOST_TOTALS = 30
-# Of more figures of a line than this, a few are held that add up to the same.
+# More figures of a line than this are reduced to a few with the same sum.
 MOST_TERMS = 4096
 # A chart of more moves than this is a solid block.
 MOST_CHARTED, MOST_CHARTS = 200, 4
@@ -50,9 +52,9 @@ _MOVES = (
     Column("asked for", "uu/s", drop=7),
     Column("ended by", align="<", drop=2, style="warning"),
 )
-# Where the column of the speed asked for stands: shown where a move did not reach it.
+# The index of the column of the commanded speed, which is shown if a move did not reach it.
 _ASKED = 10
-# Of very many events those of these kinds are left out first.
+# Of very many events, those of these kinds are left out first.
 _USUAL = frozenset({"handler", "buffer full", "stop", "override"})
 _EVENTS = (
     Column("time", "s"),
@@ -96,7 +98,7 @@ _TOTALS = (
 def render(
     run: Run, *, width: int = 100, colour: bool = False, charts: bool = False, everything: bool = False
 ) -> str:
-    """The whole report as text that ends with a newline.
+    """Return the whole report as text that ends with a newline.
 
     `charts` adds the velocity of the axes that moved; `everything` leaves no move, phase or line out.
     """
@@ -123,7 +125,7 @@ def render(
 
 
 class _Total:
-    """What a line of the program moved: seconds and distances of its moves, and the highest speed."""
+    """Totals of a program line: seconds and distances of its moves, and top speed."""
 
     __slots__ = ("count", "distances", "durations", "peak")
 
@@ -142,7 +144,10 @@ class _Total:
 
 
 class _Gathered:
-    """What the table needs of the moves, of which only those that are shown are held: there may be a million."""
+    """The data of the moves for the table.
+
+    Only the rows to be shown are stored, because there may be a million.
+    """
 
     def __init__(self, rows: Iterator[Row], everything: bool) -> None:
         self.shown: list[Row] = []
@@ -174,7 +179,7 @@ def _head(run: Run, moves: int, colour: bool) -> list[str]:
 
 
 def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list[str]:
-    """A line a move, and a line a phase where there are few."""
+    """Return one line per move, and one per phase if there are few moves."""
     shown = moves.shown
     phased = everything or moves.count <= WITH_PHASES
     texts, styles = [], []
@@ -198,12 +203,15 @@ def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list
 
 
 def _is_short(row: Row) -> bool:
-    """Whether a move did not reach the speed that was asked for."""
+    """True if a move did not reach the commanded speed."""
     return bool(row.get("asked_speed", 0.0) > row["peak_speed"] * (1.0 + 1e-9))
 
 
 class _Events:
-    """What the table needs of the events: the first of them, the first of those that matter, how many of each kind."""
+    """The data of the events for the table.
+
+    These are the first events, the first important ones, and the number of each kind.
+    """
 
     def __init__(self, rows: Iterator[Row], everything: bool) -> None:
         self.counts: dict[str, int] = {}
@@ -222,7 +230,10 @@ class _Events:
 
 
 def _happened(events: _Events, width: int, colour: bool) -> list[str]:
-    """A line an event; of many the first ones that matter, and how many there were of each kind."""
+    """Return one line per event.
+
+    Of many, only the first important ones are shown, with the number of each kind.
+    """
     texts = [
         [
             figure(event["time"], 6),
@@ -244,7 +255,7 @@ def _happened(events: _Events, width: int, colour: bool) -> list[str]:
 
 
 class _Form:
-    """Moves and phases as cells of `_MOVES`, every column with as many decimals as its figures need."""
+    """Moves and phases as cells of `_MOVES`, with enough decimals for each column."""
 
     def __init__(self, rows: list[Row], phased: bool) -> None:
         phases = [phase for row in rows for phase in row["phases"]] if phased else []
@@ -278,7 +289,7 @@ class _Form:
 
 
 def _totals(moves: _Gathered, time: float, width: int, colour: bool, everything: bool) -> list[str]:
-    """What each line of the program moved, all in all, the busiest first."""
+    """Return the total motion of each program line, the busiest first."""
     busiest = sorted(moves.totals.items(), key=lambda item: (-fsum(item[1].durations), item[0]))
     most = len(busiest) if everything else MOST_TOTALS
     texts = [_total(key, group, time) for key, group in busiest[:most]]
@@ -316,7 +327,10 @@ def _charts(run: Run, moves: _Gathered, width: int, colour: bool) -> list[list[s
 
 
 def _motors(rows: list[Row], width: int, colour: bool, everything: bool) -> list[str]:
-    """What simulated motors made of the moves, a line a move; of many, of those with the largest errors."""
+    """Return the figures of simulated motors, one line per move.
+
+    Of many moves, those with the largest errors are shown.
+    """
     worst = sorted(rows, key=lambda row: -row["motor"]["peak_following_error"])
     shown = rows if everything or len(rows) <= MOST_ROWS else worst[:SHOWN]
     error = decimals_of([row["motor"]["peak_following_error"] for row in shown])
@@ -359,5 +373,5 @@ def _state(axis: Row) -> str:
 
 
 def _grouped(count: int) -> str:
-    """A whole number with thin gaps: 20 000."""
+    """Format an integer with thin gaps: 20 000."""
     return f"{count:,}".replace(",", " ")

@@ -1,4 +1,4 @@
-"""What a stream can show: colours, width, and the cells that a text takes up."""
+"""Capabilities of an output stream: colours, width, and cells of a text."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 PIPED_WIDTH = 160
-# What the views' few names of styles mean to rich.
+# The styles of the views, as rich names them.
 STYLES = {
     "error": "bold red",
     "warning": "bold yellow",
@@ -29,7 +29,10 @@ STYLES = {
 
 
 def wants_colour(stream: TextIO) -> bool:
-    """Whether to colour what is written to `stream`: NO_COLOR, FORCE_COLOR, TERM and whether a person sees it."""
+    """True if output to `stream` should be coloured.
+
+    This depends on NO_COLOR, FORCE_COLOR, TERM, and whether it is a terminal.
+    """
     if os.environ.get("NO_COLOR"):
         return False
     if os.environ.get("FORCE_COLOR"):
@@ -38,7 +41,7 @@ def wants_colour(stream: TextIO) -> bool:
 
 
 def is_terminal(stream: TextIO) -> bool:
-    """Whether a person reads what is written to `stream`; False for one that is closed."""
+    """True if `stream` is a terminal; False if it is closed."""
     try:
         return stream.isatty()
     except ValueError:
@@ -46,12 +49,15 @@ def is_terminal(stream: TextIO) -> bool:
 
 
 def draws(stream: TextIO) -> bool:
-    """Whether the encoding of `stream` has lines and braille dots in it."""
+    """True if the encoding of `stream` has line-drawing characters and braille dots."""
     return (getattr(stream, "encoding", None) or "").lower().replace("-", "").startswith("utf")
 
 
 def width_of(stream: TextIO) -> int:
-    """The columns of the terminal behind `stream`; `COLUMNS`, or 100, where there is none."""
+    """Return the columns of the terminal behind `stream`.
+
+    Without a terminal this is `COLUMNS`, or 100.
+    """
     named = os.environ.get("COLUMNS", "")
     if named.isdigit() and int(named) > 0:
         return int(named)
@@ -62,12 +68,18 @@ def width_of(stream: TextIO) -> int:
 
 
 def table_width(stream: TextIO) -> int:
-    """The columns that a table may have: those of the terminal; through a pipe so many that none is left out."""
+    """Return the columns for a table.
+
+    This is the width of the terminal; a pipe gets enough that no column is dropped.
+    """
     return width_of(stream) if is_terminal(stream) else PIPED_WIDTH
 
 
 def styled(text: str, style: str, colour: bool) -> str:
-    """`text` in one of the styles; as it is without colour, or where there is no such style."""
+    """Return `text` in one of the styles.
+
+    Without colour, or for an unknown style, the text is unchanged.
+    """
     if not (colour and text and style in STYLES):
         return text
     from rich.color import ColorSystem
@@ -77,7 +89,7 @@ def styled(text: str, style: str, colour: bool) -> str:
 
 
 def cells(text: str) -> int:
-    """How many columns `text` takes up on a terminal."""
+    """Return the number of columns that `text` takes up on a terminal."""
     if text.translate(_ASCII).isascii():
         return len(text)
     from rich.cells import cell_len
@@ -86,21 +98,24 @@ def cells(text: str) -> int:
 
 
 def printable(text: str) -> str:
-    """`text` with every character that a terminal would obey, or hide, shown as a picture of itself."""
+    """Return `text` with control and invisible characters replaced by their pictures."""
     return text if text.isascii() and text.isprintable() else "".join(map(_picture, text))
 
 
 def shower(stream: TextIO) -> Callable[[str], object]:
-    """What writes a program's output to `stream`: on a terminal harmless, into a file or a pipe as it is."""
+    """Return the function that writes a program's output to `stream`.
+
+    On a terminal the output is made harmless; in a file or a pipe it is unchanged.
+    """
     if not is_terminal(stream):
         return stream.write
     return lambda text: stream.write(harmless(text))
 
 
 def harmless(text: str) -> str:
-    """A program's output without the power over a terminal that escape sequences have, each as a picture of itself.
+    """Return a program's output with unsafe escape sequences replaced by pictures.
 
-    What Mint's CLS and LOCATE write is obeyed, and so are the bell, backspace, tabulator and carriage return.
+    The sequences of Mint's CLS and LOCATE stay, and so are the bell, backspace, tab and carriage return.
     """
     if text.isascii() and text.isprintable():
         return text
@@ -110,11 +125,12 @@ def harmless(text: str) -> str:
 
 
 def plain(text: str) -> str:
-    """`text` for an encoding that has no lines to draw with."""
+    """Return `text` for an encoding without line-drawing characters."""
     return text.translate(_ASCII)
 
 
-# Control characters of seven and of eight bits; of the sequences only those that clear the screen or place the cursor.
+# Control characters of seven and eight bits, and all escape sequences except those that clear the screen or
+# position the cursor.
 _POWERS = r"\x1b(?!\[(?:2J|H|\d+;\d+H))|[\x00-\x06\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]"
 _ASCII = str.maketrans({"─": "-", "│": "|", "├": "|", "└": "`", "·": "-", "…": "...", "²": "2"})
 

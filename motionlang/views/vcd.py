@@ -1,8 +1,8 @@
-"""A trace as a value change dump (IEEE 1364, section 18), which GTKWave and other wave viewers read.
+"""A trace as a value change dump, for GTKWave and other wave viewers.
 
-Digital channels are wires that change at the exact times, axes are reals at the trace's rate; what does not change
-is not written. What happened (the run's events) is a string, which GTKWave and Surfer show as text. The timescale is a
-nanosecond.
+The format is IEEE 1364, section 18. Digital channels are wires that change at the exact times. Axes are reals
+at the trace's rate; unchanged values are not written. The run's events are a string, which GTKWave and Surfer
+show as text. The timescale is a nanosecond.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     Change = tuple[int, str]
 
 PER_SECOND = 10**9
-# Identifiers are numbers to this base, in the characters from "!" on.
+# Identifiers are numbers in this base, in the characters from "!" on.
 _BASE = 94
 
 
 def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """The header, the values at 0, then every change in the order of time."""
+    """Write the header, the values at 0, then every change in the order of time."""
     columns, channels = trace.columns()[1:], lanes(trace.controller)
     names = [_identifier(i) for i in range(len(columns) + len(channels))]
     events = trace.controller.log.events
@@ -58,7 +58,10 @@ def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> N
 
 
 def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence[str], happened: str) -> str:
-    """A scope for each axis, each kind of channels, and the events where there are any."""
+    """Return the header, with a scope for each axis and kind of channel.
+
+    There is one for the events if there are any.
+    """
     lines = [f"$version motionlang {__version__} $end", "$timescale 1 ns $end"]
     scopes: dict[str, list[str]] = {}
     for column, name in zip(columns, names, strict=False):
@@ -75,21 +78,24 @@ def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence
 
 
 def _happened(events: Iterable[Event], name: str) -> Iterator[Change]:
-    """What happened, as a string that stands until something else does; what happens at one time is one string."""
+    """Return the events as strings, each valid until the next.
+
+    Simultaneous events share one string.
+    """
     for time, some in groupby(events, lambda event: round(event.time * PER_SECOND)):
         told = ",".join(dict.fromkeys(_told(event) for event in some))
         yield time, f"s{told} {name}\n"
 
 
 def _told(event: Event) -> str:
-    """An event in one word: a string of this format has no blanks."""
+    """Return an event without blanks, which this format's strings cannot have."""
     axis = "" if event.axis is None else f"_axis{event.axis}"
     value = "" if event.value is None else f"_{event.value:.6g}"
     return event.kind.replace(" ", "_") + axis + value
 
 
 def _switchings(channels: Sequence[Lane], names: Sequence[str]) -> Iterator[Change]:
-    """The changes of the channels, in the order of time."""
+    """Return the changes of the channels in the order of time."""
     changes = [
         (round(time * PER_SECOND), f"{int(value != 0.0)}{name}\n" if lane.is_digital else _real(value, name))
         for lane, name in zip(channels, names, strict=True)
@@ -101,10 +107,10 @@ def _switchings(channels: Sequence[Lane], names: Sequence[str]) -> Iterator[Chan
 def _movements(
     trace: Trace, columns: Sequence[Column], names: Sequence[str], rate: float, progress: Report
 ) -> Iterator[Change]:
-    """What changes from row to row, to a thousandth of a count.
+    """Return the changes from row to row, to a thousandth of a count.
 
-    What stood still says so once more in the row before it changes: viewers draw straight lines between the values of
-    a real, and would draw a slope over the whole standstill.
+    A value at standstill is repeated in the row before it changes. Viewers draw straight lines between the
+    values of a real, and would otherwise draw a slope over the whole standstill.
     """
     decimals = [decimals_for(trace.resolution(column.axis)) for column in columns if column.axis is not None]
     before, time_before = np.full(len(columns), np.nan), 0
@@ -115,7 +121,7 @@ def _movements(
         table = np.concatenate((before[None], table))
         times = np.concatenate(([time_before], np.rint(chunk.time * PER_SECOND).astype(np.int64)))
         changed = np.concatenate((written[None], table[1:] != table[:-1]))
-        # The first row is the last of the chunk before: only what it has still to say stands there.
+        # The first row is the last of the previous chunk: only its unwritten values are due.
         shown = changed | np.concatenate((changed[1:], np.zeros((1, len(columns)), dtype=bool)))
         shown[0] &= ~written
         rows, which = np.nonzero(shown)
@@ -129,7 +135,7 @@ def _movements(
 
 
 def _plain(values: NDArray[np.float64]) -> list[float]:
-    """The values, -0.0 as 0.0."""
+    """Return the values, with -0.0 as 0.0."""
     plain: list[float] = (values + 0.0).tolist()
     return plain
 

@@ -1,4 +1,4 @@
-"""What of a run a picture shows: from when to when, which axes, and whether over time or as a path."""
+"""The selection of a run that a picture shows: time, axes, and curves or path."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ if TYPE_CHECKING:
 
 
 class Window(NamedTuple):
-    """Times in seconds, `end` None for the end of the run; `axes` None for all that moved.
+    """A selection of times (s) and axes.
 
-    `path` has two or three axes whose path is to be drawn, instead of curves over time.
+    `end` is None for the end of the run, `axes` for all that moved.
+
+    `path` has two or three axes whose path is to be drawn instead of curves over time.
     """
 
     begin: float = 0.0
@@ -21,7 +23,10 @@ class Window(NamedTuple):
     path: tuple[int, ...] | None = None
 
     def span(self, last: float) -> tuple[float, float]:
-        """From when to when, in a run that ended at `last`. Raises ValueError where that is nothing."""
+        """Return begin and end, in a run that ended at `last`.
+
+        Raises ValueError if the window is empty.
+        """
         end = last if self.end is None else min(self.end, last)
         if self.begin >= end and self.begin > 0.0:
             raise ValueError(
@@ -30,7 +35,10 @@ class Window(NamedTuple):
         return self.begin, end
 
     def of(self, axes: Sequence[int]) -> tuple[int, ...]:
-        """Those of `axes` that are shown. Raises ValueError where one was asked for that is not among them."""
+        """Return those of `axes` that are shown.
+
+        Raises ValueError if a requested axis is not among them.
+        """
         if self.axes is None:
             return tuple(axes)
         for axis in self.axes:

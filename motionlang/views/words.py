@@ -1,4 +1,4 @@
-"""Figures and outcomes in the words that every view uses."""
+"""Figures and outcomes in the wording that every view uses."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ _OUTCOMES = {
     "until": "still running at {}, where its time was up",
     "fault": "stopped by an error at {}",
     "interrupted": "interrupted at {}",
-    "open": "{} so far",  # a session, which has no end before its user leaves
+    "open": "{} so far",  # a session, which ends only when its user leaves
 }
 
 
 def outcome(run: Run) -> str:
-    """How the run ended, and when by the machine's own clock."""
+    """Return how the run ended, and its machine time."""
     return _OUTCOMES[run.status].format(clock_time(run.time))
 
 
 def dialect_name(name: str) -> str:
-    """A dialect as its makers write it."""
+    """Return a dialect's name as its vendor writes it."""
     return DIALECTS.get(name, name)
 
 
 def clock_time(seconds: float) -> str:
-    """A machine time for a person: hours and minutes once there are any, never a digit that says nothing."""
+    """Format a machine time, with minutes and hours as needed and no needless digits."""
     if seconds < 60.0:
         return f"{_plain(seconds, 6)} s"
     minutes, rest = divmod(round(seconds, 3 if seconds < 3600.0 else 0), 60.0)
@@ -37,7 +37,10 @@ def clock_time(seconds: float) -> str:
 
 
 def figure(value: float, decimals: int = 3) -> str:
-    """A number of a column that has `decimals`; by powers of ten where that would be too long, or show nothing."""
+    """Format a number of a column with `decimals`.
+
+    Powers of ten are used if it would be too long, or show only zeros.
+    """
     size = abs(value)
     if size >= 1e9 or 0.0 < size < 0.5 * 10.0**-decimals:
         return f"{value:.6g}"
@@ -45,7 +48,7 @@ def figure(value: float, decimals: int = 3) -> str:
 
 
 def peak_of(value: float) -> str:
-    """A single figure beside a curve: six digits."""
+    """Format a single figure next to a curve to six digits."""
     return f"{value:.6g}"
 
 

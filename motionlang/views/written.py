@@ -1,4 +1,7 @@
-"""What the program has written into other devices, as a table of the report: servers, remote nodes."""
+"""The program's writes to other devices, as a table of the report.
+
+The devices are servers and remote nodes.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +15,13 @@ if TYPE_CHECKING:
 
     Row = dict[str, Any]
 
-# More rows than this are in the JSON report only.
+# More rows than this are only in the JSON report.
 MOST = 40
 _COLUMNS = (Column("written to", align="<", style="word"), Column("", align="<"), Column("value"))
 
 
 def written(rows: Sequence[Row], width: int, colour: bool) -> list[str]:
-    """The lines of the table."""
+    """Return the lines of the table."""
     texts = [[_device(row), _place(row), _value(row["value"])] for row in rows[:MOST]]
     lines = grid(_COLUMNS, texts, width=width, colour=colour)
     if len(rows) > MOST:

@@ -1,8 +1,8 @@
-"""The run as a page to look around in: `--plot OUT.html`, one file that needs no network.
+"""The run as an interactive page: `--plot OUT.html`, one file without network use.
 
-The page has the pieces of the motion, not samples, and draws what is looked at, so that it can be zoomed into without
-end. `model.js` is the motion without a page; `panels.js` says what there is to see, `draw.js` and `path.js` draw it,
-`tools.js` searches and exports, `script.js` is the mouse and the keys.
+The page has the pieces of the motion instead of samples and draws the visible window, so that zoom is
+unlimited. `model.js` is the motion independent of a page. `panels.js` defines the panels, `draw.js` and
+`path.js` draw them, `tools.js` searches and exports, and `script.js` handles the mouse and the keys.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ if TYPE_CHECKING:
 
 PARTS = ("model", "panels", "draw", "path", "tools", "script")
 MOST = 200_000
-"""Records of a run that a page holds: moves, waits, events, and changes of channels."""
+"""The largest number of records on a page: moves, waits, events, channel changes."""
 LONGEST_LINE = 120
-"""Characters of a program's line that are shown beside the cursor."""
+"""The largest number of characters of a program line shown next to the cursor."""
 
 
 def write_scope(
@@ -57,14 +57,17 @@ def write_scope(
     window: Window = WHOLE,
     against: Run | None = None,
 ) -> None:
-    """Write the page, see `page`. Raises OSError, and ValueError where the window shows nothing."""
+    """Write the page, see `page`.
+
+    Raises OSError, and ValueError if the window is empty.
+    """
     text = page(run, servos, window, against)
     with replacing(path) as file:
         file.write(text.encode("utf-8"))
 
 
 def write_comparison(made: Comparison, path: str) -> None:
-    """Write the page of a run with what was measured drawn over it. Raises OSError."""
+    """Write the page of a run with the measured curves drawn over it; raise OSError."""
     measured = [(each.axis, each.quantity, each.times - made.delay, each.values) for each in made.found]
     text = page(made.run, measured=measured)
     with replacing(path) as file:
@@ -78,11 +81,11 @@ def page(
     against: Run | None = None,
     measured: Sequence[tuple[int, str, Array, Array]] = (),
 ) -> str:
-    """The whole page; the same text for the same run.
+    """Return the whole page; the same run always gives the same text.
 
-    `servos` has what the motors did, by axis, where that was simulated; the page begins with `window`, and has the rest
-    of the run for whoever looks further; the axes of the run `against` are drawn behind those of the same
-    number, and over them what was `measured`: axis, quantity, times (s) and values. ValueError for more than `MOST`
+    `servos` has the simulated motion of the motors, by axis. The page opens with `window` and also has the
+    rest of the run. The axes of the run `against` are drawn behind those of the same number. The `measured`
+    curves are drawn over them: axis, quantity, times (s) and values. Raises ValueError for more than `MOST`
     records.
     """
     records = max(_records(each) for each in (run, against) if each is not None)
@@ -101,7 +104,7 @@ def page(
 
 
 def _records(run: Run) -> int:
-    """How much of a run a page would show."""
+    """Return the number of records of a run that a page would show."""
     log = run.controller.log
     records = len(log.moves) + len(log.waits) + len(log.events)
     return records + len(log.inputs) + len(log.outputs) + len(log.turns)
@@ -112,7 +115,7 @@ def _part(name: str) -> str:
 
 
 def _embedded(data: Row) -> str:
-    """JSON that cannot end the script element it stands in."""
+    """Return JSON that cannot end the script element that contains it."""
     return json.dumps(finite(data), separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
@@ -161,7 +164,7 @@ def _data(
 
 
 def _event(row: Row) -> Row:
-    """An event as the page has it: what it says, and whether it is one that a machine should not have."""
+    """Return an event as page data: its text and whether it is a fault."""
     about = [row["kind"]]
     if "axis" in row:
         about.append(f"of axis {row['axis']}")
@@ -182,7 +185,7 @@ def _event(row: Row) -> Row:
 
 
 def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
-    """Lanes of blocks: the critical chain of the run, and what each task waited for."""
+    """Return lanes of blocks: the run's critical path and the waits of each task."""
     chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
     bands: list[Row] = [{"name": "critical chain", "spans": chain}]
     places = Places(run)
@@ -200,7 +203,7 @@ def _stretch(link: Link) -> str:
 
 
 def _by_line(cycle: TimeProfile) -> list[Row]:
-    """The lines that take the time, the longest first, each with the moment at which it first does."""
+    """Return the lines by their time, longest first, each with its first start."""
     first: dict[int, float] = {}
     for link in cycle.links:
         first.setdefault(link.place.line, link.begin)
@@ -212,7 +215,7 @@ def _by_line(cycle: TimeProfile) -> list[Row]:
 
 
 def _first(window: Window, trace: Trace) -> Row:
-    """What the page shows before anybody has touched it."""
+    """Return the initial view of the page."""
     begin, end = window.span(trace.end)
     shown = window.of(trace.axes)
     path = (
@@ -223,7 +226,7 @@ def _first(window: Window, trace: Trace) -> Row:
 
 
 def _against(run: Run) -> Row:
-    """The motion of another run, to be drawn behind that of this one."""
+    """Return the motion of another run, to be drawn behind that of this one."""
     return {
         "program": printable(run.source.name),
         "outcome": outcome(run),
@@ -248,9 +251,9 @@ def _axis(trace: Trace, axis: int, rows: Sequence[Row], servo: ServoTrace | None
 
 
 def _track(trace: Trace, axis: int) -> tuple[Row, bool]:
-    """The pieces of an axis in user units: when each begins, its cubic, and the waves there are, by piece.
+    """Return the pieces of an axis in user units, and whether any has jerk.
 
-    And whether there is a jerk in any of them.
+    Each piece has its start, its cubic, and its wave if it has one.
     """
     table = trace.table(axis)
     used = max(1, int(np.searchsorted(table.origins, trace.end, "right")))
@@ -267,7 +270,10 @@ def _track(trace: Trace, axis: int) -> tuple[Row, bool]:
 
 
 def _moves(rows: Sequence[Row]) -> Row:
-    """When each move of an axis began, and which of the `kinds` it was: what comes back in each cycle is told once."""
+    """Return the start of each move of an axis and its index in `kinds`.
+
+    A move that recurs in each cycle is described once.
+    """
     kinds: dict[str, int] = {}
     which = [kinds.setdefault(json.dumps(_kind(row)), len(kinds)) for row in rows]
     return {
@@ -291,11 +297,11 @@ def _series(curve: Curve) -> Row:
 
 
 def _packed(values: Array) -> Row | list[float | int]:
-    """The numbers, or where most come back, each once (`of`) and which of them stands where (`at`)."""
+    """Return the numbers, or distinct ones (`of`) and indexes (`at`) if most recur."""
     different, first, which = np.unique(values, return_index=True, return_inverse=True)
     if 2 * len(different) > len(values):
         return _numbers(values)
-    # In the order in which they come, so that the common ones have the shorter numbers.
+    # In the order of occurrence, so that the common ones have shorter indexes.
     order = np.argsort(first)
     place = np.empty_like(order)
     place[order] = np.arange(len(order))
@@ -303,6 +309,6 @@ def _packed(values: Array) -> Row | list[float | int]:
 
 
 def _numbers(values: Array) -> list[float | int]:
-    """Numbers as JSON has them: whole ones without a point, and nothing that JSON has no number for."""
+    """Return numbers for JSON: integers without a point, and no NaN or infinity."""
     plain = np.nan_to_num(values).tolist()
     return [int(value) if value == int(value) and abs(value) < 1e15 else value for value in plain]
