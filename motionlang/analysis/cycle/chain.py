@@ -120,6 +120,29 @@ class Strip:
         yield self.phases[-1][0], lows, ends
 
 
+class _Loops:
+    """The loop in which a task computes, as it is followed back: from when to when it was the innermost one."""
+
+    def __init__(self, chain: Chain, task: str) -> None:
+        self._chain, self._task = chain, task
+        self._low, self._high, self._depth = 1.0, 0.0, 0
+        self._begun = self._over = _NOTHING
+
+    def take(self, begin: float, end: float, place: Place) -> bool:
+        """Charge computing to the loops that it was in; False where it was at a place in a sub that a loop calls."""
+        if self._low <= begin and end <= self._high:  # the same one, as most often
+            if len(place.callers) > self._depth:
+                return False
+            self._begun(begin)
+            self._over(end)
+            return True
+        self._low, self._high, inside = self._chain._compute(begin, end, self._task, place)
+        if inside is not None:
+            self._depth = len(inside.callers)
+            self._begun, self._over = self._chain._strip("computing", inside, self._task).columns
+        return True
+
+
 class Chain:
     """The chain of one run, from its begin to its end without a gap."""
 
@@ -183,16 +206,13 @@ class Chain:
     def _follow_task(self, task: str, time: float) -> tuple[str, float]:
         """From `time` back as far as it is one task, and which one it is then; a long run takes its time in here."""
         near, motions = self._near, self.motions
-        begins, ends, order = motions.begins, motions.ends, motions.order
-        rows, lines, alone = motions.rows, motions.lines, motions.alone
+        begins, ends, order, rows = motions.begins, motions.ends, motions.order, motions.rows
         rank = len(ends) - 1  # of the last motion that was over by then
-        waits, spans = self._waits.get(task, []), self._polls.spans.get(task)
-        # From when to when the last loop was the innermost one, and what takes what is computed in it.
-        low, high, depth, looped, over_loop = 1.0, 0.0, 0, _NOTHING, _NOTHING
-        # By the place in the program the cause and the callers of the last wait there, where it was, and what takes the
-        # begins and ends of what was computed behind it, and of the wait where no motion ends it.
+        waits = self._waits.get(task, [])
+        loops = _Loops(self, task) if task in self._polls.spans else None
+        # Of the last wait at a place: cause, callers and place, and what takes begins and ends of computing and of it.
         known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
-        # By the same the last move that was waited for there, and what takes the begins and ends of such.
+        # Of the last move that was waited for there: line, axes, shape, place, and what takes begins and ends of such.
         moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, Place, Put, Put]] = {}
         for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
             _, at, since, until, cause, what, _, callers = wait = waits[last]
@@ -200,22 +220,12 @@ class Chain:
                 continue  # it was not over by then
             kind, caller, place, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
             if kind != cause or caller != callers:
-                place = self.places.of(at, callers)
+                place, of_motion = self.places.of(at, callers), cause in MOVED
                 began, ended = self._strip("computing", place, task).columns
-                of_motion = cause in MOVED
                 begun, over = self._strip(CAUSES[cause], place, task).columns
                 known[at] = cause, callers, place, began, ended, of_motion, begun, over
             if until < time:
-                in_loop = low <= until and time <= high  # the same one, as most often
-                if in_loop and len(callers) <= depth:
-                    looped(until)
-                    over_loop(time)
-                elif spans and not in_loop:
-                    low, high, inside = self._compute(until, time, task, place)
-                    if inside is not None:
-                        depth = len(inside.callers)
-                        looped, over_loop = self._strip("computing", inside, task).columns
-                else:
+                if loops is None or not loops.take(until, time, place):
                     began(until)
                     ended(time)
                 time = until
@@ -230,8 +240,8 @@ class Chain:
             alone_near = rank > 0 and ends[rank - 1] < time - near <= (end := ends[rank]) > since
             if alone_near and cause != MOVING and (not what or cause != "axis"):  # as most often
                 number = order[rank]
-                begin, line, row = begins[number], lines[number], rows[number]
-                axes, shape = alone[row[0]], row[5]
+                begin, line, row = begins[number], motions.lines[number], rows[number]
+                axes, shape = motions.alone[row[0]], row[5]
             else:
                 motion = self._awaited(wait, time)
                 if motion is None:
@@ -262,11 +272,13 @@ class Chain:
             other, time = self._back(motion, time, task, place)
             if other != task:
                 return other, time
-        if time > 0.0:
-            starter = self._starter(task)
-            self._compute(starter[1], time, task, self._first_place(task))
-            return starter
-        return task, time
+        return self._started(task, time) if time > 0.0 else (task, time)
+
+    def _started(self, task: str, time: float) -> tuple[str, float]:
+        """From `time`, before the first wait of a task, back to the task that started it."""
+        starter = self._starter(task)
+        self._compute(starter[1], time, task, self._first_place(task))
+        return starter
 
     def _awaited(self, wait: Wait, time: float) -> Motion | None:
         """The motion that ended a wait at `time`, or was under way where it did."""
