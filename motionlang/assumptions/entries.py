@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from motionlang.assumptions.facts import of_word
+from motionlang.assumptions.facts import STRENGTHS, of_word
 from motionlang.assumptions.reading import Probe, Reading
 from motionlang.assumptions.rules import default_probe, other_defaults
 from motionlang.lang.machine.machine import READINGS
@@ -104,6 +104,9 @@ def _reading(entry: dict[str, Any]) -> Reading:
         entry["probe"] = Probe(language, **asked)
     if "key" not in entry and switch(entry["name"]) is not None:
         entry["key"] = READINGS + entry["name"]
+    assert entry["strength"] in STRENGTHS, entry
+    entry["words"] = tuple(entry.get("words", "").split())
+    entry["alternatives"] = tuple(entry.get("alternatives", ()))
     return Reading(**entry)
 
 
@@ -119,10 +122,10 @@ def _default(row: Keyword) -> Reading:
         name_of(row),
         f"What {row.name} is until a program writes it",
         f"{row.default:.10g}",
-        alternatives=other_defaults(row),
+        alternatives=tuple(other_defaults(row)),
         why=evidence.source,
         strength=evidence.strength,
-        words=row.name,
+        words=(row.name,),
         probe=default_probe(row),
         key=READINGS + name_of(row),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from motionlang.assumptions.facts import STRENGTHS
+from motionlang.record import record
 
 # What a source prints is not open, nor what running code shows.
 SETTLED = ("manual", "code")
@@ -51,6 +51,7 @@ class Probe:
         self.error = error or f'"{ERROR}"' * (ERROR in self.answers)
 
 
+@record
 class Reading:
     """One question that somebody had to answer, and the answer.
 
@@ -62,25 +63,16 @@ class Reading:
     controller has another answer.
     """
 
-    def __init__(
-        self,
-        name: str,
-        question: str,
-        chosen: str,
-        *,
-        alternatives: Sequence[str] = (),
-        why: str = "",
-        strength: str,
-        words: str = "",
-        probe: Probe | None = None,
-        key: str = "",
-        own: bool = False,
-    ) -> None:
-        assert strength in STRENGTHS, (name, strength)
-        self.name, self.question, self.chosen = name, question, chosen
-        self.alternatives, self.why, self.strength = tuple(alternatives), why, strength
-        self.words = tuple(words.split())
-        self.probe, self.key, self.own = probe, key, own
+    name: str
+    question: str
+    chosen: str
+    strength: str
+    why: str = ""
+    words: tuple[str, ...] = ()
+    alternatives: tuple[str, ...] = ()
+    probe: Probe | None = None
+    key: str = ""
+    own: bool = False
 
     @property
     def is_open(self) -> bool:

@@ -66,10 +66,10 @@ def facts_asked(language: str, row: Keyword) -> list[Reading]:
                     f"{language}.{row.name.lower().replace('_', '')}-{name}",
                     question,
                     chosen,
-                    alternatives=others,
+                    alternatives=tuple(others),
                     why=evidence.source,
                     strength=evidence.strength,
-                    words=row.name,
+                    words=(row.name,),
                     probe=probe,
                 )
             )
