@@ -2,13 +2,14 @@
 
 A `Diagnostic` is one mistake; a `ProgramError` carries all of a file's mistakes at once. How they look is
 the business of `motionlang.views.diagnostics`; what the *machine* suffers is state on the axis, not this.
+A `MissingExtra` is for a feature whose library is not installed.
 """
 
 from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
 # One vocabulary of diagnostics: the code, and what it means. `docs/diagnostics.md` is written from it.
 CODES: dict[str, str] = {
@@ -201,3 +202,55 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
     spelt = {each.lower(): each for each in words}
     found = get_close_matches(word.lower(), spelt, n=1, cutoff=0.6)
     return spelt[found[0]] if found else None
+
+
+# Libraries that may be missing, by the name that each is imported by: the extra of `pyproject.toml` and the name of the
+# distribution. numpy belongs to no extra, because the package depends on it. Some Pythons, such as a browser's, lack
+# it, and most runs do without.
+LIBRARIES = {
+    "matplotlib": ("plot", "matplotlib"),
+    "pyarrow": ("parquet", "pyarrow"),
+    "mcap": ("mcap", "mcap"),
+    "can": ("can", "python-can"),
+    "canopen": ("can", "canopen"),
+    "serial": ("serial", "pyserial"),
+    "shtab": ("completion", "shtab"),
+}
+# The libraries that the package depends on and that a run may do without.
+REQUIRED = ("numpy",)
+
+
+class MissingExtra(ImportError):
+    """`user`, a feature or an option, needs libraries of an extra that are not installed.
+
+    `message` names them and `hint` is the command that installs them, in double quotes, which every shell takes.
+    """
+
+    def __init__(self, user: str, libraries: Sequence[str]) -> None:
+        names = " and ".join(LIBRARIES.get(library, ("", library))[1] for library in libraries)
+        self.message = f"{user} needs {names}"
+        if libraries[0] in REQUIRED:
+            self.hint = f"python -m pip install {names}"
+        else:
+            self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
+        # An option can be left out; without a feature the command is of no use.
+        self.is_option = user.startswith("--")
+        super().__init__(f"{self.message}: {self.hint}")
+
+
+def need(user: str, *libraries: str) -> None:
+    """Raise MissingExtra if one of the `libraries`, all of one extra, is not installed."""
+    from importlib.util import find_spec
+
+    missing = [library for library in libraries if find_spec(library) is None]
+    if missing:
+        raise MissingExtra(user, missing)
+
+
+def missing(error: BaseException, user: str) -> MissingExtra | None:
+    """The error that says what `user` lacks, if `error` came of a library that is not installed; otherwise None."""
+    if isinstance(error, MissingExtra):
+        return error
+    if isinstance(error, ImportError) and error.name in REQUIRED:
+        return MissingExtra(user, [error.name])
+    return None

@@ -13,7 +13,16 @@ from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import Room
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.result import Run
+from motionlang.result import (
+    Run,
+    interrupted,
+    open_kept,
+    save_kept,
+    tell_never_started,
+    tell_stuck,
+    tell_who_waited,
+    tell_words,
+)
 from motionlang.source import STDIN, Source
 
 TYPE_CHECKING = False
@@ -124,11 +133,8 @@ def run(
     result.program = compiled
     if log_size is not None:
         result.machine.log.store.disk = int(log_size * 1e9)
-    if nv is not None and compiled is not None:
-        from motionlang.remarks import open_kept
-
-        if not open_kept(result, nv):
-            compiled = None
+    if nv is not None and compiled is not None and not open_kept(result, nv):
+        compiled = None
     if compiled is not None:
         if prove:
             from motionlang.log.orders import Orders
@@ -152,12 +158,8 @@ def run(
             result.not_counted += notes(result.controller)
         result.not_counted += result.machine.notes
         if result.machine.without_effect or result.machine.assumed:
-            from motionlang.remarks import tell_words
-
             tell_words(result)
         if result.machine.nv is not None:
-            from motionlang.remarks import save_kept
-
             save_kept(result)
         if compiled.size > size:
             _keep(compiled, entry)
@@ -241,8 +243,6 @@ def _compile(
     try:
         compiled = language.compile(source, settings, result.machine.accelerators.ranges)
     except (KeyboardInterrupt, Terminated) as error:
-        from motionlang.remarks import interrupted
-
         result.diagnostics.append(interrupted(result, None, error))
         result.status = "interrupted"
         return None
@@ -293,13 +293,9 @@ def _execute(
         assert scheduler is not None
         result.status = scheduler.run(until)
         if result.status == "until":
-            from motionlang.remarks import tell_who_waited
-
             tell_who_waited(result, scheduler)
         left = result.machine.never_started() if result.status == "ended" else []
         if left:
-            from motionlang.remarks import tell_never_started
-
             tell_never_started(result, left)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
@@ -307,13 +303,10 @@ def _execute(
             result.not_counted.append(f"axis {names} was still jogging when the program had ended")
     except (KeyboardInterrupt, Terminated) as error:
         result.status = "interrupted"
-        from motionlang.remarks import interrupted
 
         result.controller.keep_whole()
         result.diagnostics.append(interrupted(result, scheduler, error))
     except Stuck as stuck:
-        from motionlang.remarks import tell_stuck
-
         tell_stuck(result, stuck, until)
     except Exception as error:
         from motionlang.lang.run_errors import explain

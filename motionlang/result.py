@@ -1,19 +1,26 @@
-"""What a run left behind: its status, its diagnostics, and the machine as it stood at the end.
+"""What a run left behind: its status, its diagnostics, the machine as it was at the end, and remarks on the run.
 
-Apart from `motionlang.report`, which most runs of a script do not ask for.
+A remark says what was not counted, which tasks waited at the end, or what became of nonvolatile data. The figures are
+in `motionlang.report`, which most runs of a script do not import.
 """
 
 from __future__ import annotations
 
+from motionlang.errors import Diagnostic, Terminated
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from motionlang.analysis.certificate import Limit
     from motionlang.analysis.proof.checker import Proof
     from motionlang.controller.controller import Controller
-    from motionlang.errors import Diagnostic
+    from motionlang.controller.move import Move
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Program
+    from motionlang.lang.scheduler import Scheduler, Stuck
+    from motionlang.lang.task import Task
     from motionlang.log.orders import Orders
     from motionlang.log.trace import Trace
     from motionlang.source import Source
@@ -103,3 +110,196 @@ class Run:
         from motionlang.report import build
 
         return build(self)
+
+
+# Of a word that changes nothing, so many lines are named.
+MOST_LINES = 5
+
+
+def tell_words(result: Run) -> None:
+    """Name words of the program that count for less than they say, with the lines where it came to them."""
+    _tell(result, "words that have no effect here", result.machine.without_effect)
+    _tell(result, "values that nobody knows, 0 or empty here", result.machine.assumed)
+
+
+def _tell(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
+    if words:
+        named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
+        result.not_counted.append(f"{what}: {named}")
+
+
+def _in_lines(lines: list[int]) -> str:
+    if not lines:
+        return ""
+    shown = [str(line) for line in sorted(lines)[:MOST_LINES]]
+    if len(lines) > MOST_LINES:
+        shown.append("…")
+    return f" (line{'s' if len(lines) > 1 else ''} {', '.join(shown)})"
+
+
+def open_kept(result: Run, path: str) -> bool:
+    """Hold and read the file of nv data; false where that cannot be done, and the program is not run."""
+    from motionlang.files import InUse
+    from motionlang.lang.machine.nonvolatile import NonVolatile
+
+    try:
+        result.machine.nv = NonVolatile(path)
+    except InUse:
+        hint = "let it end first, or give each run a file of its own"
+        _no_kept(result, f"the nv data of {path} belong to another run, which has not ended", hint)
+        return False
+    except (OSError, ValueError) as problem:
+        _no_kept(result, f"the nv data of {path} cannot be read: {_why_not(problem)}")
+        return False
+    return True
+
+
+def save_kept(result: Run) -> None:
+    """Write the file of nv data, or say which data last no longer than the run."""
+    kept = result.machine.kept
+    if kept.path is None:
+        if kept.names:
+            words = ", ".join(kept.names)
+            result.not_counted.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
+        return
+    try:
+        kept.save()
+    except OSError as problem:
+        _no_kept(result, f"the nv data cannot be written to {kept.path}: {_why_not(problem)}")
+
+
+def _why_not(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def _no_kept(result: Run, message: str, hint: str = "") -> None:
+    result.diagnostics.append(Diagnostic("file", message, hint=hint))
+    result.status = "fault"
+
+
+def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
+    """A wait that only an event could have ended, and none did, is no figure of this run."""
+    if result.machine.moving():
+        _tell_lost(result, scheduler)
+        return
+    for task in scheduler.tasks:
+        if task.wait is not None and task.wait.due() == float("inf"):
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            since = f"since {task.wait.since:.3f} s"
+            _note_wait(result, task.at, task.wait.why)
+            result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
+        elif task.in_vain is not None:
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            polled = f"polled {task.looks_at}" if task.looks_at else "polled"
+            what = f"still {polled}, and nothing could change what it looks at any more"
+            result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
+
+
+def _note_wait(result: Run, at: int, why: str) -> None:
+    """A wait that has run out is an event, at the place of its task."""
+    result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
+
+
+def _tell_lost(result: Run, scheduler: Scheduler) -> None:
+    """A homing that meets nothing is a mistake where no task can do anything about it any more."""
+    if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
+        result.diagnostics += _lost(result)
+
+
+def _is_hopeless(task: Task) -> bool:
+    waits = task.wait is not None and task.wait.due() == float("inf")
+    return waits or task.done or task.in_vain is not None
+
+
+def _lost(result: Run) -> list[Diagnostic]:
+    """The homings that go on for ever, each at its line."""
+    found = []
+    for axis, homing in result.controller.homings.items():
+        if homing.in_vain:
+            text = result.source.line(homing.line)
+            column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
+            keys = f"axis.{axis}.home_switch, travel and index_every"
+            other = "home the other way, or " if homing.provided else ""
+            hint = f"{other}let the machine file say where it is: {keys}"
+            found.append(Diagnostic("never", homing.in_vain, homing.line, column, length=length, hint=hint))
+    return found
+
+
+def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
+    """Warn of moves that the program has loaded and, at its end, has not started: the first of each line."""
+    for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
+        text = result.source.line(move.line)
+        column = len(text) - len(text.lstrip()) + 1 if text else 0
+        message = (
+            f"the program has ended, and {move.command} on axis {move.axis} was loaded and never started"
+        )
+        hint = f"GO({move.axis}) starts what is in the buffer"
+        diagnostic = Diagnostic(
+            "never-started",
+            message,
+            move.line,
+            column,
+            length=len(text.strip()),
+            hint=hint,
+            severity="warning",
+        )
+        result.diagnostics.append(diagnostic)
+
+
+def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
+    """A wait that nothing can end is a mistake, unless the machine file says how long its scenario goes on."""
+    line, column, length = result.dialect.locate(result.source, stuck.task.at)
+    lost = _lost(result)
+    if lost:
+        result.status = "fault"
+        result.diagnostics += lost
+        return
+    message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
+    _note_wait(result, stuck.task.at, stuck.wait.why)
+    result.not_counted.append(f"line {line}: {message}")
+    others = _others(result, stuck.task)
+    for each in others:
+        where, _, _ = result.dialect.locate(result.source, each.at)
+        result.not_counted.append(f"line {where}: {each.name} waits {_why(each)}")
+    if "run.until" in result.machine.settings:
+        result.status = "until"
+        result.controller.clock.advance(until)
+        return
+    otherwise = "start a move first, or let a machine file say what happens, and with run.until how long"
+    hints = [result.dialect.what_ends(why) for why in (stuck.wait.why, *map(_why, others))]
+    hint = next(filter(None, hints), otherwise)
+    result.status = "fault"
+    result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
+
+
+def _others(result: Run, task: Task) -> list[Task]:
+    """The other tasks that wait."""
+    scheduler = result.machine.scheduler
+    assert scheduler is not None
+    return [each for each in scheduler.tasks if each is not task and each.wait is not None]
+
+
+def _why(task: Task) -> str:
+    return "" if task.wait is None else task.wait.why
+
+
+def who_ended(error: BaseException) -> str:
+    """What ended a run from outside, in words."""
+    if isinstance(error, Terminated):
+        import signal
+
+        return f"by {signal.Signals(error.number).name}"
+    return "from the keyboard"
+
+
+def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
+    """Ctrl-C, or another signal, as a diagnostic, at the place that the current task had come to."""
+    message = f"the run was ended {who_ended(error)}"
+    if scheduler is None:
+        return Diagnostic("interrupted", message)
+    # Until the next event a program runs ahead of the clock, which nothing but an end like this one can show.
+    clock, reached = result.machine.clock, scheduler.current.time_at_error(error)
+    if reached < clock.next_time():
+        clock.advance(reached)
+    line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
+    return Diagnostic("interrupted", message, line, column, length=length)

@@ -19,7 +19,7 @@ from pathlib import Path
 from packaging.requirements import Requirement
 
 from motionlang.cli.commands import COMMANDS
-from motionlang.extras import LIBRARIES
+from motionlang.errors import LIBRARIES
 from tests.built import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

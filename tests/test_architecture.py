@@ -28,7 +28,6 @@ LEVELS: dict[str, int] = {
     "execution": 10,
     "analysis.cycle": 9,
     "analysis.compare": 8,
-    "remarks": 8,
     "report": 7,
     "result": 7,
     "assumptions": 6,
@@ -44,9 +43,8 @@ LEVELS: dict[str, int] = {
     "servo": 2,
     "planners": 1,
     "cache": 1,
+    "analysis.workers": 1,
     "fast": 6,
-    "workers": 1,
-    "extras": 0,
     "files": 0,
     "errors": 0,
     "source": 0,
@@ -413,6 +411,16 @@ def test_floors_inside_a_package(package: str) -> None:
                 continue
             there = inner(package, below)
             assert here == there or level[there] < level[here], f"{'/'.join(own)} imports {name}"
+
+
+def test_the_package_has_25_entries_and_each_has_a_level() -> None:
+    entries = {
+        path.stem
+        for path in PACKAGE.iterdir()
+        if path.suffix == ".py" or (path.is_dir() and any(path.glob("*.py")))
+    } - {"__init__", "__main__", "_wheel"}
+    assert len(entries) == 25
+    assert entries == {name.partition(".")[0] for name in LEVELS} - {"", "__main__", "_wheel"}
 
 
 def test_what_is_named_here_exists() -> None:

@@ -14,7 +14,7 @@ import pytest
 from packaging.requirements import Requirement
 
 from motionlang.client import Client
-from motionlang.extras import LIBRARIES
+from motionlang.errors import LIBRARIES
 from tests.built import ROOT
 from tests.cli.programs import LONGEST
 from tests.installed import EXTRAS, PROJECT, USED, Install, check, closure, first_uses, helps, needed
@@ -190,4 +190,4 @@ def test_what_installs_an_extra_is_written_in_one_way() -> None:
     }
     wrong = {each for each in found if not re.search(r'pip install[^\[]* "[\w.]+\[\S+\]"', each[1])}
     assert wrong == set()
-    assert {name for name, _ in found if name.endswith(".py")} == {"extras.py"}
+    assert {name for name, _ in found if name.endswith(".py")} == {"errors.py"}

@@ -58,7 +58,7 @@ def _guarded(given: list[str]) -> int:
         from motionlang.cli.complaints import complain
         from motionlang.cli.crash import crash
         from motionlang.cli.run import CRASHED
-        from motionlang.extras import missing
+        from motionlang.errors import missing
 
         lacking = missing(error, " ".join(["motionlang", *given[:1]]))
         if lacking is not None:

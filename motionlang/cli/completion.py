@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.commands import build_parser
 from motionlang.cli.parser import add_command
-from motionlang.extras import need
+from motionlang.errors import need
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -13,9 +13,8 @@ from platform import platform
 from typing import TYPE_CHECKING
 
 from motionlang import __version__
-from motionlang.errors import Diagnostic
+from motionlang.errors import Diagnostic, missing
 from motionlang.execution import dialect_of, machine_of
-from motionlang.extras import missing
 from motionlang.files import replacing
 from motionlang.source import LARGEST, STDIN
 

@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.cli.options import PLOTS, PROFILES, TRACES
-from motionlang.errors import Diagnostic, Terminated
+from motionlang.errors import Diagnostic, Terminated, need
 from motionlang.execution import machine_of
-from motionlang.extras import need
 from motionlang.files import same_file, unwritable
-from motionlang.remarks import who_ended
+from motionlang.result import who_ended
 from motionlang.source import STDIN
 from motionlang.views.progress import Progress
 

@@ -26,7 +26,7 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
     if jobs <= 1:
         yield from map(work, items)
         return
-    from motionlang.workers import Workers
+    from motionlang.analysis.workers import Workers
 
     pool = Workers(jobs)
     try:

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import OPTIONS, add_input
-from motionlang.errors import Diagnostic, ProgramError
-from motionlang.extras import need
+from motionlang.errors import Diagnostic, ProgramError, need
 from motionlang.planners.pvt.points import absolute, plan_points, relative, until_end
 from motionlang.planners.pvt.velocities import compare_velocities, knot_accelerations
 from motionlang.planners.total import total

@@ -44,7 +44,7 @@ def run_command(options: Options) -> int:
     except (KeyboardInterrupt, Terminated) as error:
         if told:
             raise
-        from motionlang.remarks import who_ended
+        from motionlang.result import who_ended
 
         SIGNALS.hold()
         ended = [Diagnostic("interrupted", f"the run was ended {who_ended(error)}")]

@@ -16,8 +16,8 @@ from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRA
 from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import add_command, either
 from motionlang.cli.run import run_command
+from motionlang.errors import need
 from motionlang.execution import ONE_SHIFT
-from motionlang.extras import need
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands

@@ -19,9 +19,8 @@ from motionlang.cli.parser import add_command
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.sweep_options import EPILOG, add_options
 from motionlang.cli.sweep_report import Report
-from motionlang.errors import Diagnostic, ProgramError, Terminated
+from motionlang.errors import Diagnostic, ProgramError, Terminated, need
 from motionlang.execution import dialect_of, machine_of
-from motionlang.extras import need
 from motionlang.files import unwritable
 from motionlang.source import STDIN, Source
 from motionlang.views.progress import Progress

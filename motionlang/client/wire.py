@@ -12,7 +12,7 @@ import time
 from typing import Protocol
 
 from motionlang.client.errors import ConnectionLost
-from motionlang.extras import MissingExtra, need
+from motionlang.errors import MissingExtra, need
 
 MOST = 65536
 

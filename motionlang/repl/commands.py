@@ -9,9 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from os.path import expanduser
 
-from motionlang.errors import Diagnostic, nearest
+from motionlang.errors import Diagnostic, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
-from motionlang.extras import missing
 from motionlang.files import reason
 from motionlang.repl import status
 from motionlang.result import Run

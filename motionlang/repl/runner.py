@@ -6,9 +6,8 @@ from collections.abc import Callable
 from traceback import walk_tb
 
 from motionlang.controller.faults import Refusal
-from motionlang.errors import Diagnostic, ProgramError
+from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import ONE_SHIFT
-from motionlang.extras import missing
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import Room

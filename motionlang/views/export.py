@@ -11,7 +11,7 @@ from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
-from motionlang.extras import need
+from motionlang.errors import need
 from motionlang.files import replacing
 from motionlang.views.csv import Formatter, decimals_for
 from motionlang.views.mcap import write_mcap

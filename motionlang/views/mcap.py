@@ -13,7 +13,7 @@ from operator import itemgetter
 from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
-from motionlang.extras import need
+from motionlang.errors import need
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import printable
 

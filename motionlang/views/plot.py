@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
-from motionlang.extras import need
+from motionlang.errors import need
 from motionlang.files import replacing
 from motionlang.log.records import GRAVE
 from motionlang.report import events as events_of

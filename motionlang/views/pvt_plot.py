@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from motionlang.extras import need
+from motionlang.errors import need
 from motionlang.files import replacing
 from motionlang.planners.pvt.points import knots
 from motionlang.views.plot import STYLE

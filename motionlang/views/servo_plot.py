@@ -10,7 +10,7 @@ import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from motionlang.extras import need
+from motionlang.errors import need
 from motionlang.files import replacing
 from motionlang.views.outline import thinned
 from motionlang.views.plot import DPI, STYLE

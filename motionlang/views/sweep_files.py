@@ -6,7 +6,7 @@ import csv
 import io
 from typing import IO, TYPE_CHECKING, Any
 
-from motionlang.extras import need
+from motionlang.errors import need
 from motionlang.files import replacing
 
 if TYPE_CHECKING:

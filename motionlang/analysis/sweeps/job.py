@@ -8,9 +8,8 @@ from __future__ import annotations
 from hashlib import sha256
 
 from motionlang.analysis.sweeps.quantities import quantity
-from motionlang.errors import Diagnostic, ProgramError
+from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import accelerators, dialect, run
-from motionlang.extras import missing
 from motionlang.source import Source
 
 TYPE_CHECKING = False

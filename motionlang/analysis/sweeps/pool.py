@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from motionlang.analysis.sweeps.job import Job, Result, Variant
-    from motionlang.workers import Workers
+    from motionlang.analysis.workers import Workers
 
 # Seconds that a chunk should take; that this process works by itself before it asks for others; that all the rest may
 # take it without.
@@ -160,7 +160,7 @@ class Hand:
 
     def _start(self, jobs: int) -> None:
         """Start a pool of our own."""
-        from motionlang.workers import Workers
+        from motionlang.analysis.workers import Workers
 
         self._own = Workers(jobs)
 
