@@ -32,7 +32,7 @@ def object_dictionary() -> ObjectDictionary:
 
     It has `OBJECTS`, the device type, and four PDOs in each direction.
     """
-    dictionary = ObjectDictionary()  # the library is only partly typed
+    dictionary = ObjectDictionary()  # type: ignore[no-untyped-call]  # the library is only partly typed
     dictionary.add_object(_variable("Device type", 0x1000, 0, datatypes.UNSIGNED32, "ro", 0x00020192))
     for number in range(PDOS):
         _add_pdo(dictionary, 0x1400 + number, 0x1600 + number, "Receive", 0x200 + number * 0x100)

@@ -53,7 +53,7 @@ def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str
 
 def _save(picture: Figure, file: object, kind: str) -> None:
     metadata = {"Creator": "motionlang", "Date": None} if kind == "svg" else {"Software": "motionlang"}
-    picture.savefig(file, format=kind, dpi=DPI, metadata=metadata)  # any binary file
+    picture.savefig(file, format=kind, dpi=DPI, metadata=metadata)  # type: ignore[arg-type]  # any binary file
 
 
 def _draw(panels: list[Axes], profile: Profile, title: str, *, leftmost: bool) -> None:

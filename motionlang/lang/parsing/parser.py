@@ -83,7 +83,7 @@ class State:
 
     def after(self, rule: Rule) -> State:
         """Return the state after a reduction by a rule that began here."""
-        return self._actions[rule[1]]  # the beginning of the rule has been read
+        return self._actions[rule[1]]  # type: ignore[return-value]  # the beginning of the rule has been read
 
     def end(self) -> None:
         """Shift the end of the text like any token."""
