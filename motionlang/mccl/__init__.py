@@ -1,4 +1,7 @@
-"""MCCL, PMC's Motion Control Command Language. `DIALECT` is its one face; the rest is imported when it is used."""
+"""MCCL, PMC's Motion Control Command Language.
+
+`DIALECT` is its only interface; all else is imported on first use.
+"""
 
 from __future__ import annotations
 
@@ -20,10 +23,10 @@ if TYPE_CHECKING:
 
 
 class Mccl(Dialect):
-    """The dialect as the layers above see it."""
+    """The dialect as an implementation of the interface for the layers above."""
 
     name, title = "mccl", "MCCL"
-    # PMC's own tools have one suffix a controller.
+    # PMC's own tools have one suffix per controller.
     suffixes = (
         ".mcl", ".mccl", ".dc2", ".stn", ".pc1", ".at1", ".at2", ".at3", ".pci1", ".pci3", ".mfx1",
     )  # fmt: skip
@@ -32,7 +35,10 @@ class Mccl(Dialect):
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
     ) -> Program:
-        """Never fails: a command that the board would answer with `?` is one that runs and is answered so."""
+        """Compile a file without errors.
+
+        A command that the board would answer with `?` runs and gets that answer.
+        """
         from motionlang.mccl.runtime.program import MacroFile
 
         return MacroFile(source)
@@ -44,7 +50,10 @@ class Mccl(Dialect):
         overrides: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Listing:
-        """Here a wrong command is a mistake, as for `check`, although a run goes on behind it."""
+        """Return the listing; raise ProgramError for invalid commands.
+
+        They are errors here, as in `check`, although a run continues after them.
+        """
         from motionlang.errors import ProgramError
         from motionlang.mccl.resolve.listing import listing
 

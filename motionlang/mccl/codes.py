@@ -1,4 +1,4 @@
-"""The `?` codes of the controller, and the trouble that makes it answer with one."""
+"""The `?` codes of the controller, and the error that makes it answer with one."""
 
 from __future__ import annotations
 
@@ -40,7 +40,10 @@ ASSIGNED_TWICE = -17
 
 
 class Fault(Exception):
-    """A command that the controller answers with `?code`; `kind` is one of `errors.CODES`."""
+    """The controller answers a command with `?code`.
+
+    `kind` is one of `errors.CODES`.
+    """
 
     def __init__(self, code: int, message: str, hint: str = "", kind: str = "command-error") -> None:
         self.code, self.message, self.hint, self.kind = code, message, hint, kind

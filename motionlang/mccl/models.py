@@ -1,6 +1,7 @@
-"""The boards: what one model does otherwise than another, as switches that the rest of the dialect reads.
+"""The boards: differences between models, as switches for the rest of the dialect.
 
-Facts are those of docs/fidelity.md; where nothing is known, an older board behaves as the MultiFlex does.
+The facts are those of docs/fidelity.md. Unless a source says otherwise, an older board behaves like the
+MultiFlex.
 """
 
 from __future__ import annotations
@@ -13,8 +14,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
-# What boards lack, by family of commands, a column of their rows. MCAPI has a flag for each; which board is without is
-# remembered, or inferred from the LM628 chip of the basic modules, which has one profile, one rate and no feed-forward.
+# The command families that boards lack, a column of the rows. MCAPI has a flag for each. Which board lacks
+# which is remembered, or inferred from the LM628 chip of the basic modules, which has one profile, one rate
+# and no feed-forward.
 _CONTOURS, _TASKS, _SCALES, _OUTPUT_CONTROL = "contours", "tasks", "scales", "output control"
 _BASIC = ("profiles", "deceleration", "rates", "feed-forward", _OUTPUT_CONTROL)
 
@@ -23,11 +25,12 @@ _BASIC = ("profiles", "deceleration", "rates", "feed-forward", _OUTPUT_CONTROL)
 class Model:
     """One board.
 
-    `prompt`, `echo` and `line_end` are how it talks; `rounds` whether parameters become whole counts before a scale
-    is set; `lacks` the families of commands that it has not; `macros` the highest macro number; `registers` how many
-    there are; `words` whether TS has its four status words; `at_target` whether status bit 2 means that; `outputs` the
-    channels that are outputs at power-up; `whole_gains` whether gains are integers; `update` the servo period, s;
-    `stepper` velocity, acceleration and minimum velocity of a stepper at power-up.
+    `prompt`, `echo` and `line_end` define its dialogue. `rounds` is true if parameters are rounded to counts
+    before a scale is set. `lacks` has the families of commands that are missing. `macros` is the highest
+    macro number, and `registers` their number. `words` is true if TS has its four status words, and
+    `at_target` if status bit 2 means that. `outputs` has the channels that are outputs at power-up.
+    `whole_gains` is true if gains are integers. `update` is the servo period, s. `stepper` has velocity,
+    acceleration and minimum velocity of a stepper at power-up.
     """
 
     name: str
@@ -48,7 +51,7 @@ class Model:
 
     @property
     def separate_decel(self) -> bool:
-        """Whether there is a deceleration of its own; without it the acceleration sets both."""
+        """True if deceleration is separate; without it the acceleration sets both."""
         return "deceleration" not in self.lacks
 
 
@@ -65,7 +68,7 @@ _MODELS = (
 
 MODELS: dict[str, Model] = {model.name: model for model in _MODELS}
 DEFAULT = "multiflex"
-# The board that a file is written for, by PMC's suffixes; those of boards that are not among ours say nothing.
+# The board of a file by PMC's suffixes; suffixes of boards that are not simulated are missing.
 _SUFFIXES = {
     "pc1": "dcx-pc100",
     "at2": "dcx-at200",
@@ -76,12 +79,12 @@ _SUFFIXES = {
 
 
 def written_for(name: str) -> str:
-    """The model that a file's name speaks of, the default where it speaks of none."""
+    """Return the model that a file name implies, or the default."""
     return _SUFFIXES.get(name.rpartition(".")[2].lower(), DEFAULT)
 
 
 def missing(model: Model, row: Keyword) -> Fault:
-    """The answer of a board to a command that it has not."""
+    """Return the answer of a board to a command that it does not have."""
     have = [each.name for each in _MODELS if row.family not in each.lacks]
     hint = f"{', '.join(have)} {'has' if len(have) == 1 else 'have'} it: controller.model in the machine file"
     return Fault(codes.INVALID, f"the {model.title} has no {row.name}", hint, "model")

@@ -1,1 +1,1 @@
-"""An axis of an MCCL board: units and mode, its inputs and limits, its status words, its motor."""
+"""The state of an MCCL axis: units, mode, inputs, limits, status words, motor."""

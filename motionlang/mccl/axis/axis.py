@@ -1,4 +1,7 @@
-"""What the board knows of an axis beyond what the controller does: user units, mode, limits, flags."""
+"""The state of an axis that the controller does not have.
+
+This is user units, mode, limits and flags.
+"""
 
 from __future__ import annotations
 
@@ -14,17 +17,17 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.backlash import Backlash
     from motionlang.mccl.models import Model
 
-# Modes of operation, as their commands name them.
+# Modes of operation, named like their commands.
 POSITION, VELOCITY, TORQUE, GAIN, CONTOUR = "position", "velocity", "torque", "gain", "contour"
 
 
 def nearest_whole(value: float) -> float:
-    """The nearest whole number, halves away from below."""
+    """Return the nearest integer, with halves rounded up."""
     return float(floor(value + 0.5))
 
 
 class Units:
-    """The user units that an axis has been given; they are in force from the next MN."""
+    """The user units set for an axis; they take effect at the next MN."""
 
     def __init__(self) -> None:
         self.counts = self.rate = self.constant = 1.0
@@ -32,7 +35,7 @@ class Units:
 
 
 class JogSettings:
-    """How an axis follows its joystick: rates in counts and seconds, voltages in volts."""
+    """Joystick settings of an axis: rates in counts and seconds, voltages in volts."""
 
     def __init__(self) -> None:
         self.accel, self.gain = 100_000.0, 1000.0
@@ -40,14 +43,20 @@ class JogSettings:
 
 
 class VectorSettings:
-    """Velocity, acceleration, deceleration along contour paths, counts and seconds; `override` multiplies the first."""
+    """Velocity, acceleration and deceleration along contour paths, counts and seconds.
+
+    `override` multiplies the velocity.
+    """
 
     def __init__(self) -> None:
         self.velocity, self.accel, self.decel, self.override = 40_000.0, 100_000.0, 100_000.0, 1.0
 
 
 class Writers(dict[str, "Writer"]):
-    """What writes the settings of an axis of the controller, counts and seconds, made when one is first written."""
+    """Writers of the controller's settings of an axis, each made on first use.
+
+    They take counts and seconds.
+    """
 
     def __init__(self, controller: Controller, number: int) -> None:
         self._controller, self._number = controller, number
@@ -60,8 +69,8 @@ class Writers(dict[str, "Writer"]):
 class AxisState:
     """One axis of the board; positions without a unit in their name are counts.
 
-    `flags` holds the bits of the status word that only events and commands change; `rested` is when the axis last
-    came to rest, `controlling` the axis whose contour path it belongs to.
+    `flags` holds the bits of the status word that only events and commands change. `rested` is the time at
+    which the axis last came to rest, `controlling` the axis whose contour it belongs to.
     """
 
     __slots__ = (
@@ -109,16 +118,16 @@ class AxisState:
 
     def __init__(self, number: int, model: Model, controller: Controller) -> None:
         self.number, self.model = number, model
-        # What writes the settings of the controller's axis, by their name.
+        # Writers of the settings of the controller's axis, by name.
         self.write = Writers(controller, number)
         self.rested = 0.0
         self.reset()
 
     def reset(self) -> None:
-        """As at power-up."""
+        """Reset to the state at power-up."""
         self.units, self.scale, self.scaled, self.constant = Units(), Scale(), False, 1.0
         self.mode, self.direction = POSITION, 1
-        # In velocity mode, between GO and the stop.
+        # True in velocity mode between GO and the stop.
         self.running = False
         self.flags = 0
         self.deadband = self.deadband_delay = 0.0
@@ -135,53 +144,60 @@ class AxisState:
         self.half_steps = self.reversed_phase = False
         # The velocity at which a stepper starts and stops.
         self.minimum = 0.0
-        # Half the backlash, counts, and what the motor does about it while it is compensated.
+        # Half the backlash, counts, and its compensation by the motor while that is on.
         self.backlash = 0.0
         self.play: Backlash | None = None
-        # What the auxiliary encoder counted when it was given the value 0, and at its last index.
+        # The counts of the auxiliary encoder at its zero and at its last index.
         self.aux_zero = self.aux_index = 0.0
-        # Settings of the servo loop and the output stage, by the name of their row's verb.
+        # Settings of the servo loop and the output stage, by the verb of their row.
         self.kept: dict[str, float] = {}
 
     @property
     def shift(self) -> float:
-        """How far the motor is from where the load is, counts, which the controller's positions are."""
+        """The position of the motor relative to the load, counts.
+
+        The controller's positions are those of the load.
+        """
         return 0.0 if self.play is None else self.play.shift()
 
     def set_backlash(self, half: float) -> None:
-        """BD: half the backlash, counts."""
+        """Set half the backlash, counts (BD)."""
         self.backlash = half
         if self.play is not None:
             self.play.resize(half)
 
     def forget_faults(self) -> None:
-        """What MN forgets."""
+        """Clear the faults that MN clears."""
         self.flags &= ~FAULTS
 
     def apply_units(self) -> None:
-        """Let the user units take effect."""
+        """Apply the user units."""
         units, scale = self.units, self.scale
         scale.set(units.counts, units.rate, (units.offset + units.zero) * units.counts)
         self.constant = units.constant
         self.scaled = scale.counts != 1.0 or scale.rate != 1.0 or scale.zero != 0.0
 
     def distance(self, value_uu: float) -> float:
-        """A distance in counts: whole, as the board has it."""
+        """Convert a distance to counts, rounded to an integer like the board's."""
         return nearest_whole(value_uu * self.scale.counts)
 
     def position(self, value_uu: float) -> float:
-        """A position in counts, whole."""
+        """Convert a position to counts, rounded to an integer."""
         return nearest_whole(self.scale.position_to_counts(value_uu))
 
     def rate(self, value_uu: float, unit: str) -> float:
-        """A velocity or acceleration in counts and seconds; whole only while no scale is set."""
+        """Convert a velocity or acceleration to counts and seconds.
+
+        It is an integer only while no scale is set.
+        """
         value = self.scale.to_counts(value_uu, unit)
         return nearest_whole(value) if self.model.rounds and not self.scaled else value
 
     def say(self, counts: float, unit: str = "position") -> str:
-        """A quantity as the board prints it: whole counts, or six decimals of the user unit.
+        """Format a quantity like the board: integer counts, or user units to six decimals.
 
-        Positions and distances are whole counts before they are scaled: that is what an encoder knows.
+        Positions and distances are rounded to counts before they are scaled, because an encoder resolves only
+        counts.
         """
         if unit == "position":
             value = self.scale.position_to_user(nearest_whole(counts))
@@ -191,6 +207,6 @@ class AxisState:
 
 
 def real(value: float) -> str:
-    """A real number as the board prints it."""
+    """Format a real number like the board."""
     text = f"{value:.6f}"
     return "0.000000" if text == "-0.000000" else text

@@ -1,4 +1,4 @@
-"""Compensation of backlash: the motor goes BD ahead of the load, whichever way the axis goes."""
+"""Backlash compensation: the motor leads the load by BD in either direction."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ if TYPE_CHECKING:
 
 
 class Backlash:
-    """The play of one axis from the moment of BN, in the middle of it; positions of the controller are the load's."""
+    """The backlash of one axis from BN on, where it is in the middle.
+
+    Positions of the controller are those of the load.
+    """
 
     def __init__(self, controller: Controller, number: int, half: float) -> None:
         self._clock = controller.clock
@@ -18,10 +21,10 @@ class Backlash:
         self._takeup.size, self._takeup.taken = 2.0 * half, half
 
     def shift(self) -> float:
-        """How far the motor is ahead of the load, counts; negative behind it."""
+        """Return how far the motor leads the load, counts; negative if it lags."""
         return self._takeup.advance(self._clock.now, True) - 0.5 * self._takeup.size
 
     def resize(self, half: float) -> None:
-        """BD while it is on: the motor stays where it is until the axis moves."""
+        """Apply BD while compensation is on; the motor does not move until the axis does."""
         taken = self.shift() + half
         self._takeup.size, self._takeup.taken = 2.0 * half, taken

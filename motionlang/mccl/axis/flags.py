@@ -4,7 +4,7 @@ from __future__ import annotations
 
 BUSY = 1 << 0
 MOTOR_ON = 1 << 1
-# Bit 2 is the velocity mode on the older boards, at target on PCI300 and MultiFlex.
+# Bit 2 is velocity mode on the older boards, and at target on PCI300 and MultiFlex.
 VELOCITY_MODE = AT_TARGET = 1 << 2
 TRAJECTORY_COMPLETE = 1 << 3
 DIRECTION = 1 << 4
@@ -24,7 +24,7 @@ SOFT_LOW_ENABLED, SOFT_LOW_TRIPPED = 1 << 20, 1 << 21
 INDEX_INPUT = 1 << 22
 PHASE = 1 << 30
 
-# What MN forgets.
+# The bits that MN clears.
 FAULTS = (
     MOTOR_ERROR
     | FOLLOWING_ERROR
@@ -35,7 +35,7 @@ FAULTS = (
     | SOFT_LOW_TRIPPED
 )
 
-# The inputs of an axis and the bits that show them as they are now.
+# The inputs of an axis, and the bits that show their current state.
 INPUTS: dict[str, int] = {
     "home": 1 << 23,
     "amplifier_fault": 1 << 24,

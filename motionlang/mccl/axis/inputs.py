@@ -1,9 +1,11 @@
-"""The inputs of an axis: home switch, limit switches, amplifier fault, index, auxiliary and user inputs.
+"""The digital inputs of an axis, as channels.
 
-They are digital channels. A MultiFlex has four an axis from channel 17 on, the limits second and third (two telescope
-axes are wired so); that home is the first and the amplifier fault the fourth is inferred. Where the inputs of axes
-beyond the fourth are, behind the outputs, and the auxiliary and user inputs, is our choice. The switches of the
-machine file, home and travel, are seen without a channel too, and the index input is where the encoder has a mark.
+They are home switch, limit switches, amplifier fault, index, auxiliary and user inputs. A MultiFlex has four
+channels per axis from channel 17 on. The limits are the second and third (two telescope axes are wired so).
+It is inferred that home is the first and the amplifier fault the fourth. Our choices are the channels of axes
+beyond the fourth, which follow the outputs, and those of the auxiliary and user inputs. The switches of the
+machine file, home and travel, also work without a channel. The index input is on where the encoder has a
+mark.
 """
 
 from __future__ import annotations
@@ -17,19 +19,19 @@ if TYPE_CHECKING:
 
 FIRST, PER_AXIS, LAST_AXIS, BEYOND = 17, 4, 4, 49
 ORDER = ("home", "limit_plus", "limit_minus", "amplifier_fault")
-# Inputs that have one channel an axis, counted from here.
+# Inputs with one channel per axis, counted from here.
 SINGLE = {"auxiliary": 200, "user_1": 216, "user_2": 232}
-# Limit switches that the machine file gives by their position, by the fault of the controller.
+# Limit switches that the machine file gives by position, by the fault of the controller.
 SWITCHES = {"limit_plus": LIMIT_FORWARD, "limit_minus": LIMIT_REVERSE}
 # Half the width of an index mark, counts.
 MARK = 0.5
 INFINITY = float("inf")
-# Bit of LM that says the limit switches are closed until tripped.
+# The bit of LM that makes the limit switches normally closed.
 INVERTED = 128
 
 
 def channel_of(axis: int, name: str) -> int:
-    """The channel of an axis's input."""
+    """Return the channel of an axis's input."""
     if name in SINGLE:
         return SINGLE[name] + axis
     first = FIRST + PER_AXIS * (axis - 1) if axis <= LAST_AXIS else BEYOND + PER_AXIS * (axis - LAST_AXIS - 1)
@@ -37,7 +39,10 @@ def channel_of(axis: int, name: str) -> int:
 
 
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
-    """Whether the input is on, in terms of logic; an input that nothing drives is off whatever its polarity."""
+    """True if the input is on logically.
+
+    An input that nothing drives is off, whatever its polarity.
+    """
     a = board.controller.axes[axis.number]
     if name == "home" and board.controller.is_on_home_switch(axis.number):
         return True
@@ -48,7 +53,7 @@ def is_active(board: Board, axis: AxisState, name: str) -> bool:
 
 
 def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:
-    """The same, of the channel of the input alone."""
+    """True if the channel of the input is on, apart from any switch."""
     channel = channel_of(axis.number, name)
     if not board.is_driven(channel):
         return False
@@ -59,7 +64,10 @@ def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:
 
 
 def index_input(board: Board, axis: AxisState) -> tuple[bool, float]:
-    """Whether the encoder is on one of its marks, and until when that is so if nothing else happens."""
+    """Return whether the encoder is on an index mark, and until when that holds.
+
+    The time holds if nothing else happens.
+    """
     controller, number = board.controller, axis.number
     a = controller.axes[number]
     every = a.index_pitch
@@ -76,6 +84,9 @@ def index_input(board: Board, axis: AxisState) -> tuple[bool, float]:
 
 
 def _between(here: float, mark: float, every: float) -> tuple[float, float]:
-    """The edges of the marks on either side of a place on none; `mark` is the nearer one."""
+    """Return the edges of the marks on both sides of a position between marks.
+
+    `mark` is the nearer mark.
+    """
     low = mark if mark < here else mark - every
     return low + MARK, low + every - MARK

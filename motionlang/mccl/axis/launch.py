@@ -1,4 +1,4 @@
-"""What becomes of a position move on its way to the controller: a stepper starts and stops at MV at once."""
+"""Start of position moves, in which a stepper starts and stops at MV at once."""
 
 from __future__ import annotations
 
@@ -16,7 +16,11 @@ INFINITY = float("inf")
 
 
 def aim(controller: Controller, axis: AxisState) -> float:
-    """The target, counts, a slave's being where its master's takes it; where the axis is while it runs without one."""
+    """Return the target, counts.
+
+    For a slave it is the target implied by its master's. While the axis runs without a target, it is the
+    current position.
+    """
     target = controller.target(axis.number)
     if abs(target) == INFINITY and controller.master_of(axis.number) is not None:
         target = controller.axes[axis.number].profiles[-1].end
@@ -34,9 +38,10 @@ def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -
 
 
 def _from_minimum(controller: Controller, axis: AxisState, target: float) -> tuple[Profile, float] | None:
-    """The trapezoid between two steps of velocity of MV, and how large these are; None where MV has no part in it.
+    """Return the trapezoid between two velocity steps of MV, and the steps' size.
 
-    It is the trapezoid from rest with both ends cut off: v from MV to the peak, v² = MV² + distance/(1/2A + 1/2D).
+    Returns None if MV does not apply. The trapezoid is the one from rest with both ends cut off: v from MV to
+    the peak, v² = MV² + distance/(1/2A + 1/2D).
     """
     number = axis.number
     if (
@@ -63,7 +68,10 @@ def _from_minimum(controller: Controller, axis: AxisState, target: float) -> tup
 def _going_on(
     start: float, target: float, low: float, speed: float, accel: float, decel: float, velocity: float
 ) -> Profile:
-    """From motion: the trapezoid that would come to rest beyond the target, up to where it has slowed down to `low`."""
+    """Return the profile of a moving axis until it has slowed down to `low`.
+
+    It is the trapezoid that would come to rest beyond the target.
+    """
     from motionlang.planners import plan_trapezoid
     from motionlang.planners.curve import from_curve
 
@@ -74,11 +82,11 @@ def _going_on(
 
 
 def _stepped(start: float, target: float, low: float, speed: float, accel: float, decel: float) -> Profile:
-    """From rest: `low` at once, the trapezoid, and from `low` to rest at once."""
+    """Return the profile from rest: a step to `low`, the trapezoid, a step to rest."""
     size, per_square = abs(target - start), 0.5 / accel + 0.5 / decel
     peak = min(speed, sqrt(low * low + size / per_square))
     slew = (size - (peak * peak - low * low) * per_square) / peak if peak == speed else 0.0
-    # The gain in velocity, without the loss of figures that the difference of two near numbers has.
+    # The gain in velocity, computed without the cancellation in a difference of two near numbers.
     gain = size / per_square / (peak + low) if peak < speed else peak - low
     rise, fall = gain / accel, gain / decel
     v = copysign(peak, target - start)

@@ -1,8 +1,8 @@
-"""Travel limits and the amplifier-fault input of an axis: what trips them and what the axis then does.
+"""Travel limits and the amplifier-fault input of an axis: causes and effects.
 
-Where the machine file has switches, they are the hard limits; the channels of the axis trip them as well. A hard or
-soft limit does nothing until LN enables it. Tripping sets the trip bit and the motor-error bit, and the axis then
-takes no motion command until MN.
+If the machine file has switches, they are the hard limits; the channels of the axis trip them as well. A hard
+or soft limit has no effect until LN enables it. A trip sets the trip bit and the motor-error bit, and the
+axis then accepts no motion command until MN.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ HARD_PLUS, HARD_MINUS, SOFT_HIGH, SOFT_LOW = 1, 2, 4, 8
 ALL = 15
 _HARD_ACTIONS = {0: "off", 1: "abort", 2: "stop"}
 _SOFT_ACTIONS = {0: "off", 4: "abort", 8: "stop"}
-# Bit of LN and LF: the enable bit of the status word.
+# From bits of LN and LF to the enable bits of the status word.
 _ENABLE_BITS = {
     HARD_PLUS: flags.HARD_PLUS_ENABLED,
     HARD_MINUS: flags.HARD_MINUS_ENABLED,
     SOFT_HIGH: flags.SOFT_HIGH_ENABLED,
     SOFT_LOW: flags.SOFT_LOW_ENABLED,
 }
-# Bit of the controller's faults: the bit of the status word.
+# From bits of the controller's faults to bits of the status word.
 _FAULT_BITS = {
     LIMIT_FORWARD: flags.HARD_PLUS_TRIPPED,
     LIMIT_REVERSE: flags.HARD_MINUS_TRIPPED,
@@ -63,17 +63,17 @@ class Limits:
         self.disable(ALL)
 
     def set_mode(self, mode: int) -> None:
-        """LM: what a tripped limit does."""
+        """Set the effect of a tripped limit (LM)."""
         self._axis.limit_mode = mode
         for limit in self._hard.values():
             limit.action = _HARD_ACTIONS.get(mode & 3, "stop")
         for limit in self._soft.values():
             limit.action = _SOFT_ACTIONS.get(mode & 12, "stop")
-        for name in SWITCHES:  # which it may have inverted
+        for name in SWITCHES:  # LM may have inverted them
             self.look_at(name)
 
     def enable(self, which: int) -> None:
-        """LN: `which` holds bits of limits."""
+        """Enable limits by their bits in `which` (LN)."""
         for bit, shown in _ENABLE_BITS.items():
             if which & bit:
                 self._axis.flags |= shown
@@ -81,7 +81,7 @@ class Limits:
         self.place_soft()
 
     def disable(self, which: int) -> None:
-        """LF: `which` holds bits of limits."""
+        """Disable limits by their bits in `which` (LF)."""
         for bit, shown in _ENABLE_BITS.items():
             if which & bit:
                 self._axis.flags &= ~shown
@@ -89,18 +89,18 @@ class Limits:
         self.place_soft()
 
     def place_soft(self) -> None:
-        """Put the soft limits where HL and LL say, as far as they are enabled."""
+        """Set the enabled soft limits at the positions of HL and LL."""
         axis = self._axis
         for bit, position in ((SOFT_HIGH, axis.soft_high), (SOFT_LOW, axis.soft_low)):
             limit = self._soft[bit]
             limit.place(position if limit.enabled else None)
 
     def watch_amplifier(self, on: bool) -> None:
-        """FN and FF: whether the amplifier-fault input switches the motor off."""
+        """Let the amplifier-fault input switch the motor off, or not (FN, FF)."""
         self._amplifier.enabled = on
 
     def look_at(self, name: str) -> None:
-        """One of the axis's inputs has another level, or means something else by it."""
+        """Update the limits after an input has changed its level or its meaning."""
         active = is_channel_active(self._board, self._axis, name)
         if name == "limit_plus":
             self._hard[HARD_PLUS].set_active(active)
@@ -110,7 +110,7 @@ class Limits:
             self._amplifier.set_active(active)
 
     def happened(self) -> None:
-        """The controller has raised a fault on the axis: show it in the status word."""
+        """Show a fault that the controller has raised in the status word."""
         axis, faults = self._axis, self._board.controller.faults(self._axis.number)
         for bit, shown in _FAULT_BITS.items():
             if faults & bit:
@@ -121,7 +121,7 @@ class Limits:
         return self._hard[bit] if bit in self._hard else self._soft[bit]
 
     def _switch(self, sign: int, bit: int) -> Limit:
-        """The switch that the machine has, or one that only the channel trips."""
+        """Return the machine's own switch, or make one that only the channel trips."""
         for limit in self._board.controller.axes[self._axis.number].limits:
             if limit.physical and limit.bit == bit:
                 return limit
@@ -133,7 +133,7 @@ class Limits:
 
 
 class Inputs:
-    """Has the limits of every axis look at a channel of theirs that has changed."""
+    """Updates the limits of an axis after one of its channels has changed."""
 
     def __init__(self, board: Board) -> None:
         self._board = board
@@ -141,7 +141,7 @@ class Inputs:
         board.controller.inputs.listeners.append(lambda channel, value: self.look_at(channel))
 
     def look_at(self, channel: int) -> None:
-        """A channel has another level, or another polarity."""
+        """Update after a channel has changed its level or its polarity."""
         found = self._names.get(channel)
         if found is None:
             return

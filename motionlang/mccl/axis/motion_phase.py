@@ -1,4 +1,4 @@
-"""What can be read off the motion under way: its phase, when it turns, when it came near its end."""
+"""Queries on the current motion: its phase, next reversal, nearness to the end."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ INFINITY = float("inf")
 
 
 def phase(controller: Controller, axis: int) -> tuple[str, float]:
-    """The name of the present phase of motion, and when it ends."""
+    """Return the name of the current phase of motion, and its end time."""
     a, now = controller.axes[axis], controller.clock.now
     profile, start = a.profiles[-1], a.starts[-1]
     end = start
@@ -23,7 +23,10 @@ def phase(controller: Controller, axis: int) -> tuple[str, float]:
 
 
 def next_turn(controller: Controller, axis: int) -> float:
-    """The earliest time at which the velocity may change its sign: a turn is always at a knot."""
+    """Return the earliest time at which the velocity may change its sign.
+
+    A reversal is always at a knot.
+    """
     a, now = controller.axes[axis], controller.clock.now
     start = a.starts[-1]
     for knot in a.profiles[-1].knots:
@@ -33,7 +36,7 @@ def next_turn(controller: Controller, axis: int) -> float:
 
 
 def heading(controller: Controller, axis: int) -> int:
-    """+1 or -1: the direction in which the axis moves, or moved last."""
+    """Return the direction of the current or last motion, +1 or -1."""
     velocity = controller.demand_velocity(axis)
     if velocity:
         return 1 if velocity > 0 else -1
@@ -44,7 +47,10 @@ def heading(controller: Controller, axis: int) -> int:
 
 
 def band_entry(controller: Controller, axis: int, band: float) -> float:
-    """When the motion under way comes within `band` of its target: past or to come; infinite if never."""
+    """Return when the current motion comes within `band` of its target.
+
+    The time may be past; it is infinite if this never happens.
+    """
     a = controller.axes[axis]
     profile, start = a.profiles[-1], a.starts[-1]
     target = controller.target(axis)
@@ -58,12 +64,15 @@ def band_entry(controller: Controller, axis: int, band: float) -> float:
 
 
 def at_target_time(controller: Controller, axis: AxisState) -> float:
-    """When the axis is, was or will be at target if nothing else happens: within DB of it for DT."""
+    """Return when the axis was or will be at target, if nothing else happens.
+
+    At target means within DB of it for DT.
+    """
     number = axis.number
     if controller.axes[number].feedback is not None:
         return controller.settled_time(number)
     if controller.stands(number):
-        # A slave stands since its master does.
+        # A slave is at rest from the moment its master is.
         since = axis.rested if controller.is_idle(number) else controller.axes[number].starts[-1]
         return since + axis.deadband_delay
     if axis.deadband <= 0.0:

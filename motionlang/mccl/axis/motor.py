@@ -1,4 +1,7 @@
-"""The simulated motor of an axis, where the machine file gives it one: its gains, its limits, torque mode."""
+"""The simulated motor of an axis: gains, limits and torque mode.
+
+Only axes with a motor in the machine file have one.
+"""
 
 from __future__ import annotations
 
@@ -11,19 +14,19 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.board import Board
 
 INFINITY = float("inf")
-# The gain of the loop's rate, which three commands set.
+# The setting of the loop's rate, which three commands set.
 _RATE = "kept_rate"
-# What an output stage has without its loop.
+# The settings of an output stage without its loop.
 _STAGE = ("proportional", "output_limit", "output_deadband", "output_offset", "reversed")
-# Counts of following error beyond which an axis trips while the program says nothing else; SE.
+# The default of SE: counts of following error beyond which an axis trips.
 ERROR_LIMIT = 1024.0
-# A deadband below this, counts, is the one count that an encoder can tell.
+# A deadband below this, counts, is taken as the one count that an encoder resolves.
 _COUNT = 0.5
 FULL_OUTPUT = 10.0
 
 
 def power_up(board: Board, axis: AxisState) -> None:
-    """Settings as at power-up."""
+    """Apply the settings at power-up."""
     number, controller = axis.number, board.controller
     if controller.axes[number].feedback is None:
         return
@@ -34,7 +37,7 @@ def power_up(board: Board, axis: AxisState) -> None:
 
 
 def tune(board: Board, axis: AxisState) -> None:
-    """The gains that the program has set are the loop's from now on."""
+    """Apply the gains that the program has set to the loop."""
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is None:
         return
@@ -52,31 +55,31 @@ def tune(board: Board, axis: AxisState) -> None:
 
 
 def limit_error(board: Board, axis: AxisState) -> None:
-    """SE: the following error beyond which the motor is switched off, counts; 0 means no check."""
+    """Set the following error, counts, that switches the motor off; 0 means none (SE)."""
     limit = axis.kept.get("kept_error_limit", ERROR_LIMIT)
     board.controller.set_error_limit(axis.number, limit or INFINITY)
 
 
 def settle(board: Board, axis: AxisState) -> None:
-    """DB and DT: how near its target, and for how long, a motor must be."""
+    """Set how near its target, and for how long, a motor must be (DB, DT)."""
     error = max(axis.deadband, _COUNT)
     board.controller.settle_within(axis.number, error, INFINITY, axis.deadband_delay, True)
 
 
 def drive(board: Board, axis: AxisState) -> None:
-    """Torque mode: SQ is the output, in the direction of DI."""
+    """Set the output SQ, in the direction of DI (torque mode)."""
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is not None and controller.is_enabled(number):
         controller.open_loop(number, axis.direction * _largest_output(axis))
 
 
 def _largest_output(axis: AxisState) -> float:
-    """SQ as far as there is output, volts."""
+    """Return SQ in volts, limited to the full output."""
     return min(axis.kept.get("kept_torque", FULL_OUTPUT), FULL_OUTPUT)
 
 
 def changed_mode(board: Board, axis: AxisState, before: str) -> None:
-    """The axis has another mode than `before`."""
+    """Update the loop after a change of mode; `before` is the old mode."""
     if board.controller.axes[axis.number].feedback is None or axis.mode == before:
         return
     if before == TORQUE and board.controller.is_enabled(axis.number):

@@ -1,7 +1,7 @@
-"""The status words: which bit means what, and how each is found.
+"""The status words: the meaning of each bit and its computation.
 
-Word 0 has the flags of MCAPI's MC_STAT list by their numbers, 0 to 30. The flags above 30 stand in the auxiliary,
-profile and mode words of a MultiFlex; where they stand in them is our choice (docs/fidelity.md).
+Word 0 has the flags of MCAPI's MC_STAT list by their numbers, 0 to 30. The flags above 30 are in the
+auxiliary, profile and mode words of a MultiFlex. Their bits there are our choice (docs/fidelity.md).
 """
 
 from __future__ import annotations
@@ -44,7 +44,10 @@ INDEX_FOUND, EDGE_FOUND = 1 << 15, 1 << 18
 
 
 def word(board: Board, axis: AxisState, which: int) -> tuple[int, float]:
-    """A status word, and the time until which it stays if no event and no command comes between."""
+    """Return a status word, and the time until which it is valid.
+
+    The time holds if no event and no command comes before.
+    """
     if which == 0:
         return _primary(board, axis)
     if not board.model.words:

@@ -1,7 +1,7 @@
-"""The variables of an axis that a program can look up by name, and read and write by address.
+"""Variables of an axis: a program looks up names and reads and writes addresses.
 
-The names are ours where no source gives them (docs/fidelity.md); the addresses are ours throughout, and an address of
-one board is none of another's: programs look them up.
+The names are ours unless a source gives them (docs/fidelity.md). The addresses are all ours. They differ
+between real boards, so programs look them up.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-    # The value, and the time until which it stays without an event to tell of a change.
+    # The value, and the time until which it is valid without a notifying event.
     Reading = Callable[[Board, AxisState], tuple[float | int, float]]
     Writing = Callable[[Board, AxisState, float], None]
 
@@ -63,7 +63,7 @@ def _segments(board: Board, axis: AxisState) -> tuple[float, float]:
 
 
 def _moving(board: Board, axis: AxisState, value: float) -> tuple[float, float]:
-    """A value that changes as long as the axis moves."""
+    """Return a value that changes while the axis moves, with its validity."""
     controller = board.controller
     return value, INFINITY if controller.is_still(axis.number) else controller.clock.now
 
@@ -84,12 +84,12 @@ _READINGS: dict[str, Reading] = {
 
 
 def _setting(name: str) -> Reading:
-    """A setting of the motion, counts and seconds."""
+    """Return the reader of a motion setting, in counts and seconds."""
     return lambda board, axis: (float(board.controller.setting(axis.number, name) or 0.0), INFINITY)
 
 
 def _of(name: str) -> Reading:
-    """What the board keeps of the axis."""
+    """Return the reader of an attribute of the axis state."""
     return lambda board, axis: (float(getattr(axis, name)), INFINITY)
 
 
@@ -164,7 +164,10 @@ _BY_ADDRESS = {NAMES[name]: reading for name, reading in _READINGS.items()}
 
 
 def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> float:
-    """When the variable at an address will next be `level`, counts; now where it cannot be told."""
+    """Return when the variable at an address will next be `level`, counts.
+
+    Returns the current time if this is unknown.
+    """
     controller, number = board.controller, axis.number
     if address == NAMES["AUXPOSITION"]:
         return controller.encoder_crossing_time(AUXILIARY + number, level + axis.aux_zero)
@@ -175,7 +178,7 @@ def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> 
     return controller.clock.now
 
 
-# What may be written, and how; the rest is told only.
+# The variables that can be written, with their writers; all others are read-only.
 _WRITINGS: dict[str, Writing] = {
     "POSITION": _write_position,
     "SPEED": _write_setting("speed"),
@@ -192,7 +195,10 @@ _SIGNED = frozenset({"POSITION", "HIGHLIMIT", "LOWLIMIT", "AUXPOSITION"})
 
 
 def write(board: Board, axis: AxisState, address: int, value: float) -> None:
-    """Give the variable at an address a value, counts and seconds; it acts as that of its command does."""
+    """Write the variable at an address, in counts and seconds.
+
+    The effect is that of the corresponding command.
+    """
     name = next((each for each, place in NAMES.items() if place == address), "")
     writing = _WRITINGS.get(name)
     if writing is None:
@@ -205,7 +211,10 @@ def write(board: Board, axis: AxisState, address: int, value: float) -> None:
 
 
 def read(board: Board, axis: AxisState, address: int) -> tuple[float | int, float]:
-    """The variable at an address, and the time until which it is sure to stay; positions and speeds in counts."""
+    """Return the variable at an address, and the time until which it is valid.
+
+    Positions and speeds are in counts.
+    """
     reading = _BY_ADDRESS.get(address)
     if reading is None:
         raise Fault(

@@ -1,4 +1,7 @@
-"""Volts: analogue channels of the controller are percent of full scale, on PMC boards full scale is 10 V."""
+"""Conversion between volts and analogue channels, which are percent of full scale.
+
+Full scale is 10 V on PMC boards.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,10 @@ PERCENT_PER_VOLT = 10.0
 
 
 def volts(percent: float) -> float:
-    """A channel's value in volts."""
+    """Convert a channel's value to volts."""
     return percent / PERCENT_PER_VOLT
 
 
 def percent(value: float) -> float:
-    """Volts as a channel's value; an output ends at 10 V either way."""
+    """Convert volts to a channel's value, clamped to ±10 V."""
     return max(-100.0, min(100.0, value * PERCENT_PER_VOLT))

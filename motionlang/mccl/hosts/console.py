@@ -1,10 +1,12 @@
-"""A board with its ports: what a server feeds and lets run, in real time or only as far as the hosts wait.
+r"""A board with its ports, which a server feeds and runs.
 
-console = Console(Machine(first_axis=1))
-port = console.open()
-port.feed(b"1MN,1MR1000,1WS,1TP\\r")
-console.settle()
-port.take()                             # b">01 1000\\n>"
+It runs in real time, or only while hosts wait.
+
+    console = Console(Machine(first_axis=1))
+    port = console.open()
+    port.feed(b"1MN,1MR1000,1WS,1TP\r")
+    console.settle()
+    port.take()        # b">01 1000\n>"
 """
 
 from __future__ import annotations
@@ -29,17 +31,18 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 INFINITY = float("inf")
-# Moves, profiles and changes that a board that is served for days remembers.
+# The number of moves, profiles and changes that a served board stores, because it may run for days.
 MEMORY = 1000
-# Of how many requests one has it look for what can be forgotten: looking costs as much as a request.
+# History is trimmed once in this many requests, because the search costs as much as a request.
 SELDOM = 50
 
 
 class Console:
     """One board for any number of hosts.
 
-    `run(until)` lets machine time pass to `until`, whatever the hosts do: for a server on the wall clock. `settle()`
-    lets it pass until no port is busy: for tests and for servers in lock step, where time stands still between lines.
+    `run(until)` lets machine time pass to `until`, whatever the hosts do. It is for a server in real time.
+    `settle()` lets it pass until no port is busy. It is for tests and for servers in lock step, in which time
+    stops between lines.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -58,11 +61,11 @@ class Console:
 
     @property
     def working(self) -> bool:
-        """Whether a port is carrying out a line, or a file is being downloaded."""
+        """True if a port is carrying out a line, or a file is being downloaded."""
         return any(port.working for port in self.ports) or any(not each.done for each in self._downloads)
 
     def open(self, echo: bool | None = None) -> Port:
-        """A port for a further host. `echo` None leaves the echo as the model has it."""
+        """Open a port for another host; `echo` None leaves the echo to the model."""
         port = Port(self.board, echo)
         self.ports.append(port)
         self.board.join(port.task)
@@ -70,7 +73,10 @@ class Console:
         return port
 
     def close(self, port: Port) -> None:
-        """The host is gone, perhaps in mid-line: its line is abandoned; motion and background tasks go on."""
+        """Close the port of a host that is gone.
+
+        An unfinished line is abandoned; motion and background tasks continue.
+        """
         if port in self.ports:
             self.ports.remove(port)
             port.close()
@@ -78,14 +84,14 @@ class Console:
                 self._scheduler.tasks.remove(port.task)
 
     def download(self, source: Source, write: Write, complain: Complain) -> Download:
-        """Carry out the lines of a file, one after the other; motion and background tasks outlive it."""
+        """Carry out the lines of a file; motion and background tasks outlive it."""
         task = Download(source, self.board, write, complain)
         self._downloads = [each for each in self._downloads if not each.done] + [task]
         self._scheduler.start(task)
         return task
 
     def drop_broken(self, error: Exception) -> None:
-        """An error of the interpreter itself: the line that it happened in is abandoned, the board lives on."""
+        """Abandon the line in which an internal error happened; the board continues."""
         task = self._scheduler.current
         frames = [frame.f_code.co_name for frame, _ in walk_tb(error.__traceback__)]
         by_itself = "advance" in frames and "resume" not in frames
@@ -102,16 +108,20 @@ class Console:
         self._forget()
 
     def settle(self, limit: float = INFINITY) -> bool:
-        """Let time pass until no port is busy; False when that can never be, or not by the time `limit`.
+        """Let time pass until no port is busy.
 
-        A port that waits for its host, for a key or to be read, counts as not busy.
+        Returns False if that never happens, or not by the time `limit`. A port that waits for its host, for a
+        key or to be read, counts as not busy.
         """
         reached = self._pass(limit, lambda: not self.working)
         self._forget()
         return reached
 
     def _pass(self, limit: float, enough: Callable[[], bool]) -> bool:
-        """Let time pass until it is enough; what an event is refused, long after its command, is a mere error code."""
+        """Let time pass until `enough` holds.
+
+        If an action of an event is rejected, long after its command, that only sets an error code.
+        """
         self._gate.open_at(enough)
         while True:
             try:
@@ -122,7 +132,10 @@ class Console:
                 self.board.last_error = codes.PARAMETER
 
     def next_time(self) -> float:
-        """When something will next happen by itself; a server need not look at the board before. 0: at once."""
+        """Return when something will next happen without input; 0 means at once.
+
+        A server need not poll the board before that.
+        """
         time = self.machine.controller.clock.next_time()
         for task in self._scheduler.tasks:
             if task is not self._gate:
@@ -132,21 +145,21 @@ class Console:
         return time
 
     def _forget(self) -> None:
-        """Drop history that nobody will ask for, now and then: a served board may run for days."""
+        """Trim unused history now and then, because a served board may run for days."""
         self._passes += 1
         if self._passes % SELDOM == 0:
             self.machine.controller.forget_history(MEMORY)
 
 
 class _Gate(Task):
-    """The scheduler's parent task: it ends a run when its condition holds, and otherwise does nothing."""
+    """The scheduler's parent task, which only ends a run when its condition holds."""
 
     def __init__(self, console: Console) -> None:
         super().__init__("console")
         self._console = console
 
     def open_at(self, ready: Callable[[], bool]) -> None:
-        """End the next run when `ready` says so."""
+        """End the next run as soon as `ready` is true."""
         self.done = False
         self.wait = Wait(self._console.now, ready, lambda: INFINITY, "for the hosts", "host")
 

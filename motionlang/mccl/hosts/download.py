@@ -1,4 +1,7 @@
-"""A file sent to a board that hosts are connected to: its lines one after the other, its answers to whoever sent it."""
+"""A file sent to a board with connected hosts.
+
+Its lines run one after the other, and its answers go to the sender.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,10 @@ if TYPE_CHECKING:
 
 
 class Download(FileTask):
-    """Done with the last line. `complain` is told of every command that was refused, with its place in the file."""
+    """The task of a download, which is done with the last line.
+
+    `complain` is called for every rejected command, with its position in the file.
+    """
 
     def __init__(self, source: Source, board: Board, write: Write, complain: Complain) -> None:
         others = list(board.tasks)
@@ -36,7 +42,7 @@ class Download(FileTask):
             self._complain(diagnostic)
 
     def _rest(self, now: float) -> Wait | None:
-        """Background tasks that the file has started go on without it."""
+        """End the download; the background tasks that the file has started continue."""
         self.board.complain = None
         self.board.ended(self)
         self.done = True

@@ -1,9 +1,9 @@
-"""A port: where a host's characters go in and the board's come out, as at the board's ASCII interface.
+"""A port: a host's characters in, the board's out, like its ASCII interface.
 
-Characters of a line are taken while the port is idle. While a line is being carried out they wait, except for the
-control characters: ESC abandons the line (?-7), a blank pauses and goes on again, Ctrl-B single-steps. A blank behind
-characters that wait is one of a line that was sent ahead, and waits with it. Every line is answered with at least one
-line, then the prompt.
+The port accepts the characters of a line while it is idle. While it carries out a line they wait, except the
+control characters: ESC abandons the line (?-7), a blank pauses or resumes it, Ctrl-B single-steps. A blank
+behind characters that wait belongs to a line that was sent ahead, and waits with it. Every line is answered
+with at least one line, then the prompt.
 """
 
 from __future__ import annotations
@@ -22,20 +22,20 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 CTRL_B, BACKSPACE, LF, CR, ESC, BLANK, DELETE = 2, 8, 10, 13, 27, 32, 127
-# Characters that wait while the port is busy, and characters that a host may leave unread.
+# Limits of the characters that wait while the port is busy, and of those that a host leaves unread.
 MOST_WAITING = 4096
 MOST_UNREAD = 65536
-# What one command may still add to them (TM-1 lists every macro). Beyond it answers are lost: only background tasks,
-# which nothing holds, and an echo that nobody reads come so far.
+# The limit of both with the output of one more command (TM-1 lists every macro). Beyond it answers are lost.
+# Only background tasks, which nothing suspends, and an echo that is never read reach it.
 MOST_KEPT = 8 * MOST_UNREAD
 
 
 class Port:
-    """One host's connection. `feed` takes characters, `take` gives what the board has to say, `busy` says whether it
-    is carrying out a line.
+    """One host's connection.
 
-    `echo` True sends back what comes in, as boards with a terminal do, False never does (a host that sends whole
-    lines does not want it), None leaves it to the model.
+    `feed` takes characters, `take` returns the board's output, and `busy` is true while a line is carried
+    out. `echo` True sends back all input, like boards with a terminal. False never does, for hosts that send
+    whole lines. None leaves it to the model.
     """
 
     def __init__(self, board: Board, echo: bool | None = None) -> None:
@@ -49,40 +49,46 @@ class Port:
         self._out = bytearray()
         self._held = False
         self._after_cr = self._closed = False
-        # Whether the end of the line being carried out has been echoed.
+        # True if the end of the current line has been echoed.
         self._ended = False
         self.task = PortTask(board, self)
         self._prompt()
 
     @property
     def busy(self) -> bool:
-        """Whether a line is being carried out."""
+        """True while a line is carried out."""
         return self.task.occupied
 
     @property
     def waiting(self) -> Wait | None:
-        """What the line being carried out waits for."""
+        """The wait of the line that is carried out, if it has one."""
         return self.task.wait if self.working else None
 
     @property
     def working(self) -> bool:
-        """Whether it is carrying out a line that goes on without the host: no key, no reading of what was said."""
+        """True while a line is carried out without need of the host.
+
+        A line that waits for a key, or for its output to be read, needs the host.
+        """
         return self.task.occupied and not self.task.held
 
     @property
     def full(self) -> bool:
-        """Whether the host leaves so much unread that the board holds its commands."""
+        """True if the host leaves so much unread that the board suspends its commands."""
         return len(self._out) >= MOST_UNREAD
 
     def feed(self, data: bytes) -> int:
-        """Take characters; how many were taken. The rest has to come again when the port is idle."""
+        """Accept characters and return how many.
+
+        The rest must be sent again when the port is idle.
+        """
         for count, code in enumerate(data):
             if not self._take_in(code):
                 return count
         return len(data)
 
     def take(self) -> bytes:
-        """What the board has sent since the last call; nothing while XOFF holds it."""
+        """Return the output since the last call; nothing while XOFF is in force."""
         if self._held:
             return b""
         sent = bytes(self._out)
@@ -90,7 +96,10 @@ class Port:
         return sent
 
     def close(self) -> None:
-        """The host is gone: the line is abandoned, motion and background tasks go on and tell nobody."""
+        """Disconnect the host: abandon its line and discard all output.
+
+        Motion and background tasks continue without output.
+        """
         self._closed = True
         self._out.clear()
         self._waiting.clear()
@@ -99,7 +108,7 @@ class Port:
     # ----------------------------------------------------------------------------------------- for the task
 
     def send(self, text: str) -> None:
-        """Send text, its line ends as the model has them."""
+        """Send text with the line ends of the model."""
         if self._closed or len(self._out) >= MOST_KEPT:
             return
         if self.board.model.line_end != "\n":
@@ -107,13 +116,13 @@ class Port:
         self._out += text.encode("latin-1", "replace")
 
     def line_done(self, answered: bool) -> None:
-        """A line has been carried out: at least one line of answer, then the prompt, then what has been waiting."""
+        """End a line: send at least one line of answer, then the prompt."""
         if not answered and not self._ended:
             self.send("\n")
         self._prompt()
 
     def go_on(self) -> None:
-        """Take the characters that have been waiting, as far as the port stays idle."""
+        """Process the waiting characters as long as the port stays idle."""
         while self._waiting and not self.busy:
             self._idle(self._waiting.pop(0))
 
@@ -143,7 +152,7 @@ class Port:
         return True
 
     def _flow(self, code: int) -> bool:
-        """XON and XOFF."""
+        """Process XON and XOFF."""
         board = self.board
         if code and code == board.xoff:
             self._held = True
@@ -166,7 +175,7 @@ class Port:
             self._prompt()
 
     def _idle(self, code: int) -> None:
-        """A character of a line."""
+        """Process a character of a line."""
         after_cr, self._after_cr = self._after_cr, code == CR
         if code in (CR, LF):
             if not (code == LF and after_cr):
@@ -183,7 +192,7 @@ class Port:
             self._echo(chr(code))
 
     def _enter(self) -> None:
-        """The line is complete."""
+        """Process the end of a line."""
         self._ended = self._echoes and self.board.echo
         self._echo("\n")
         text, dropped = self._typed.decode("latin-1"), self._dropped
@@ -200,7 +209,7 @@ class Port:
 
 
 class PortTask(CommandTask):
-    """Carries out the lines of one port; between them it waits for the next."""
+    """Carries out the lines of one port and waits between them."""
 
     def __init__(self, board: Board, port: Port) -> None:
         super().__init__("port", board)
@@ -226,7 +235,10 @@ class PortTask(CommandTask):
             self._fault = fault
 
     def cancel(self) -> None:
-        """ESC: abandon the line, in a wait too. Motion goes on; ST or AB end it."""
+        """Abandon the line, including a wait (ESC).
+
+        Motion continues; ST or AB end it.
+        """
         self.board.last_error = codes.CANCELLED
         self.abandon()
         self._line = None
@@ -235,24 +247,24 @@ class PortTask(CommandTask):
         self.reply(f"?{codes.CANCELLED}")
 
     def pause(self) -> None:
-        """A blank: hold the next command, or go on."""
+        """Suspend the next command, or resume (a blank)."""
         self.paused = not self.paused
 
     def set_stepping(self, on: bool) -> None:
-        """Ctrl-B: carry out one command a key."""
+        """Switch single-stepping, one command per key, on or off (Ctrl-B)."""
         self.stepping, self._granted = on, False
 
     def step(self) -> None:
-        """A key: carry out one command."""
+        """Carry out one command (a key)."""
         self._granted = True
 
     @property
     def held(self) -> bool:
-        """Whether the next command waits for the host: for a key, or for it to read."""
+        """True if the next command waits for the host to send a key or to read."""
         return self._holds and not self._may_go_on()
 
     def hang_up(self) -> None:
-        """The host is gone: its line is abandoned, motion and background tasks go on."""
+        """Disconnect the host: abandon its line; motion and background tasks continue."""
         self.abandon()
         self.board.ended(self)
         self.occupied, self.done, self.wait = False, True, None

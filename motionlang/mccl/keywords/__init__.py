@@ -1,8 +1,9 @@
-"""The vocabulary of MCCL: one row a mnemonic, a file a subject, and nothing that knows a mnemonic elsewhere.
+"""The vocabulary of MCCL: one row per mnemonic, one file per subject.
 
-In the rows of MCCL `index` says what the number in front of a command means: "axes", one axis, or all of them when
-there is none; "axis", one axis that must be named; "none", nothing. `access` "C" takes no parameter, "W" takes one (0
-when it is left out), "R" reports. The function that carries a command out is called with the task and the `Command`.
+No other package contains a mnemonic. In the rows of MCCL `index` is the meaning of the number in front of a
+command. "axes" is one axis, or all of them if there is no number. "axis" is one axis, which is required.
+"none" is no number. `access` "C" takes no parameter, "W" takes one (0 if it is omitted), "R" reports. The
+function of a command is called with the task and the `Command`.
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ _tuning: tuple[Keyword, ...] = ()
 
 
 def table() -> Vocabulary:
-    """All commands of MCCL."""
-    global _vocabulary  # noqa: PLW0603 - one vocabulary a process
+    """Return all commands of MCCL."""
+    global _vocabulary  # noqa: PLW0603 - one vocabulary per process
     if _vocabulary is None:
         from motionlang.lang.vocabulary import Vocabulary
         from motionlang.mccl.keywords.index import FILES
@@ -36,7 +37,7 @@ def table() -> Vocabulary:
 
 
 def tuning() -> tuple[Keyword, ...]:
-    """The commands that set a quantity of the servo loop."""
+    """Return the commands that set a quantity of the servo loop."""
     global _tuning  # noqa: PLW0603 - as often as a gain is set
     if not _tuning:
         _tuning = tuple(row for row in table() if row.tunes)
@@ -44,5 +45,5 @@ def tuning() -> tuple[Keyword, ...]:
 
 
 def of_families(families: Collection[str]) -> frozenset[str]:
-    """The commands of some families."""
+    """Return the commands of some families."""
     return frozenset(row.name for row in table() if row.family in families) if families else frozenset()

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 
 def contour_mode(task: CommandTask, command: Command) -> None:
-    """CM: the axis joins the contour of axis n. Fault while it moves, has a master, or belongs to another contour."""
+    """Let the axis join the contour of axis n (CM).
+
+    Raises Fault while it moves, has a master, or belongs to another contour.
+    """
     axis, number = task.axis(command), task.whole(command)
     task.board.axis(number)
     check_unslaved(task, axis)
@@ -36,7 +39,10 @@ def contour_mode(task: CommandTask, command: Command) -> None:
 
 
 def path(task: CommandTask, command: Command) -> None:
-    """CP: begin a path of kind n on the contour's axes; the commands that follow describe it."""
+    """Begin a path of kind n on the contour's axes (CP).
+
+    The commands that follow describe it.
+    """
     axis = task.axis(command)
     if axis.mode != CONTOUR or axis.controlling != axis.number:
         raise Fault(
@@ -64,7 +70,10 @@ def vector_decel(task: CommandTask, command: Command) -> None:
 
 
 def override(task: CommandTask, command: Command) -> None:
-    """Multiplies the vector velocity, also of the path under way; 0 would hold it for ever and is refused."""
+    """Multiply the vector velocity, including that of the current path.
+
+    Raises Fault for 0, which would suspend the path for ever.
+    """
     value = float(task.value(command)) if task.given(command) else 1.0
     if value == 0.0:
         raise Fault(codes.PARAMETER, "VO0 would hold the path for ever", "ST stops it", "zero-speed")

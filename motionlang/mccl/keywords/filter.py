@@ -1,4 +1,7 @@
-"""Setting up the servo loop. Without a simulated motor the values are kept and reported; motion is ideal."""
+"""Servo loop settings.
+
+Without a simulated motor the values are stored and reported, and motion is ideal.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def _keep(verb: str) -> Action:
-    """An action that keeps the value under the name of its verb."""
+    """Return an action that stores the value under the name of its verb."""
 
     def keep(task: CommandTask, command: Command) -> None:
         value = float(task.value(command))

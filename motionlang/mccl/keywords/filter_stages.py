@@ -1,4 +1,7 @@
-"""Loop rate, output stage and encoder of an axis: kept, told by the status words and the variables."""
+"""Loop rate, output stage and encoder of an axis.
+
+The settings are stored, and shown in the status words and the variables.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
 
-# MCAPI's output modes: what they are, and whether a simulated motor has them.
+# MCAPI's output modes: the name of each, and whether a simulated motor has it.
 OUTPUT_MODES: dict[int, tuple[str, bool]] = {
     0: ("bipolar; a stepper: pulse and direction", True),
     1: ("unipolar; a stepper: clockwise and counterclockwise pulses", False),
@@ -27,7 +30,10 @@ FULL, HALF = 1.0, 0.5
 
 
 def output_mode(task: CommandTask, command: Command) -> None:
-    """OM: how the amplifier is driven; a simulated motor stays bipolar, which is said."""
+    """Set how the amplifier is driven (OM).
+
+    A simulated motor stays bipolar, with a warning.
+    """
     mode = task.whole(command)
     if mode not in OUTPUT_MODES:
         modes = ", ".join(map(str, OUTPUT_MODES))
@@ -57,7 +63,10 @@ def _keep_parameter(name: str) -> Action:
 
 
 def _rate(hertz: float) -> Action:
-    """A rate of the servo loop: a simulated motor has it at once; profiles are exact and have none."""
+    """Return an action that sets the rate of the servo loop.
+
+    A simulated motor changes its rate at once. Profiles are exact and have no rate.
+    """
 
     def switch(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):

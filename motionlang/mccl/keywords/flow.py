@@ -1,6 +1,7 @@
-"""Repeating, jumping and deciding inside a line.
+"""Repetition, jumps and conditions inside a line.
 
-The rule of every `I.` command: when the condition holds the next command is carried out, else two are skipped.
+Every `I.` command has the same rule: if the condition holds, the next command is carried out, and if not, two
+are skipped.
 """
 
 from __future__ import annotations
@@ -23,7 +24,10 @@ if TYPE_CHECKING:
 
 @pure
 def repeat(task: CommandTask, command: Command) -> Wait | None:
-    """Carry out the line up to here n more times; for ever without n, or with 0."""
+    """Carry out the line up to here n more times (RP).
+
+    Without n, or with 0, it repeats for ever.
+    """
     count = task.whole(command)
     if count < 0:
         raise Fault(
@@ -67,7 +71,7 @@ def nothing(task: CommandTask, command: Command) -> None:
 
 
 def skip(task: CommandTask) -> None:
-    """A condition has failed: what it governs is not carried out."""
+    """Skip the commands that a false condition governs."""
     task.pc += task.board.readings.get("mccl.skipped", 2)  # type: ignore[operator]
 
 

@@ -1,4 +1,7 @@
-"""Waits: for a time, for axes to stop, for a position. Each ends at its exact time, nothing is polled."""
+"""Waits for a time, for axes to stop, for a position.
+
+Each ends at its exact time, without polling.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,7 @@ def wait(task: CommandTask, command: Command) -> Wait | None:
 
 
 def wait_stop(task: CommandTask, command: Command) -> Wait | None:
-    """Until the trajectory is complete, then the time."""
+    """Wait until the trajectory is complete, then for the given time."""
     controller = task.board.controller
     now = controller.clock.now
     axes = [axis.number for axis in task.axes(command)]
@@ -38,7 +41,10 @@ def wait_stop(task: CommandTask, command: Command) -> Wait | None:
 
 
 def wait_target(task: CommandTask, command: Command) -> Wait | None:
-    """Until each axis has been within DB of its target for DT, then the time."""
+    """Wait until each axis has been within DB of its target for DT.
+
+    Then wait for the given time.
+    """
     axes = list(task.axes(command))
     return _next_target(task, command, axes, task.board.controller.clock.now)
 
@@ -55,7 +61,10 @@ def wait_relative(task: CommandTask, command: Command) -> Wait | None:
 
 
 def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
-    """Wait until the axis reaches or passes a position, counts; the breakpoint bit shows it."""
+    """Wait until the axis reaches or passes a position, counts.
+
+    The breakpoint bit shows it.
+    """
     controller, number = board.controller, axis.number
     axis.breakpoint, axis.breakpoint_reached = position, False
     margin = _REACHED + 1e-12 * abs(position)
@@ -63,7 +72,7 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
 
     def ready() -> bool:
         reached = (position - controller.position(number)) * side <= margin
-        # Where time is too coarse for the position, the moment itself decides.
+        # If time is too coarse for the position, the crossing time decides.
         reached = reached or controller.crossing_time(number, position) <= controller.clock.now
         axis.breakpoint_reached = axis.breakpoint_reached or reached
         return reached
@@ -82,7 +91,7 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
 
 
 def passing_flag(board: Board, ready: Callable[[], bool], why: str) -> Wait:
-    """Wait for something that an event makes true."""
+    """Wait for a condition that an event makes true."""
     return Wait(board.controller.clock.now, ready, lambda: INFINITY, why)
 
 
@@ -134,7 +143,7 @@ def break_after(task: CommandTask, command: Command) -> None:
 
 
 def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
-    """Status bit 10 comes on at the moment the axis passes the position; nothing waits."""
+    """Set status bit 10 when the axis passes the position, without a wait."""
     controller, number = board.controller, axis.number
     old = board.breakpoints.pop(number, None)
     if old is not None:

@@ -1,4 +1,7 @@
-"""Digital and analogue channels, in terms of logic: a low-true channel is on when its level is low."""
+"""Digital and analogue channels.
+
+Digital ones are logical: a low-true channel is on if its level is low.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,10 @@ INFINITY = float("inf")
 
 
 def is_on(board: Board, channel: int) -> bool:
-    """Whether a channel is on: an output as it was set, an input as the world has it."""
+    """True if a channel is on.
+
+    An output has the level that was set, an input the level from the world.
+    """
     controller = board.controller
     level = controller.output(channel) if channel in board.outputs else controller.input(channel)
     return (level != 0) is not (channel in board.low_true)
@@ -72,7 +78,7 @@ def get_analog(task: CommandTask, command: Command) -> None:
 
 
 def set_analog(task: CommandTask, command: Command) -> None:
-    """The accumulator as volts; the output stops at 10 V either way."""
+    """Set an analogue output to the accumulator in volts, clamped to ±10 V."""
     task.board.controller.set_analogue_output(task.whole(command), percent(float(task.registers[0])))
 
 

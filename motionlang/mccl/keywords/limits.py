@@ -1,4 +1,4 @@
-"""Setting up limits and the amplifier-fault input."""
+"""Settings of the limits and the amplifier-fault input."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 
 
 def limit_mode(task: CommandTask, command: Command) -> None:
-    """LM: what switches and soft limits do. Fault for a mode that there is not."""
+    """Set the effect of switches and soft limits (LM).
+
+    Raises Fault for an unknown mode.
+    """
     mode = task.whole(command)
     if mode & 3 == 3 or mode & 12 == 12 or mode & 0x70:
         hint = "one of 0, 1, 2 for the switches, plus 0, 4 or 8 for the soft limits, plus 128"

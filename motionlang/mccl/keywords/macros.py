@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
-# Background tasks at one time.
+# The largest number of background tasks at one time.
 MOST_TASKS = 32
 
 
 def define_macro(task: CommandTask, command: Command) -> None:
-    """The rest of the line becomes the macro; an old one of that number is replaced."""
+    """Define a macro from the rest of the line, replacing any of the same number."""
     if task.here:
         raise Fault(
             codes.DEFINE_NOT_FIRST,
@@ -38,7 +38,7 @@ def call_macro(task: CommandTask, command: Command) -> None:
 
 @pure
 def jump_macro(task: CommandTask, command: Command) -> Wait | None:
-    """Carry out a macro and do not come back; one that jumps to itself is a loop."""
+    """Jump to a macro without return; one that jumps to itself is a loop."""
     macro = _macro(task, command)
     log = task.loop_log
     if task.line is not macro:
@@ -62,7 +62,10 @@ def leave(task: CommandTask, command: Command) -> None:
 
 
 def start_task(task: CommandTask, command: Command) -> None:
-    """A background task with registers 0 to 9 of its own; its number comes into the accumulator."""
+    """Start a background task with its own registers 0 to 9.
+
+    Its number is stored in the accumulator.
+    """
     board = task.board
     macro = _macro(task, command)
     if len(board.background) >= MOST_TASKS:
@@ -73,7 +76,7 @@ def start_task(task: CommandTask, command: Command) -> None:
 
 
 def end_task(task: CommandTask, command: Command) -> None:
-    """End a background task; a number that no task has is a parameter error."""
+    """End a background task; an unknown number is a parameter error."""
     number = task.whole(command)
     if not task.board.end_task(number):
         raise Fault(

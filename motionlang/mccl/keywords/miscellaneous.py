@@ -1,4 +1,7 @@
-"""The rest: how the controller talks, and words of which little but the name is known."""
+"""All other commands.
+
+They set the format of the dialogue, or little but their name is known.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""OT, FT and FD: a line of text, with the accumulator in it where the text says so.
+"""OT, FT and FD: a line of text, with the accumulator where the text has a format.
 
-That these commands put out text is remembered; the form of their texts, that of printf, is our choice.
+It is remembered that these commands output text. The format of their texts, which is that of printf, is our
+choice.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ def _whole(form: str, kind: str, value: int) -> str:
 
 
 def _filled(text: str, show: Callable[[str, str], str] | None, kinds: str) -> str:
-    """The text with its escapes and, where it has a form such as %6.2f, the value in it."""
+    """Return the text with its escapes, and the value in a format such as %6.2f."""
     out: list[str] = []
     k = 0
     while k < len(text):
@@ -68,7 +69,10 @@ def _escape(character: str) -> str:
 
 
 def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
-    """What stands between % and its letter, the letter, and where the text goes on."""
+    """Parse a format at `k`.
+
+    Returns the flags and width between % and its letter, the letter, and the offset after it.
+    """
     begin = k
     while k < len(text) and (text[k] in _FLAGS or text[k].isdecimal() or text[k] == "."):
         k += 1
@@ -81,7 +85,7 @@ def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
 
 
 def _is_small(digits: str, most: int) -> bool:
-    """Whether a width or a number of places is one that a line has room for."""
+    """True if a width or a number of decimals fits on a line."""
     return not digits or (digits.isdecimal() and len(digits) <= 2 and int(digits) <= most)
 
 

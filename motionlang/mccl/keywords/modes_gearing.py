@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 
 
 def slave(task: CommandTask, command: Command) -> None:
-    """SM: the axis follows axis n; 0 frees it. Fault where it is off, Refusal where it would follow itself."""
+    """Let the axis follow axis n; 0 frees it (SM).
+
+    Raises Fault if the axis is off, and Refusal if it would follow itself.
+    """
     board, axis, number = task.board, task.axis(command), task.whole(command)
     controller = board.controller
     if number == 0:
@@ -30,14 +33,14 @@ def slave(task: CommandTask, command: Command) -> None:
 
 
 def slave_ratio(task: CommandTask, command: Command) -> None:
-    """SS: counts of a slave a count of its master, from now on."""
+    """Set the slave's counts per count of its master from now on (SS)."""
     axis = task.axis(command)
     axis.slave_ratio = float(task.value(command)) if task.given(command) else 1.0
     task.board.controller.set_ratio(axis.number, axis.slave_ratio)
 
 
 def check_unslaved(task: CommandTask, axis: AxisState) -> None:
-    """Fault where the axis has a master: it takes no motion of its own then."""
+    """Raise Fault if the axis has a master, because it then takes no other motion."""
     master = task.board.controller.master_of(axis.number)
     if master is not None:
         words = f"axis {axis.number} is slaved to axis {master}"

@@ -1,8 +1,9 @@
 """Switching axes on and off, moving and stopping them.
 
-No queue of single-axis moves exists: a move command replaces the target. With the trapezoidal profile that happens in
-motion, unless the axis must turn round: then the interpreter stalls until it has stopped (DCX-PCI firmware 1.0a). With
-the other profiles the interpreter stalls until the axis is at rest; one that runs on in velocity mode refuses the move.
+There is no queue of single-axis moves: a move command replaces the target. With the trapezoidal profile that
+happens in motion, unless the axis must reverse. Then the interpreter stalls until it has stopped (DCX-PCI
+firmware 1.0a). With the other profiles the interpreter stalls until the axis is at rest. An axis that keeps
+running in velocity mode rejects the move.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ INFINITY = float("inf")
 
 
 def motor_on(task: CommandTask, command: Command) -> None:
-    """MN: the units that wait come into force, faults are forgotten, and the axes are on."""
+    """Apply the pending units, clear faults and switch the axes on (MN)."""
     controller = task.board.controller
     for axis in task.axes(command):
         axis.apply_units()
@@ -54,7 +55,10 @@ def move_to(task: CommandTask, command: Command) -> Wait | None:
 
 
 def move_by(task: CommandTask, command: Command) -> Wait | None:
-    """MR: move by n user units from the target, on a path from the end of what it has so far."""
+    """Move by n user units from the target (MR).
+
+    On a path, move from the end of the path so far.
+    """
     value = float(task.value(command))
     controller = task.board.controller
     path = task.path_open
@@ -70,7 +74,7 @@ def go_home(task: CommandTask, command: Command) -> Wait | None:
 
 
 def go(task: CommandTask, command: Command) -> None:
-    """Run in velocity mode; in contour mode let the paths that wait go."""
+    """Run in velocity mode, or start the waiting paths in contour mode."""
     for axis in task.axes(command):
         if axis.mode == VELOCITY:
             _check_fit(task, axis)
@@ -86,7 +90,10 @@ def go(task: CommandTask, command: Command) -> None:
 
 
 def stop(task: CommandTask, command: Command) -> None:
-    """ST: come to rest; a contour stops as a whole, gears and joysticks let go."""
+    """Come to rest (ST).
+
+    A contour stops as a whole; gearing and joysticks are switched off.
+    """
     board = task.board
     for axis in task.axes(command):
         axis.running = False
@@ -99,7 +106,7 @@ def stop(task: CommandTask, command: Command) -> None:
 
 
 def abort(task: CommandTask, command: Command) -> None:
-    """AB: axes stand at once, or where the board has it so slow down at their DS."""
+    """Stop the axes instantly (AB), or at their DS if the machine file says so."""
     for axis in task.axes(command):
         axis.running = False
         task.board.release(axis)
@@ -140,7 +147,7 @@ def gain_mode(task: CommandTask, command: Command) -> None:
 
 
 def reset(task: CommandTask, command: Command) -> None:
-    """RT: the axis, or with none the whole board, its outputs and every task."""
+    """Reset the axis, or without one the whole board, its outputs and every task (RT)."""
     if command.axis:
         task.board.reset_axis(task.axis(command))
         return
@@ -152,7 +159,7 @@ def reset(task: CommandTask, command: Command) -> None:
 
 
 def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:
-    """Run at SV in the direction of DI until told otherwise."""
+    """Run at SV in the direction of DI until another command."""
     controller = task.board.controller
     velocity = float(controller.setting(axis.number, "speed") or 0.0)
     controller.jog(axis.number, axis.direction * velocity, task.word, task.source_line)
@@ -167,7 +174,7 @@ def _mode(task: CommandTask, command: Command, mode: str) -> None:
 
 
 def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
-    """The axis that the command names, or all that are on."""
+    """Return the axis that the command names, or all that are on."""
     axes = task.axes(command)
     if command.axis:
         return axes
@@ -175,7 +182,10 @@ def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
 
 
 def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
-    """Start moves to targets, counts; an axis that must turn back rests first. Fault unless in PM."""
+    """Start moves to targets, counts.
+
+    An axis that must reverse comes to rest first. Raises Fault unless in PM.
+    """
     path = task.path_open
     if path is not None:
         path.move(task, targets)
@@ -208,7 +218,7 @@ def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, f
 
 
 def _check_fit(task: CommandTask, axis: AxisState) -> None:
-    """Refusal or Fault when the axis cannot take a motion command now."""
+    """Raise Refusal or Fault if the axis cannot accept a motion command now."""
     number = axis.number
     if axis.flags & MOTOR_ERROR:
         raise Refusal("disabled-axis", f"axis {number} has tripped and takes no motion command")
@@ -218,7 +228,10 @@ def _check_fit(task: CommandTask, axis: AxisState) -> None:
 
 
 def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None:
-    """Fault where the rest that a move waits for never comes, as its axis runs on in velocity mode."""
+    """Raise Fault if the rest that a move waits for never comes.
+
+    This is so if its axis keeps running in velocity mode.
+    """
     for number in stalled:
         if task.board.controller.idle_time(number) == INFINITY:
             words = f"{command.name} needs axis {number} at rest with its profile, and it runs on in velocity mode"
@@ -228,7 +241,10 @@ def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None
 
 
 def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
-    """Whether the axis has to come to rest before it can take the target; a reversal is braked for at once."""
+    """True if the axis must come to rest before it can accept the target.
+
+    For a reversal it begins to brake at once.
+    """
     controller = task.board.controller
     number = axis.number
     if controller.is_idle(number) or not controller.is_enabled(number):

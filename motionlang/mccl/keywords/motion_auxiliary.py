@@ -1,6 +1,7 @@
-"""The auxiliary encoder of an axis, which the machine file turns: `[[encoder]]` with `aux` the number of the axis.
+"""The auxiliary encoder of an axis.
 
-It counts in the axis's scale and knows nothing of its zeros; it has index marks where the machine file says so.
+The machine file moves it: `[[encoder]]` with `aux` as the number of the axis. It counts in the axis's scale
+and is independent of its zeros. It has index marks if the machine file defines them.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
-# A mark nearer than this, in counts, is the one the encoder stands on: the next one counts.
+# A mark nearer than this, in counts, is the one that the encoder is on: the next one counts.
 _ON = 1e-6
 
 
@@ -39,7 +40,7 @@ def tell_auxiliary_index(task: CommandTask, command: Command) -> None:
 
 
 def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
-    """Wait for the next mark; there the position becomes the parameter."""
+    """Wait for the next mark, at which the position becomes the parameter."""
     axis, value = task.axis(command), float(task.value(command))
     controller = task.board.controller
     encoder, began = controller.encoder(AUXILIARY + axis.number), controller.clock.now
@@ -70,7 +71,7 @@ def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
 
 
 def _define(task: CommandTask, axis: AxisState, counts: float, value: float) -> None:
-    """What the encoder has counted at some moment is `value` from now on."""
+    """Make `counts` of the encoder the position `value` from now on."""
     axis.aux_zero = counts - axis.distance(value)
 
 
@@ -83,7 +84,7 @@ def _passed(start: float, mark: float, here: float) -> bool:
 
 
 def _crossing(task: CommandTask, axis: AxisState, position: float) -> float:
-    """When the encoder will be at a position, if nothing else happens to it."""
+    """Return when the encoder will be at a position, if nothing else happens to it."""
     controller = task.board.controller
     encoder = controller.encoder(AUXILIARY + axis.number)
     start = encoder.starts[-1]

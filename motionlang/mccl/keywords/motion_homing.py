@@ -1,4 +1,7 @@
-"""Homing: find the index mark or the home edge now (FI, FE), or arm the search and wait later (IA + WI, EL + WE)."""
+"""Homing to an index mark or a home edge.
+
+FI and FE search at once; IA and EL arm the search, and WI and WE wait later.
+"""
 
 from __future__ import annotations
 
@@ -34,18 +37,24 @@ def arm_edge(task: CommandTask, command: Command) -> None:
 
 
 def wait_index(task: CommandTask, command: Command) -> Wait | None:
-    """WI: wait for the index mark; one that was armed by IA gives the position its value."""
+    """Wait for the index mark (WI).
+
+    A mark armed by IA gives the position its value.
+    """
     axis = task.axis(command)
     seek = task.board.seeks.get(axis.number)
     if seek is None or seek.kind != "index":
-        # Nothing is armed: the next mark is waited for, and the zero stays.
+        # Nothing is armed: wait for the next mark and leave the zero unchanged.
         seek = Seek(task.board, axis, "index", 0.0)
         return _until_caught(task, axis, seek)
     return _complete(task, axis, seek)
 
 
 def wait_edge(task: CommandTask, command: Command) -> Wait | None:
-    """Wait for the home input, 0 on or 1 off; an armed edge that has been caught is applied."""
+    """Wait for the home input, 0 on or 1 off.
+
+    An armed edge that has been caught is applied.
+    """
     board, axis = task.board, task.axis(command)
     wanted = not task.value(command)
 

@@ -30,7 +30,10 @@ def learn_target(task: CommandTask, command: Command) -> None:
 
 
 def move_to_point(task: CommandTask, command: Command) -> Wait | None:
-    """Move to a point; without an axis, every axis that has learned it moves."""
+    """Move to a point.
+
+    Without an axis, every axis that has learned it moves.
+    """
     point, points = task.whole(command), task.board.points
     axes = movable(task, command)
     targets = [(axis, points[point, axis.number]) for axis in axes if (point, axis.number) in points]

@@ -1,4 +1,7 @@
-"""Recording: nothing is sampled while the machine runs, the points are read off the motion when they are told."""
+"""Recording, computed from the motion when it is reported.
+
+Nothing is sampled while the machine runs.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
 
-# A point is recorded with every point of the trajectory: 1 kHz (TN1069).
+# The recording period is that of the trajectory: 1 kHz (TN1069).
 PERIOD = 1e-3
 
 

@@ -1,4 +1,7 @@
-"""The accumulator (register 0) and the registers: whole numbers of 32 bits that wrap, or real numbers."""
+"""The accumulator (register 0) and the other registers.
+
+They hold 32-bit integers that wrap, or real numbers.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ def load(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(task.value(command))
 
 
-# It counts its own effect: only a register that changes is one.
+# It counts its own effect: only a changed register is an effect.
 @pure
 def store(task: CommandTask, command: Command) -> None:
     task.set_register(task.whole(command), task.registers[0])
@@ -47,7 +50,7 @@ def tell_register(task: CommandTask, command: Command) -> None:
 
 
 def wrapped(value: float | int) -> float | int:
-    """A whole number in 32 bits, two's complement; a real number as it is."""
+    """Wrap an integer to 32 bits, two's complement; return a real number unchanged."""
     if isinstance(value, int):
         return value if -0x80000000 <= value <= 0x7FFFFFFF else (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
     if not abs(value) <= LARGEST:
@@ -64,7 +67,7 @@ def _with(operation: Operation) -> Action:
 
 
 def limited(task: CommandTask, value: float | int) -> float | int:
-    """A result in 32 bits, as this board has it: wrapped round, or the last number that fits."""
+    """Return a result in 32 bits, wrapped or clamped as on this board."""
     if task.board.readings.get("mccl.overflow") == "stays" and isinstance(value, int):
         return max(-0x80000000, min(value, 0x7FFFFFFF))
     return wrapped(value)
@@ -98,7 +101,7 @@ def _quotient(value: float | int, divisor: float | int) -> float | int:
 
 
 def _bits(value: float | int) -> int:
-    """The 32 bits of a number; a real one loses its fraction first."""
+    """Return the 32 bits of a number; a real number loses its fraction first."""
     return int(value)
 
 

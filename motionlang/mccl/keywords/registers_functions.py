@@ -1,6 +1,6 @@
-"""AV: a function of the accumulator, by its number. Angles are degrees, as those of contour arcs.
+"""AV: a function of the accumulator, by number.
 
-Which numbers the board has is not known; these are ours.
+Angles are in degrees, like those of contour arcs. The board's function numbers are not known; these are ours.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ def _tangent(angle: float) -> float:
 
 
 def _sine(angle: float) -> float:
-    """Exact where the sine is 0 or 1: half a turn has none."""
+    """Return the sine of an angle in degrees, exactly 0 at multiples of 180."""
     return 0.0 if math.fmod(angle, 180.0) == 0.0 else math.sin(math.radians(angle))
 
 
-# Number: what it is, and the function; ValueError and OverflowError where it has no value.
+# The name and function by number; ValueError and OverflowError if it has no value.
 FUNCTIONS: tuple[tuple[str, Function], ...] = (
     ("change of sign", lambda a: -a),
     ("absolute value", abs),
@@ -53,7 +53,10 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 
 @pure
 def evaluate(task: CommandTask, command: Command) -> None:
-    """Replace the accumulator by function n of it. Fault where the function has no value."""
+    """Replace the accumulator by function n of it.
+
+    Raises Fault if the function has no value.
+    """
     name, function = FUNCTIONS[task.whole(command)]
     value = task.registers[0]
     radians = task.board.readings.get("mccl.angles") == "radians"

@@ -1,4 +1,7 @@
-"""The controller's variables, by name (LU) and by address (RB RW RL RV RD, WB WW WL WV WD)."""
+"""The controller's variables by name (LU) and by address.
+
+The address commands are RB RW RL RV RD to read and WB WW WL WV WD to write.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,10 @@ if TYPE_CHECKING:
 
 @pure
 def look_up(task: CommandTask, command: Command) -> None:
-    """LU: the address of a variable into the accumulator. Fault for an unknown name."""
+    """Store the address of a variable in the accumulator (LU).
+
+    Raises Fault for an unknown name.
+    """
     name = str(command.value).upper()
     address = NAMES.get(name)
     if address is None:

@@ -1,4 +1,4 @@
-"""What the controller tells: a line an axis, `01 1234`."""
+"""Reports of the controller: one line per axis, such as `01 1234`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def _each(reading: Reading) -> Action:
-    """An action that tells one reading of each axis the command speaks to."""
+    """Return an action that reports one quantity for each axis of the command."""
 
     def tell(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):
@@ -67,12 +67,12 @@ def _kept(name: str) -> Reading:
     return reading
 
 
-# What a setting of the servo loop is at power-up, where it is not 0.
+# The power-up values of servo loop settings that are not 0.
 KEPT_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
 
 
 def tell_status(task: CommandTask, command: Command) -> None:
-    """TS: a status word of each axis, by its number."""
+    """Report a status word of each axis, by its number (TS)."""
     which = task.whole(command)
     for axis in task.axes(command):
         value, _ = word(task.board, axis, which)

@@ -1,4 +1,4 @@
-"""How the rows of this table are written: what most of them share is said once."""
+"""Construction of the rows of this table, with their common defaults."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def pure(action: Action) -> Action:
-    """An action that touches nothing but the accumulator."""
+    """Mark an action that affects only the accumulator."""
     action.pure = True  # type: ignore[attr-defined]
     return action
 
 
 def not_simulated(task: CommandTask, command: Command) -> None:
-    """The board would take the command; here it has no effect, which is said once."""
+    """Warn once that a command, which the board would accept, has no effect here."""
     assert command.row is not None
     task.board.warn(
         task,
@@ -57,7 +57,7 @@ class Group:
         meant: str = "",
         family: str = "",
     ) -> Keyword:
-        """One simulated command; the name of a function is its verb."""
+        """Return one simulated command; the name of its function is its verb."""
         return Keyword(
             name,
             "",
@@ -79,7 +79,7 @@ class Group:
         )
 
     def known(self, name: str, kind: str, index: str, help: str) -> Keyword:
-        """A command of the language that is recognised and answered as not simulated."""
+        """Return a command that is recognized and answered as not simulated."""
         return Keyword(
             name,
             "",

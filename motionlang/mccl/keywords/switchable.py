@@ -1,10 +1,13 @@
-"""The readings of MCCL that are values: the form of replies, codes, what jumps count from, settings at power-up."""
+"""The assumptions of MCCL that can be set.
+
+They include the format of replies, codes, the origin of jumps and settings at power-up.
+"""
 
 from __future__ import annotations
 
 from motionlang.lang.machine.switch import Switch
 
-# The first choice is the one taken.
+# The first choice is the default.
 SWITCHES = {
     "mccl.reply-form": Switch("01 1234", "1 1234", "01=1234", "1234"),
     "mccl.channel-form": Switch("1", "ON"),
@@ -30,7 +33,7 @@ SWITCHES = {
     "mccl.velocity-gain-default": Switch(low=0, high=1e6),
     "mccl.torque-default": Switch(low=0, high=1e6),
 }
-# The settings that an axis keeps, by the readings of what they are at power-up.
+# Stored settings of an axis, by the assumption on their value at power-up.
 KEPT = {
     "mccl.gain-default": "kept_gain",
     "mccl.integral-default": "kept_integral",

@@ -47,7 +47,10 @@ def shape_parabolic(task: CommandTask, command: Command) -> None:
 
 
 def shape_scurve(task: CommandTask, command: Command) -> None:
-    """Without a number the sinusoidal S-curve, with n the one of ramp ratio n (TN1069: 0 < n < 0.5)."""
+    """Select the sinusoidal S-curve, or with n the one of ramp ratio n (PS).
+
+    The ratio is that of TN1069: 0 < n < 0.5.
+    """
     ramp = float(task.value(command))
     if ramp == 0.0:
         _shape(task, command, "sinusoidal")

@@ -1,4 +1,4 @@
-"""Compensation of backlash: BD says how far, BN and BF switch it."""
+"""Backlash compensation: BD sets the size, BN and BF switch it."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ def backlash_distance(task: CommandTask, command: Command) -> None:
 
 
 def backlash_on(task: CommandTask, command: Command) -> None:
-    """The axis stands in the middle of its backlash now; the next move takes it up."""
+    """Set the axis to the middle of its backlash; the next move takes it up (BN)."""
     for axis in task.axes(command):
         _forget(task, axis.number)
         axis.play = Backlash(task.board.controller, axis.number, axis.backlash)
 
 
 def backlash_off(task: CommandTask, command: Command) -> None:
-    """Where the motor is is where the axis is from now on."""
+    """Make the position of the motor that of the axis from now on (BF)."""
     for axis in task.axes(command):
         _forget(task, axis.number)
 

@@ -1,4 +1,7 @@
-"""User units: scale, time base, zeros. Those of an axis take effect when it is next switched on."""
+"""User units: scale, time base, zeros.
+
+Those of an axis take effect when it is next switched on.
+"""
 
 from __future__ import annotations
 

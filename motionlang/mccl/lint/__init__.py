@@ -1,1 +1,1 @@
-"""What can be said of an MCCL program without running it."""
+"""Static checks of MCCL programs."""

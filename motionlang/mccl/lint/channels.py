@@ -1,4 +1,7 @@
-"""Digital channels: outputs switched where there is an input, and waits for inputs that nothing drives."""
+"""Checks of digital channels.
+
+They find outputs switched on input channels, and waits for inputs that nothing drives.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,7 @@ _WAITS = {"wait_on": "on", "wait_off": "off"}
 
 
 def check_channels(lines: list[Line], settings: Mapping[str, object], model: Model, add: Add) -> None:
-    """Both checks; each place once."""
+    """Run both checks, with one diagnostic per command."""
     commands = [each for line in lines for each in zip(line.commands, line.places, strict=True)]
     made = {command.number for command, _ in commands if _verb(command) == "channel_output"}
     driven = driven_inputs(settings)

@@ -1,4 +1,4 @@
-"""Every mistake that can be seen in a file without running it, in one pass."""
+"""All errors in a file that are visible without running it, in one pass."""
 
 from __future__ import annotations
 
@@ -22,14 +22,17 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.source import Source
 
-# Verbs that need a macro to be there.
+# Verbs that need a defined macro.
 _CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 _JUMPS = frozenset({"jump", "jump_by"})
 _DEFINES = "define_macro"
 
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-    """The diagnostics of a file, in the order of its text; warnings of the linter where it has no mistake."""
+    """Return the diagnostics of a file in text order.
+
+    A file without errors gets the warnings of the linter.
+    """
     from motionlang.lang.lint import silence
 
     named = str((settings or {}).get("controller.model", "")) or written_for(source.name)
@@ -76,20 +79,20 @@ def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagn
 
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
-    """What this board does not have."""
+    """Return the fault of a command that this board does not have."""
     row = command.row
     return missing(model, row) if row is not None and row.family in model.lacks else None
 
 
 def _no_axis(command: Command, axes: int) -> Fault | None:
-    """An axis that this board does not have."""
+    """Return the fault of an axis that this board does not have."""
     if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
         return None
     return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", f"the axes are 1 to {axes}", "axis")
 
 
 def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:
-    """What is wrong with a command at its place in the line."""
+    """Return the fault of a command at its position in the line."""
     row = command.row
     assert row is not None
     if row.index == "axis" and command.axis == 0:
@@ -120,7 +123,7 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | N
 
 
 def _defines(line: Line) -> bool:
-    """Whether the line is the definition of a macro."""
+    """True if the line is the definition of a macro."""
     row = line.commands[0].row
     return row is not None and row.verb == _DEFINES
 
@@ -137,7 +140,10 @@ def _jump(line: Line, k: int, verb: str, number: int) -> Fault | None:
 
 
 def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
-    """Calls of macros that no line of the file defines: they may be in the controller already, so a warning."""
+    """Warn of calls of macros that no line of the file defines.
+
+    These are not errors, because the controller may already have them.
+    """
     defined = {line.commands[0].number for line in lines if _defines(line)}
     for line in lines:
         for k, command in enumerate(line.commands):

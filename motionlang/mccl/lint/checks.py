@@ -1,4 +1,8 @@
-"""The linter of MCCL: commands that can never run, motors never switched on, axes that run on, waits in vain."""
+"""The linter of MCCL.
+
+It finds commands that never run, motors never switched on, axes that keep running, and waits that are never
+satisfied.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +21,7 @@ if TYPE_CHECKING:
 
     Add = Callable[[int, Fault], None]
 
-# Where a comment begins, as group 1.
+# The start of a comment is group 1.
 COMMENT = re.compile(r'^(?:[^"#;\n]|"[^"\n]*")*?([;#])')
 _MOVES = frozenset(
     {
@@ -29,14 +33,17 @@ _SKIPS = frozenset(
     {"if_below", "if_equal", "if_greater", "if_unequal", "if_set", "if_clear", "if_on", "if_off"}
 )
 _DO_REST = frozenset({"do_if_on", "do_if_off"})
-# Commands behind which a line does not go on, and those that go somewhere else in it.
+# Commands after which a line does not continue, and those that jump within it.
 _LEAVES = frozenset({"jump_macro", "leave"})
 _TURNS = frozenset({"repeat", "jump", "jump_by"})
 _CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 
 
 def lint(lines: list[Line], add: Add) -> None:
-    """Tell `add` of the place and the warning of everything that looks wrong in a file without mistakes."""
+    """Call `add` with the offset and warning of each suspicious construct.
+
+    The file must have no errors.
+    """
     ended = False
     for line in lines:
         reached = _reached(line)
@@ -68,7 +75,10 @@ def _unreachable(why: str, what: str = "command") -> Fault:
 
 
 def _reached(line: Line) -> set[int]:
-    """The commands that can run; the number of commands stands for the end of the line."""
+    """Return the commands that can run.
+
+    The number of commands stands for the end of the line.
+    """
     found: set[int] = set()
     stack = [0]
     count = len(line.commands)
@@ -82,7 +92,7 @@ def _reached(line: Line) -> set[int]:
 
 
 def _next(line: Line, k: int) -> list[int]:
-    """Where the line may go on after command k."""
+    """Return the commands at which the line may continue after command k."""
     command, first, count = line.commands[k], int(_is_macro(line)), len(line.commands)
     verb, number = _verb(command), command.number
     if verb in _SKIPS:
@@ -123,7 +133,7 @@ def _reason(line: Line, k: int) -> str:
 
 
 def _motors(lines: list[Line], add: Add) -> None:
-    """Moves of an axis that no line of the file switches on; it is told once an axis."""
+    """Warn, once per axis, of moves of an axis that the file never switches on."""
     on = {command.axis for command, _ in _commands(lines) if _verb(command) == "motor_on"}
     told: set[int] = set()
     for command, at in _commands(lines):
@@ -145,7 +155,7 @@ def _commands(lines: list[Line]) -> Iterator[tuple[Command, int]]:
 
 
 def _waits(lines: list[Line], add: Add) -> None:
-    """WS and WT in the foreground before anything has moved the axis."""
+    """Warn of WS and WT in the foreground before any motion of the axis."""
     bodies = {line.commands[0].number: line for line in lines if _is_macro(line)}
     moved: set[int] = set()
     for line in lines:
@@ -166,7 +176,7 @@ def _has_moved(command: Command, moved: set[int]) -> bool:
 
 
 def _moved(line: Line, bodies: dict[int | None, Line], seen: set[int]) -> set[int]:
-    """The axes that a line moves, 0 for all of them or for those that cannot be told."""
+    """Return the axes that a line moves; 0 is all axes or an unknown one."""
     return {axis for command in line.commands for axis in _moved_by(command, bodies, seen)}
 
 

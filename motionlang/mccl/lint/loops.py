@@ -1,4 +1,7 @@
-"""Lines that repeat themselves for ever and wait for nothing: what they start is cut short, and no time is left."""
+"""Check for lines that repeat for ever without a wait.
+
+Such a line cuts short the motion that it starts, or blocks the controller.
+"""
 
 from __future__ import annotations
 
@@ -15,12 +18,12 @@ if TYPE_CHECKING:
     Add = Callable[[int, Fault], None]
 
 _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
-# Commands that go elsewhere, leave the line or pass by others, and those that take a time of their own.
+# Commands that jump, leave the line or skip commands, and those that take time.
 _LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait", "find_", "path", "get_")
 
 
 def endless_lines(lines: Iterable[Line], add: Add) -> None:
-    """Warn of `RP` without a number in a line in which nothing takes time; once a line."""
+    """Warn, once per line, of an endless `RP` in a line in which nothing takes time."""
     for line in lines:
         for k, command in enumerate(line.commands):
             if _verb(command) == "repeat" and command.number == 0:

@@ -1,4 +1,7 @@
-"""Axes that run in velocity mode for ever, and commands after that which need one at rest."""
+"""Check for axes that run in velocity mode for ever.
+
+Commands after that which need an axis at rest are reported.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,8 @@ _SHAPES = {"shape_trapezoid": "", "shape_scurve": "S-curve", "shape_parabolic": 
 _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
 _WAITS = frozenset({"wait_stop", "wait_target"})
 _RESTS = frozenset({"stop", "abort", "motor_off", "reset"})
-# A line with one of these may go on anywhere, and what a macro does is not followed: nothing is known behind it.
+# A line with one of these may continue anywhere, and macros are not followed, so the state after it is
+# unknown.
 _ELSEWHERE = frozenset(
     {
         "define_macro", "repeat", "jump", "jump_by", "call_macro", "jump_macro", "start_task", "leave", "if_below",
@@ -28,7 +32,7 @@ _ELSEWHERE = frozenset(
 
 
 class _Axis:
-    """What the file has made of an axis so far."""
+    """The state of an axis so far in the file."""
 
     def __init__(self) -> None:
         self.velocity_mode = self.running = False
@@ -36,7 +40,10 @@ class _Axis:
 
 
 def running_axes(lines: Iterable[Line], add: Add) -> None:
-    """Warn of moves that are refused, and of waits that never end, because their axis runs on; once each run."""
+    """Warn of rejected moves and endless waits because their axis keeps running.
+
+    There is one warning per run of the axis.
+    """
     axes: dict[int, _Axis] = {}
     for line in lines:
         if any(_verb(command) in _ELSEWHERE for command in line.commands):
@@ -59,7 +66,7 @@ def _named(command: Command, axes: dict[int, _Axis]) -> list[int]:
 
 
 def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
-    """Let a command act on what is known of an axis; what is wrong with it."""
+    """Apply a command to the known state of an axis; return the command's fault."""
     verb = _verb(command)
     if verb in _SHAPES:
         axis.shape = _SHAPES[verb]

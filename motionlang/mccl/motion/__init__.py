@@ -1,1 +1,4 @@
-"""Motion that MCCL builds from more than one verb of the controller: contours, joysticks, searches."""
+"""MCCL motion built from several verbs of the controller.
+
+It covers contours, joysticks and searches.
+"""

@@ -1,6 +1,7 @@
-"""Arcs as MCCL describes them: by centre, radius, end point or angles, in user units; to centre and angle, degrees.
+"""Arc geometry: from MCCL's descriptions to centre and angle in degrees.
 
-Points are those of the two axes that go round, in the order of their numbers; `turn` is +1 anticlockwise.
+MCCL describes arcs by centre, radius, end point or angles, in user units. Points are those of the two axes of
+the arc, in the order of their numbers. `turn` is +1 anticlockwise.
 """
 
 from __future__ import annotations
@@ -11,16 +12,16 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     Point = tuple[float, float]
 
-# How far, as a part of the radius, an arc may miss its end point: more is a mistake in the program.
+# The largest miss of an end point, as a fraction of the radius; a larger one is a mistake in the program.
 _MISS = 1e-3
-# The part of it that is none.
+# The largest fraction that counts as exact.
 _EVEN = 1e-13
-# Degrees that are none.
+# The largest angle, in degrees, that counts as 0.
 _NONE = 1e-7
 
 
 def radius_of(start: Point, centre: Point) -> float:
-    """The radius of an arc; ValueError where it has none."""
+    """Return the radius of an arc; raise ValueError if it is 0."""
     radius = hypot(start[0] - centre[0], start[1] - centre[1])
     if radius == 0.0:
         raise ValueError("the centre of the arc is its starting point")
@@ -28,10 +29,11 @@ def radius_of(start: Point, centre: Point) -> float:
 
 
 def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
-    """The place nearest to a centre from which start and end are equally far, so that one circle has both.
+    """Return the point nearest to `centre` at equal distances from start and end.
 
-    ValueError where the end misses the circle about the centre by too much, or where it misses it near the start of
-    nearly a whole turn: that would take the circle elsewhere.
+    One circle then passes through both. Raises ValueError if the end misses the circle about the centre by
+    too much. This is also so if it misses it near the start of an almost full turn, because that would shift
+    the circle.
     """
     radius, reach = radius_of(start, centre), hypot(end[0] - centre[0], end[1] - centre[1])
     distances = f"the end point is {reach:g} from the centre, the starting point {radius:g}"
@@ -49,17 +51,20 @@ def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
 
 
 def angle_to(start: Point, end: Point, centre: Point, turn: int) -> float:
-    """The angle to an end point; start and end alike is a full circle."""
+    """Return the angle to an end point; equal start and end give a full circle."""
     return _round(_direction(end, centre) - _direction(start, centre), turn)
 
 
 def angle_until(start: Point, centre: Point, direction: float, turn: int) -> float:
-    """The angle to an absolute direction, degrees."""
+    """Return the angle to an absolute direction, degrees."""
     return _round(direction - _direction(start, centre), turn)
 
 
 def end_of(start: Point, centre: Point, angle: float) -> Point:
-    """Where an arc ends, without the rounding of sine and cosine: a quarter circle ends on the axis."""
+    """Return the end of an arc without the rounding errors of sine and cosine.
+
+    A quarter circle ends exactly on the axis.
+    """
     radius = radius_of(start, centre)
     last = radians(_direction(start, centre)) + radians(angle)
     return (
@@ -69,7 +74,10 @@ def end_of(start: Point, centre: Point, angle: float) -> Point:
 
 
 def centre_by_radius(start: Point, end: Point, radius: float, turn: int) -> Point:
-    """The centre of the arc of a radius between two points, the shorter way round, or the longer if it is negative."""
+    """Return the centre of the arc of a given radius between two points.
+
+    A positive radius gives the shorter arc, a negative one the longer.
+    """
     dx, dy = end[0] - start[0], end[1] - start[1]
     chord = hypot(dx, dy)
     if chord == 0.0:
@@ -87,6 +95,6 @@ def _direction(point: Point, centre: Point) -> float:
 
 
 def _round(angle: float, turn: int) -> float:
-    """The same direction, reached by turning; a whole turn rather than none."""
+    """Return an equal angle in the direction of `turn`, a full turn instead of none."""
     found = angle * turn % 360.0
     return turn * (360.0 if found < _NONE or found > 360.0 - _NONE else found)

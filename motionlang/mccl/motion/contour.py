@@ -1,7 +1,7 @@
-"""Contour motion: the queue of paths of one controlling axis, and what the controller's path planner asks about them.
+"""Contour motion: the queue of paths of one controlling axis.
 
-Paths that go on in the same direction with the same vector settings are run through without slowing down; where the
-direction changes the axes come to rest in the corner.
+It also answers the controller's path planner. Consecutive paths in the same direction with the same vector
+settings are run without slowing down. At a change of direction the axes come to rest in the corner.
 """
 
 from __future__ import annotations
@@ -19,19 +19,21 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-    # The axes of a path, where it leads, what it goes by, its command and the number of its line.
+    # The axes of a path, its geometry, its policy, its command and its line number.
     Described = tuple[tuple[int, ...], "Line | Arc", "Vector", str, int]
 
-# Paths that may wait in the queue.
+# The largest number of paths in the queue.
 LONGEST_QUEUE = 1000
-# What the directions of two paths may differ by, in user units per unit of length, and be the same, as ends are whole.
+# The largest difference between equal directions, in user units per unit of length, because ends are integer
+# counts.
 _SAME = 1e-3
 
 
 class Vector(Guide):
-    """What a path of a contour goes by: the vector settings as they were when it was described, the override of now.
+    """Path policy of a contour.
 
-    `length` is what the vector velocity counts, in user units.
+    It has the vector settings from the description of the path, and the current override. `length` is the
+    length that the vector velocity refers to, in user units.
     """
 
     def __init__(
@@ -65,41 +67,43 @@ class Vector(Guide):
 
 
 class Contour:
-    """The paths that one axis controls: those that wait, in the order in which they were described.
+    """The paths that one axis controls, queued in the order of their description.
 
-    What can be run as one is handed to the controller, whose buffers hold it; the rest waits here until that is done.
+    Paths that can be run as one are passed to the controller's buffers. The others wait here until those are
+    done.
     """
 
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis
         self._queue: list[Described] = []
-        # Where the paths so far lead, counts, by axis.
+        # The end of all paths so far, counts, by axis.
         self._ends: dict[int, float] = {}
-        # The axes of the paths that the controller has, how many of them wait in its buffers, the one that it runs.
+        # The axes of the controller's paths, the number of paths that wait in its buffers, and the current
+        # path.
         self._members: tuple[int, ...] = ()
         self._handed = 0
         self._under_way: Vector | None = None
         self._stopping = False
-        # What multiplies the vector velocity of what is under way.
+        # The factor on the vector velocity of the current path.
         self.override = 1.0
 
     @property
     def stopping(self) -> bool:
-        """Whether it comes to rest before its end."""
+        """True if it comes to rest before its end."""
         return self._stopping
 
     @property
     def members(self) -> tuple[int, ...]:
-        """The axes of the paths under way."""
+        """The axes of the current paths."""
         return self._members
 
     def end(self, axis: AxisState) -> float:
-        """Where the axis will be after all paths so far, counts."""
+        """Return the position of the axis after all paths so far, counts."""
         end = self._ends.get(axis.number)
         return self._board.controller.target(axis.number) if end is None else end
 
     def add(self, path: Described, ends: Mapping[int, float]) -> None:
-        """Put a path into the queue; without synchronisation it starts as soon as it can."""
+        """Queue a path; without synchronization it starts as soon as possible."""
         if len(self._queue) + self._handed >= LONGEST_QUEUE:
             raise Fault(
                 codes.PARAMETER,
@@ -113,7 +117,7 @@ class Contour:
             self.go()
 
     def go(self) -> None:
-        """Hand the controller what waits, as far as it can be run behind what is under way."""
+        """Pass queued paths to the controller as long as they may follow the current ones."""
         controller, handed = self._board.controller, False
         while self._queue:
             axes, geometry, vector, word, line = self._queue[0]
@@ -130,31 +134,37 @@ class Contour:
             controller.go([self._members[0]])
 
     def _may_follow(self, axes: tuple[int, ...], vector: Vector) -> bool:
-        """Whether a path may stand behind those that the controller has; one with an S-curve is not prolonged."""
+        """True if a path may follow those of the controller.
+
+        A path with an S-curve is not extended.
+        """
         if self._stopping or axes != self._members or vector.length == 0.0:
             return False
         return self._under_way is None or vector.shape == "trapezoid"
 
     def stop(self) -> None:
-        """Come to rest along the paths; forget what waits."""
+        """Come to rest along the paths and clear the queue."""
         self._forget("stop")
         if self._members:
             self._board.controller.stop(self._members[0])
 
     def abort(self, ended: str = "cancel") -> None:
-        """Stand still at once; what waits is forgotten."""
+        """Stop instantly and clear the queue."""
         self._forget(ended)
         if self._members:
             self._board.controller.abort(self._members[0], ended)
 
     def set_speed(self) -> None:
-        """The override has changed: go on at the new vector velocity, where the shape allows it in motion."""
+        """Apply a changed override, if the shape allows a change of speed in motion."""
         if self._under_way is not None and not self._stopping and self._under_way.shape == "trapezoid":
             self.take_override()
             self._board.controller.replan_path(self._members[0])
 
     def shift(self, number: int, by: float) -> None:
-        """An axis counts from another zero: the paths that wait stay where they are, `by` counts higher."""
+        """Shift the queued paths by `by` counts when an axis changes its zero.
+
+        Their physical positions stay the same.
+        """
         if number in self._ends:
             self._ends[number] += by
         for axes, geometry, *_ in self._queue:
@@ -162,12 +172,12 @@ class Contour:
                 geometry.shift(axes.index(number), by)
 
     def forget(self, number: int) -> None:
-        """An axis leaves: paths that wait, if it has a part in one of them, have lost their start."""
+        """Clear the queue if the leaving axis is in it, because its start is lost."""
         if any(number in axes for axes, *_ in self._queue):
             self._forget("cancel")
 
     def rested(self, number: int) -> None:
-        """An axis has come to rest: when all have, the next paths may start."""
+        """Start the next paths when all axes have come to rest."""
         if number not in self._members or self._under_way is not None:
             return
         if all(self._board.controller.is_idle(each) for each in self._members):
@@ -179,22 +189,22 @@ class Contour:
     # ------------------------------------------------------------------------------------- told by the planner
 
     def take_override(self) -> None:
-        """The override of now holds for what is planned now."""
+        """Apply the current override to the next plan."""
         self.override = self._axis.vector.override
 
     def begun(self, vector: Vector) -> None:
-        """A path is under way."""
+        """Begin a path."""
         self._handed -= 1
         self._under_way, self._stopping = vector, False
         self._axis.on_arc, self._axis.on_line = vector.is_arc, not vector.is_arc
 
     def stopped(self) -> None:
-        """The paths under way come to rest; what waits is forgotten."""
+        """Clear the queue because the current paths come to rest."""
         self._stopping = True
         self._forget("stop")
 
     def ended(self, whole: bool) -> None:
-        """A path is under way no more."""
+        """End a path."""
         self._under_way = None
         self._axis.segments += whole
         self._axis.on_arc = self._axis.on_line = False

@@ -1,6 +1,7 @@
-"""Looking for an index mark or a home edge: the position is caught at the exact moment, whatever the program does then.
+"""Search for an index mark or a home edge.
 
-Neither moves the axis: the program has it running, usually in velocity mode.
+The position is caught at the exact time, whatever the program does then. The search does not move the axis:
+the program must do so, usually in velocity mode.
 """
 
 from __future__ import annotations
@@ -18,12 +19,15 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-# A mark nearer than this, in counts, is the one the axis stands on: the next one counts.
+# A mark nearer than this, in counts, is the one that the axis is on: the next one counts.
 _ON = 1e-6
 
 
 class Seek:
-    """One search on one axis. `caught` is the position, in counts, once it is there; `value` what it shall become."""
+    """One search on one axis.
+
+    `caught` is the position, in counts, once it is known, and `value` the position that it is to become.
+    """
 
     def __init__(self, board: Board, axis: AxisState, kind: str, value: float) -> None:
         self._board, self._axis, self.kind, self.value = board, axis, kind, value
@@ -40,23 +44,26 @@ class Seek:
 
     @property
     def done(self) -> bool:
-        """Whether the position has been caught."""
+        """True if the position has been caught."""
         return self.caught is not None
 
     def look(self) -> None:
-        """The home input may have changed."""
+        """Check the home input after a possible change."""
         if self.kind == "edge" and not self.done and is_active(self._board, self._axis, "home"):
             self._catch()
 
     def cancel(self) -> None:
-        """Stop looking."""
+        """Cancel the search."""
         for watch in self._watches:
             self._board.controller.unwatch(self._axis.number, watch)
         self._watches.clear()
         self._axis.flags &= ~(flags.LOOKING_FOR_INDEX | flags.LOOKING_FOR_EDGE)
 
     def apply(self) -> None:
-        """Give the place where it was caught its value; everything else shifts with it. The axis is homed then."""
+        """Assign the value to the caught position and shift everything else.
+
+        The axis is then homed.
+        """
         assert self.caught is not None
         here = self._board.controller.position(self._axis.number)
         self._board.define_position(self._axis, here + self.value - self.caught)
@@ -66,7 +73,7 @@ class Seek:
         self._axis.flags |= flags.HOMED
 
     def _watch_marks(self) -> None:
-        """Watch the marks on either side of the axis; it can get to no other without passing one of these."""
+        """Watch the two marks next to the axis, one of which it must pass first."""
         controller, number = self._board.controller, self._axis.number
         a = controller.axes[number]
         every = a.index_pitch

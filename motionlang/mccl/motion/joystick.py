@@ -1,4 +1,4 @@
-"""Joysticks: the velocity of a jogging axis is the gain times the voltage beyond the deadband."""
+"""Joysticks: an axis jogs at the gain times the voltage beyond the deadband."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Joysticks:
-    """Every axis's joystick is the analogue input of the axis's own number."""
+    """The joysticks of all axes; each is the analogue input of the axis's number."""
 
     def __init__(self, board: Board) -> None:
         self._board = board
@@ -21,7 +21,7 @@ class Joysticks:
         board.controller.analogue_inputs.listeners.append(self._moved)
 
     def switch_on(self, axis: AxisState, line: int) -> None:
-        """Let the axis follow its joystick; Refusal when it is off."""
+        """Let the axis follow its joystick; raise Refusal if it is off."""
         if not self._board.controller.is_enabled(axis.number):
             raise Refusal("disabled-axis", f"axis {axis.number} is off")
         axis.jogging = True
@@ -30,14 +30,14 @@ class Joysticks:
         self._follow(axis)
 
     def switch_off(self, axis: AxisState) -> None:
-        """Let it follow no longer: it stops."""
+        """Stop following the joystick, and stop the axis."""
         if axis.jogging:
             axis.jogging = False
             axis.flags &= ~flags.JOG_ENABLED
             self._board.controller.stop(axis.number)
 
     def velocity(self, axis: AxisState) -> float:
-        """What the stick asks for, counts/s."""
+        """Return the velocity that the joystick commands, counts/s."""
         jog = axis.jog
         deflection = volts(self._board.controller.analogue_input(axis.number)) - jog.offset
         if abs(deflection) <= jog.deadband:
@@ -51,7 +51,7 @@ class Joysticks:
             self._follow(axis)
 
     def _follow(self, axis: AxisState) -> None:
-        """Ramp to the velocity at JA; the axis's own rates stay as they are."""
+        """Ramp to the velocity at JA without changing the axis's own rates."""
         controller, number = self._board.controller, axis.number
         velocity = self.velocity(axis)
         if velocity == 0.0 and controller.is_idle(number):

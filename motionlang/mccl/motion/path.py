@@ -1,4 +1,7 @@
-"""A contour path while the commands of a line describe it: CP opens it, the first other command closes it."""
+"""A contour path while the commands of a line describe it.
+
+CP opens it, and the first other command closes it.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,7 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 USER, LINE, CLOCKWISE, ANTICLOCKWISE = range(4)
-# The verbs that describe a path rather than end its description.
+# The verbs that describe a path instead of ending its description.
 DESCRIBES = frozenset(
     {
         "move_to",
@@ -45,7 +48,10 @@ DESCRIBES = frozenset(
 
 
 class Path:
-    """What is known so far, by axis number: `targets` in counts, all else in user units and degrees."""
+    """The description so far, by axis number.
+
+    `targets` are in counts, all else in user units and degrees.
+    """
 
     def __init__(self, axis: AxisState, contour: Contour, kind: int, word: str, line: int) -> None:
         self._axis, self._contour, self._kind, self._word, self._line = axis, contour, kind, word, line
@@ -57,11 +63,11 @@ class Path:
         self.distance: float | None = None
 
     def end_of(self, axis: AxisState) -> float:
-        """Where the axis is before this path, counts."""
+        """Return the position of the axis before this path, counts."""
         return self._contour.end(axis)
 
     def member(self, axis: AxisState) -> None:
-        """Fault unless the axis is in contour mode under the controlling axis."""
+        """Raise Fault unless the axis is in contour mode under the controlling axis."""
         if axis.mode != CONTOUR or axis.controlling != self._axis.number:
             raise Fault(
                 codes.NOT_ASSIGNED,
@@ -71,7 +77,7 @@ class Path:
             )
 
     def move(self, task: CommandTask, targets: list[tuple[AxisState, float]]) -> None:
-        """MA and MR say where the axes end, counts."""
+        """Set the ends of the axes, counts, from MA and MR."""
         for axis, target in targets:
             self.member(axis)
             if axis.number in self.targets:
@@ -91,7 +97,7 @@ class Path:
             self.targets[axis.number] = target
 
     def close(self, task: CommandTask) -> None:
-        """The path is described: queue it. Fault where it makes no sense."""
+        """Queue the complete path; raise Fault if it is invalid."""
         board = task.board
         axes = [board.axes[number] for number in sorted({*self.targets, *self.center})]
         if not axes:
@@ -124,7 +130,7 @@ class Path:
         self._contour.add((numbers, geometry, vector, self._word, self._line), where)
 
     def _pace(self, task: CommandTask) -> Pace:
-        """The vector settings of the controlling axis, in its user units."""
+        """Return the vector settings of the controlling axis, in its user units."""
         axis, controller = self._axis, task.board.controller
         counts, vector = abs(axis.scale.counts), axis.vector
         for verb, value, code in (
@@ -141,7 +147,10 @@ class Path:
         return Pace(shape, vector.velocity / counts, vector.accel / counts, vector.decel / counts, ramp)
 
     def _laid(self, axes: list[AxisState], start: list[float], ends: list[float]) -> tuple[Line | Arc, float]:
-        """Where the path leads, counts, and its length, user units; ValueError where it makes no sense."""
+        """Return the path, counts, and its length, user units.
+
+        Raises ValueError if it is invalid.
+        """
         here, there = (
             [axis.scale.position_to_user(at) for axis, at in zip(axes, each, strict=True)]
             for each in (start, ends)
@@ -177,7 +186,10 @@ class Path:
         return Arc((x(centre[0]), y(centre[1])), angle, rest, length, plane, (x(last[0]), y(last[1]))), length
 
     def _plane(self, numbers: list[int]) -> tuple[int, int]:
-        """The places of the two axes that go round: those with a centre, else the first two of the path."""
+        """Return the indexes of the two axes of an arc.
+
+        These are the axes with a centre, or else the first two of the path.
+        """
         axes = sorted(self.center or numbers)
         if len(axes) < 2:
             raise ValueError("an arc needs two axes")

@@ -1,1 +1,1 @@
-"""From the text of a command to what it does: words looked up, parameters decoded."""
+"""From the text of a command to its action: look-up of words and parameters."""

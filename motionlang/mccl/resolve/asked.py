@@ -1,4 +1,7 @@
-"""What the loops of a program ask for: the channels and readings between the target of a jump back and the jump."""
+"""The channels and quantities that the loops of a program read.
+
+A loop is the commands between the target of a jump back and the jump.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ _BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
 
 
 def asked(source: Source) -> Callable[[int], Asked | None]:
-    """What the loop asks for that the jump back at a place makes."""
+    """Return a function from the offset of a jump back to the reads of its loop."""
     lines = [line for line in lines_of(source.text) if isinstance(line, Line)]
     macros: dict[int, Line] = {}
     for line in lines:
@@ -41,7 +44,7 @@ def asked(source: Source) -> Callable[[int], Asked | None]:
 
 
 def _target(command: Command, here: int) -> int:
-    """The number of the command that a jump goes to; 0 where that is known only when it runs."""
+    """Return the index of a jump's target; 0 if it is only known at run time."""
     number, verb = command.number, _verb(command)
     if number is None or verb in ("repeat", "jump_macro"):
         return 0

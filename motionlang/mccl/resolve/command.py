@@ -1,4 +1,4 @@
-"""A decoded command: what is left of a piece of text once it has been understood, or why it has not been."""
+"""A decoded command, or the reason why the text is not one."""
 
 from __future__ import annotations
 
@@ -9,16 +9,17 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
     from motionlang.mccl.runtime.task import Action
 
-# What stands after the mnemonic.
+# The kinds of parameters.
 NONE, NUMBER, REGISTER, TEXT = range(4)
 
 
 @record
 class Command:
-    """`text` as it was written; `axis` 0 where none, or 0, was given; `value` the number, register or text.
+    """A command of a line, ready to run.
 
-    `pure` commands read and write nothing but the accumulator: a loop of them only polls. `action` carries the
-    command out; in a command that could not be understood it raises the fault.
+    `text` is the source text. `axis` is 0 if none, or 0, was given. `value` is the number, register or text.
+    `pure` commands read and write only the accumulator: a loop of them only polls. `action` carries the
+    command out; for an invalid command it raises the fault.
     """
 
     text: str
@@ -35,7 +36,7 @@ class Command:
 
     @property
     def number(self) -> int | None:
-        """The parameter where it is a whole number that is known before the program runs."""
+        """The parameter, if it is an integer that is known before the program runs."""
         if self.kind == NONE:
             return 0
         if self.kind != NUMBER or self.value != int(self.value):

@@ -1,7 +1,7 @@
-"""From a command as it is written to a `Command`, remembered: programs repeat themselves.
+"""From the text of a command to a `Command`, cached because programs repeat.
 
-Form: `[axis] MNEMONIC [parameter]`, the mnemonic two letters in either case, the parameter a whole number, a real
-number, `@n` (the content of register n) or a text in quotes.
+The form is `[axis] MNEMONIC [parameter]`. The mnemonic is two letters in either case. The parameter is an
+integer, a real number, `@n` (the content of register n) or a text in quotes.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 _DIGITS = "0123456789"
-# A number beyond this is a mistake, also where a command has no range of its own.
+# A number beyond this is an error, even for a command without a range.
 _LARGEST = 1e15
-# Enough for any program; a served board is sent other texts every day, and must not keep them all.
+# Enough for any program. A served board gets different texts every day and must not store all of them.
 _MEMO_SIZE = 20_000
 
 _words: dict[str, Word] = {}
 
 
 class Word:
-    """A mnemonic and the axis before it, looked up: the row, what it does, and the numbers that it takes.
+    """A mnemonic with its axis, looked up: row, action and accepted numbers.
 
-    `row` is None, and `fault` says why, where there is no such command.
+    If there is no such command, `row` is None and `fault` is the reason.
     """
 
     __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
@@ -40,7 +40,7 @@ class Word:
         self.axis = int(text[:-2][:9] or 0)
         row = self.row = table().get(self.name)
         self.fault: Fault | None = None
-        self.without: Fault | None = None  # what is wrong with it where it has no parameter
+        self.without: Fault | None = None  # the fault if it has no parameter
         self.takes_text = self.pure = False
         self.low, self.high = -_LARGEST, _LARGEST
         self.action: Action = not_simulated
@@ -61,13 +61,13 @@ class Word:
 
 
 def problem(command: Command) -> Fault | None:
-    """What is wrong with a command, whatever the program does."""
+    """Return the fault of a command that does not depend on the program."""
     fault = getattr(command.action, "fault", None)
     return fault if isinstance(fault, Fault) else None
 
 
 class _Wrong:
-    """The action of a command that could not be understood."""
+    """The action of an invalid command."""
 
     def __init__(self, fault: Fault) -> None:
         self.fault = fault
@@ -77,7 +77,10 @@ class _Wrong:
 
 
 class Commands(dict[str, Command]):
-    """From the text of a command to what it is; a wrong one is a command that raises its fault when it runs."""
+    """Cache from the text of a command to the command.
+
+    An invalid one is a command that raises its fault when it runs.
+    """
 
     def __missing__(self, text: str) -> Command:
         if len(self) >= _MEMO_SIZE:
@@ -119,12 +122,12 @@ def _decoded(
 
 
 def _wrong(text: str, word: Word, fault: Fault) -> Command:
-    """A command that raises its fault; it keeps no parameter."""
+    """Return a command without parameter that raises its fault."""
     return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
 
 
 def _no_command(text: str) -> Command:
-    """The command of a text that does not have the form of one."""
+    """Return the command of a text that does not have the form of one."""
     from motionlang.lang.typography import typographic
     from motionlang.mccl.syntax.mistakes import stuck
 
@@ -156,7 +159,7 @@ def _unknown(word: str) -> Fault:
 
 
 def _no_parameter(rest: str, row: Keyword) -> Fault:
-    """What stands behind the mnemonic is no parameter at all."""
+    """Return the fault of a text after the mnemonic that is not a parameter."""
     if rest[0] == "@":
         return Fault(codes.FORMAT, f"{row.name} wants a register number after @", "such as MR@10", "syntax")
     if rest[0] == '"':
@@ -168,7 +171,7 @@ def _no_parameter(rest: str, row: Keyword) -> Fault:
 
 
 def _misfit(word: Word, value: float) -> Fault:
-    """The command takes no such number."""
+    """Return the fault of a number that the command does not accept."""
     assert word.row is not None
     return _wants_text(word.row) if word.takes_text else out_of_range(value, word.row)
 
@@ -183,7 +186,7 @@ def _no_text(word: Word) -> Fault:
 
 
 def checked(value: float | int, row: Keyword) -> float | int:
-    """The value, if the command accepts it."""
+    """Return the value if the command accepts it; raise Fault if not."""
     low, high = row.low, row.high
     if low is None and high is None and abs(value) <= _LARGEST:
         return value
@@ -193,7 +196,7 @@ def checked(value: float | int, row: Keyword) -> float | int:
 
 
 def out_of_range(value: float | int, row: Keyword) -> Fault:
-    """The fault of a value that a command does not accept."""
+    """Return the fault of a value that a command does not accept."""
     low, high = row.low, row.high
     if high is None and low is not None and value < low:
         accepted = f"{low:g} or more"

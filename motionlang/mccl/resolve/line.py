@@ -1,4 +1,4 @@
-"""A line of commands, ready to be carried out; the body of a macro is one too."""
+"""A line of commands, ready to run; the body of a macro is also a line."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _MEMO_SIZE = 5_000
 
 
 class Line:
-    """`commands`, and the `number` of the source line.
+    """The commands of one source line, with its `number`.
 
-    `origin` is the text that it came with, in which it begins at `start` and which a macro outlives; `places` is where
-    each command stands in that. Of a macro the commands are those from number `first` of the line on.
+    `origin` is the text that contained it, beginning at `start`; a macro outlives that text. `places` are the
+    offsets of the commands in it. The commands of a macro are those of the line from index `first` on.
     """
 
     __slots__ = ("_places", "commands", "first", "number", "origin", "start")
@@ -41,7 +41,7 @@ class Line:
 
     @property
     def places(self) -> tuple[int, ...]:
-        """Where each command stands in `origin`, worked out when somebody asks."""
+        """The offsets of the commands in `origin`, computed on demand."""
         if self._places is None:
             end = self.origin.find("\n", self.start)
             text = self.origin[self.start : end if end >= 0 else None]
@@ -49,17 +49,17 @@ class Line:
         return self._places
 
     def rest(self, first: int) -> Line:
-        """The line from command `first` on."""
+        """Return the line from command `first` on."""
         return Line(self.commands[first:], self.number, self.origin, self.start, self.first + first)
 
     @property
     def text(self) -> str:
-        """The commands as they were written, separated by commas."""
+        """The commands in source form, separated by commas."""
         return ",".join(command.text for command in self.commands)
 
 
 def too_long(length: int) -> Fault:
-    """The fault of a line that does not fit the controller's buffer."""
+    """Return the fault of a line that does not fit the controller's buffer."""
     return Fault(
         codes.TOO_LONG,
         f"the line has {length} characters; the controller takes {LONGEST}",
@@ -69,7 +69,10 @@ def too_long(length: int) -> Fault:
 
 
 class Lines(dict[str, "tuple[Command, ...]"]):
-    """From the text of a line to its commands, remembered: hosts ask the same all day. Fault when it is too long."""
+    """Cache from the text of a line to its commands, because hosts repeat their lines.
+
+    Raises Fault if the line is too long.
+    """
 
     def __missing__(self, text: str) -> tuple[Command, ...]:
         if len(text) > LONGEST:
@@ -86,13 +89,19 @@ _LINES = Lines()
 
 
 def line_of(text: str, start: int = 0, number: int = 1, origin: str | None = None) -> Line | None:
-    """The commands of one line of text, None where it has none; Fault when it is too long."""
+    """Return the commands of one line of text, or None if it has none.
+
+    Raises Fault if the line is too long.
+    """
     found = _LINES[text]
     return Line(found, number, text if origin is None else origin, start) if found else None
 
 
 def lines_of(text: str) -> Iterator[Line | tuple[Fault, int, int]]:
-    """The lines of a file, each with its commands; for a line too long its fault, offset and number."""
+    """Iterate over the lines of a file.
+
+    A line that is too long yields its fault, offset and number instead.
+    """
     start = 0
     for number, raw in enumerate(text.split("\n"), 1):
         try:

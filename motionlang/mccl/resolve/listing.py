@@ -1,4 +1,4 @@
-"""The commands of a program as lines to read, each with the function that carries it out."""
+"""The commands of a program as text, each with the function that carries it out."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ carries it out."""
 
 
 def listing(source: Source) -> Listing:
-    """The commands of all lines that the controller takes."""
+    """Return the commands of all lines that the controller accepts."""
     found = []
     for line in lines_of(source.text):
         if isinstance(line, Line):

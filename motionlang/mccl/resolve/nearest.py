@@ -1,4 +1,4 @@
-"""What somebody may have meant by two letters that are no command."""
+"""Suggestions for two letters that are not a command."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from motionlang.mccl.keywords import table
 
 
 def hint(word: str) -> str:
-    """A sentence that helps, or nothing."""
+    """Return a hint, or an empty text."""
     upper = word.upper()
     meant = [row.name for row in table() if upper in row.meant.split()]
     if meant:

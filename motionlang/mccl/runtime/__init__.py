@@ -1,1 +1,1 @@
-"""An MCCL program or line as it runs: the board, its tasks, and loops that poll."""
+"""The run time of MCCL: the board, its tasks, and loops that poll."""

@@ -1,4 +1,7 @@
-"""The board: everything that outlives a line. Axes' units and modes, registers, macros, tasks, and the last error."""
+"""The board: all state that outlives a line.
+
+This is the axes' units and modes, registers, macros, tasks, and the last error.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
-# Codes that are readings, by their names in the machine file.
+# Codes that are assumptions, by their names in the machine file.
 CODES = {
     codes.PARAMETER: "mccl.code-parameter",
     codes.NO_AXIS: "mccl.code-no-axis",
@@ -38,8 +41,9 @@ CODES = {
 class Board:
     """A PMC controller with its interpreter's state, built on a `Machine`.
 
-    `write` takes what the tasks send unless they have their own way; `complain` is told of every diagnostic and the
-    task that is at fault, None (a served board) leaves it at the `?` codes.
+    `write` takes the output of tasks that have no writer of their own. `complain` is called with every
+    diagnostic and the task that caused it. If it is None, as on a served board, the `?` codes are the only
+    report.
     """
 
     def __init__(
@@ -49,7 +53,7 @@ class Board:
         self.controller = machine.controller
         self.cost = machine.instruction_time
         self.model = _model(machine.model)
-        # The readings that this board has otherwise than chosen, by their names.
+        # The assumptions that this board settles differently from the default, by name.
         self.readings = machine.readings
         self.write: Callable[[str], None] = machine.terminal.write
         self.complain = complain
@@ -60,7 +64,7 @@ class Board:
         self.tasks: list[CommandTask] = []
         self.background: dict[int, BackgroundTask] = {}
         self._last_task = 0
-        # Counts the turns that tasks take, and what they do to anything but their accumulators.
+        # Counts of time slices that tasks take, and of their effects on anything but their accumulators.
         self.turns = self.effects = 0
         self.at_work: CommandTask | None = None
         self.points: dict[tuple[int, int], float] = {}
@@ -77,7 +81,7 @@ class Board:
         self.reset()
 
     def reset(self) -> None:
-        """As at power-up: axes off, units counts and seconds, registers 0, no macros."""
+        """Reset to power-up: axes off, units counts and seconds, registers 0, no macros."""
         self.registers: list[float | int] = [0] * self.model.registers
         self.macros: dict[int, Line] = {}
         self.time_unit = 1.0
@@ -94,7 +98,7 @@ class Board:
             self.reset_axis(axis)
 
     def reset_axis(self, axis: AxisState) -> None:
-        """One axis as at power-up: off, position 0, settings at their defaults."""
+        """Reset one axis to power-up: off, position 0, settings at their defaults."""
         number, controller = axis.number, self.controller
         self.release(axis)
         watch = self.breakpoints.pop(number, None)
@@ -126,21 +130,21 @@ class Board:
     # ------------------------------------------------------------------------------------ what axes belong to
 
     def contour(self, axis: AxisState) -> Contour:
-        """The contour that the axis controls."""
+        """Return the contour that the axis controls."""
         found = self.contours.get(axis.number)
         if found is None:
             found = self.contours[axis.number] = Contour(self, axis)
         return found
 
     def contour_of(self, axis: AxisState) -> Contour | None:
-        """The contour whose path the axis is on, if it is on one."""
+        """Return the contour whose path the axis is on, if any."""
         if axis.controlling is None:
             return None
         found = self.contours.get(axis.controlling)
         return found if found is not None and axis.number in found.members else None
 
     def leave_contour(self, axis: AxisState) -> None:
-        """The axis goes into another mode: a path that it is on ends."""
+        """End the path of an axis that changes to another mode."""
         contour = self.contour_of(axis)
         if contour is not None:
             contour.stop()
@@ -148,9 +152,10 @@ class Board:
         axis.controlling = None
 
     def release(self, axis: AxisState, ended: str = "cancel") -> None:
-        """The axis is its own again: no path, no joystick, nothing looked for; what stops it takes its master from it.
+        """Release an axis from its path, joystick and search.
 
-        A fault that stops smoothly leaves the path to come to rest along itself.
+        The operation that stops it also removes its master. After a fault that stops smoothly, the path still
+        comes to rest along itself.
         """
         seek = self.seeks.pop(axis.number, None)
         if seek is not None:
@@ -162,12 +167,15 @@ class Board:
         self._forget_paths(axis)
 
     def _forget_paths(self, axis: AxisState) -> None:
-        """What waits for the axis has no start any more."""
+        """Remove the queued paths of the axis, which have lost their start."""
         if axis.controlling in self.contours:
             self.contours[axis.controlling].forget(axis.number)
 
     def define_position(self, axis: AxisState, position: float) -> None:
-        """The axis is at `position`, counts, from now on: what is remembered of its motion shifts with it."""
+        """Make the current position of the axis `position`, counts.
+
+        The stored positions of its motion are shifted with it.
+        """
         number, controller = axis.number, self.controller
         shift = position - controller.position(number)
         controller.define_position(number, position)
@@ -178,7 +186,7 @@ class Board:
             seek.caught += shift
 
     def home_changed(self, number: int) -> None:
-        """The home input of an axis has another level."""
+        """Check a pending search after the home input of an axis has changed."""
         seek = self.seeks.get(number)
         if seek is not None:
             seek.look()
@@ -197,7 +205,7 @@ class Board:
     # ------------------------------------------------------------------------------------------------- asking
 
     def axis(self, number: int) -> AxisState:
-        """An axis by its number."""
+        """Return an axis by its number; raise Fault if it does not exist."""
         found = self.axes.get(number)
         if found is None:
             hint = f"the axes are {self.numbers[0]} to {self.numbers[-1]}"
@@ -205,26 +213,26 @@ class Board:
         return found
 
     def is_driven(self, channel: int) -> bool:
-        """Whether something in the world, or the program itself, sets an input."""
+        """True if the world or the program drives an input."""
         world = self.machine.world
         return (world is not None and channel in world.driven) or self.controller.input(channel) != 0
 
     def seconds(self, value: float) -> float:
-        """A time in the unit of UT, in seconds."""
+        """Convert a time from the unit of UT to seconds."""
         return value * self.time_unit
 
     def is_shared(self, task: CommandTask) -> bool:
-        """Whether another task wants its turn."""
+        """True if another task is ready to run."""
         return any(other.wait is None and other is not task and not other.done for other in self.tasks)
 
     def take_turn(self, task: CommandTask) -> None:
-        """Another task than the last one begins to work."""
+        """Count a time slice if another task than the last one begins to run."""
         if self.at_work is not task:
             self.at_work = task
             self.turns += 1
 
     def next_wake(self, task: CommandTask) -> float:
-        """The earliest time at which another task may do something."""
+        """Return the earliest time at which another task may do something."""
         time = INFINITY
         for other in self.tasks:
             if other is not task and not other.done:
@@ -236,15 +244,18 @@ class Board:
     # -------------------------------------------------------------------------------------------------- tasks
 
     def foreground(self, task: CommandTask) -> None:
-        """The task that carries out what the host sends takes the place of the one before it."""
+        """Replace the task that carries out the host's lines."""
         self.tasks = [task, *self.background.values()]
 
     def join(self, task: CommandTask) -> None:
-        """A further task that carries out what a host sends."""
+        """Add another task that carries out a host's lines."""
         self.tasks.append(task)
 
     def start_task(self, macro: Line, issuer: CommandTask) -> int:
-        """Run a macro in the background, its replies going where the issuer's go; its number."""
+        """Run a macro in the background and return its number.
+
+        Its replies go to the same place as the issuer's.
+        """
         scheduler = self.machine.scheduler
         assert scheduler is not None, "background tasks need a scheduler"
         self._last_task += 1
@@ -256,7 +267,7 @@ class Board:
         return self._last_task
 
     def end_task(self, number: int) -> bool:
-        """End a background task; False when there is none of that number."""
+        """End a background task; return False if the number does not exist."""
         task = self.background.get(number)
         if task is None:
             return False
@@ -267,7 +278,7 @@ class Board:
         return True
 
     def ended(self, task: CommandTask) -> None:
-        """A task has ended by itself."""
+        """Remove a task that has ended."""
         if task in self.tasks:
             self.tasks.remove(task)
         for number, each in list(self.background.items()):
@@ -277,19 +288,19 @@ class Board:
     # ------------------------------------------------------------------------------------------------ talking
 
     def whole(self, value: int) -> str:
-        """A whole number as DM or HM want it."""
+        """Format an integer as DM or HM require."""
         if not self.hexadecimal:
             return str(value)
         small = self.readings.get("mccl.hex-letters") == "small"
         return f"{value & 0xFFFFFFFF:{'x' if small else 'X'}}"
 
     def refused(self, task: CommandTask, trouble: Fault | Refusal) -> bool:
-        """Answer a command that could not be carried out; True when the rest of the line is to be left."""
+        """Answer a rejected command; return True if the rest of the line is to be skipped."""
         if isinstance(trouble, Refusal):
             if trouble.code == "limit":
                 raise trouble
             if trouble.code == "disabled-axis":
-                # No code of the board means this: it keeps silent and nothing moves.
+                # No code of the board means this: it sends no answer and nothing moves.
                 self.warn(task, trouble.code, trouble.message, "MN switches it on", "error")
                 return False
             trouble = Fault(codes.PARAMETER, trouble.message, trouble.hint, trouble.code)
@@ -301,18 +312,21 @@ class Board:
         return True
 
     def _code(self, code: int) -> int:
-        """The code that this board tells of what another calls `code`."""
+        """Return the code of this board for what others call `code`."""
         name = CODES.get(code)
         return code if name is None else self.readings.get(name, code)  # type: ignore[return-value]
 
     def forget_complaints(self) -> None:
-        """Let every place speak again: the text is a new one."""
+        """Report repeated diagnostics again, because the text is a new one."""
         self._seen.clear()
 
     def warn(
         self, task: CommandTask, code: str, message: str, hint: str = "", severity: str = "warning"
     ) -> None:
-        """A diagnostic at the command that the task is at; each place speaks once, and counts how often it would."""
+        """Report a diagnostic at the current command of the task.
+
+        It is reported once per position, and repetitions are counted.
+        """
         if self.complain is None:
             return
         key = (task.at, message)
@@ -324,14 +338,14 @@ class Board:
             self.complain(self._seen[key], task)
 
 
-# What the controller's axes start with on this board; the rest is as the controller has it.
+# The settings of the controller's axes on this board, if they differ from the controller's defaults.
 AXIS_SETTINGS: dict[str, float | str] = {
     "buffer_size": LONGEST_QUEUE,
     "shape": "trapezoid",
     "speed": 40_000.0,
     "accel": 100_000.0,
     "decel": 100_000.0,
-    # PMC's S-curve is given by its ramp ratio, not by a jerk.
+    # The ramp ratio defines PMC's S-curve, not a jerk.
     "accel_jerk": INFINITY,
     "decel_jerk": INFINITY,
     "ramp": 0.1,

@@ -1,7 +1,8 @@
-"""When the loops of a task ran: a jump back makes a loop of the commands from its target to itself.
+"""Log of the times of a task's loops.
 
-A loop begins with the line or macro that it is the first of, else at its first jump back. It ends at the first command
-behind its last jump, or when its line ends. The innermost one is last; nothing is done for a command but to compare.
+A jump back makes a loop of the commands from its target to itself. A loop that begins with the first command
+of a line or macro starts with that line, any other at its first jump back. It ends at the first command after
+its last jump, or when its line ends. The innermost loop is last. The only cost per command is one comparison.
 """
 
 from __future__ import annotations
@@ -11,14 +12,14 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
-# A loop of fewer commands leaves no record.
+# A loop shorter than this, in commands, leaves no record.
 LEAST = 100.0
 # No command of a line has such a number.
 NEVER = 1 << 30
 
 
 class _Open:
-    """A loop that runs: its commands are those from `target` to `here` of a line."""
+    """A running loop: the commands from `target` to `here` of a line."""
 
     __slots__ = ("callers", "depth", "here", "line", "since", "target")
 
@@ -28,9 +29,10 @@ class _Open:
 
 
 class LoopLog:
-    """The loops of one task; `target` and `end` are the numbers of the first and the last command of the innermost one.
+    """The loops of one task.
 
-    They are that only while its line is carried out: a jump back from `end` to `target` is the next iteration.
+    `target` and `end` are the indexes of the first and the last command of the innermost loop, valid only
+    while its line is carried out. A jump back from `end` to `target` is the next iteration.
     """
 
     __slots__ = ("_task", "end", "entered", "running", "target")
@@ -39,11 +41,11 @@ class LoopLog:
         self._task = task
         self.running: list[_Open] = []
         self.end = self.target = NEVER
-        # When the line that is being carried out began.
+        # The time at which the current line began.
         self.entered = 0.0
 
     def back(self, line: Line, target: int, here: int) -> None:
-        """A jump back from command `here` of a line to command `target`."""
+        """Record a jump back from command `here` of a line to command `target`."""
         around, depth = self.running, len(self._task.calls)
         while around:
             last = around[-1]
@@ -64,7 +66,7 @@ class LoopLog:
         self.find_end()
 
     def passed(self) -> None:
-        """The next command is behind the last one of the innermost loop, or of another line."""
+        """Close the loops that the next command is not in."""
         task, around = self._task, self.running
         while around and around[-1].depth == len(task.calls):
             last = around[-1]
@@ -74,17 +76,23 @@ class LoopLog:
         self.find_end()
 
     def left(self) -> None:
-        """The line has ended, or is given up: so have its loops."""
+        """Close the loops of a line that has ended or is abandoned."""
         while self.running and self.running[-1].depth >= len(self._task.calls):
             self._close()
         self.find_end()
 
     def open(self) -> list[tuple[int, float, tuple[int, ...]]]:
-        """The loops that the task is in, the outermost first, as `Task.loops` has them."""
+        """Return the loops that the task is in, outermost first.
+
+        The form is that of `Task.loops`.
+        """
         return [(each.line.places[each.here], each.since, each.callers) for each in self.running]
 
     def find_end(self) -> None:
-        """Which command is the last one of the innermost loop; none in the line of a macro that the loop calls."""
+        """Find the last command of the innermost loop.
+
+        There is none in the line of a macro that the loop calls.
+        """
         last = self.running[-1] if self.running else None
         task = self._task
         inside = last is not None and last.line is task.line and last.depth == len(task.calls)

@@ -1,8 +1,9 @@
-"""Loops that only look: passes that would be as the last one was are skipped.
+"""Skipping of polling loops: iterations that would repeat the last one.
 
-A jump back that finds the accumulator as it was at the last one, with nothing done in between but reading, will find
-the same again until an event. So it is where the accumulator moves on, too, if a pass begins by reading it and does no
-more than compare it. The command that follows is then that of the last whole pass before that.
+A jump back starts an iteration. If the accumulator equals that of the last jump back, and the commands in
+between only read, the result stays the same until an event. This also holds if the accumulator changes,
+provided that an iteration begins by reading it and then only compares it. The command that follows is then
+that of the last whole iteration before the event.
 """
 
 from __future__ import annotations
@@ -17,24 +18,26 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
-# What compares the whole accumulator with a number, and what does nothing to it.
+# Commands that compare the whole accumulator with a number, and commands without effect on it.
 _COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
 _JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
-# What looks at a channel, and what looks at nothing in the world.
+# Commands that read a channel, and commands that read nothing from the world.
 _CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
 _LOOKS_AT_NOTHING = (
     _COMPARES | _JUMPS | {"if_set", "if_clear", "wait", "call_macro", "jump_macro", "leave", "look_up"}
 )
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
-# So many passes go by unlooked at; what is looked at costs not much more than what is not.
+# The largest number of iterations without a check; with it a checked loop costs little more than an unchecked
+# one.
 MOST_ALONE = 1024
 
 
 class Poll:
-    """Watches one task's loops; `attention` has the notes of what was read.
+    """Watches one task's loops; `attention` has the dependencies that were read.
 
-    `hopeless` is the time since which passes were alike that nothing but a task or an event can change.
+    `hopeless` is the time since which all iterations were alike, and only another task or an event can change
+    that.
     """
 
     __slots__ = ("_alone", "_before", "_done", "_left", "_task", "attention", "hopeless")
@@ -42,8 +45,8 @@ class Poll:
     def __init__(self, task: CommandTask) -> None:
         self._task = task
         self.attention = Attention(task.board.controller.clock)
-        # The place and what was done by then, the accumulator, the count of commands, the next event, and what tells
-        # whether another task has run since, or this one has waited.
+        # The position with the effects by then, the accumulator, the count of commands, and the next event.
+        # The last item shows whether another task has run since, or this one has waited.
         self._before: tuple[tuple[object, ...], float | int, int, float, object] = (
             (None, None),
             0,
@@ -52,13 +55,17 @@ class Poll:
             None,
         )
         self.hopeless: float | None = None
-        # What tasks and events had done by the last pass that was hopeless, and the commands of that pass.
+        # The effects of tasks and events up to the last hopeless iteration, and the commands of that
+        # iteration.
         self._done: tuple[int, int, tuple[Command, ...]] = 0, 0, ()
-        # For how many passes nobody looks at what goes on there, and for how many when next that is in vain.
+        # Back-off: iterations that still run unchecked, and those after the next failed check.
         self._alone = self._left = 0
 
     def again(self) -> Wait | None:
-        """Called at each jump back: go on to the last pass that can be no different; a wait if it is so for ever."""
+        """Skip the iterations that repeat; called at each jump back.
+
+        Returns a wait if they repeat for ever.
+        """
         task = self._task
         if self._alone:
             there = self._before[0]
@@ -72,7 +79,7 @@ class Poll:
         by_itself = board.turns, task.base
         notes, attention.notes = attention.notes, []
         if before[:2] != place[:2] or now >= event or notes is None:
-            self._alone = 0  # where an event came between, what was read before it is old
+            self._alone = 0  # after an event, earlier reads are out of date
         elif ran != by_itself:
             self._alone = 0
             if before == place and accumulator == held and attention.until(now, notes) == INFINITY:
@@ -94,15 +101,18 @@ class Poll:
         return wait
 
     def is_hopeless(self) -> bool:
-        """Whether the last pass was one that nothing but a task or an event can change, and neither has come since."""
+        """True if only a task or an event can change the loop, and neither has come.
+
+        This is about the last iteration.
+        """
         done = self._task.board.effects, self.attention.clock.fired
         return self.hopeless is not None and done == self._done[:2]
 
     def watched(self) -> list[str]:
-        """What the passes of a hopeless loop look at: channels, and other commands that read."""
+        """Return the inputs of a hopeless loop: channels, and other commands that read."""
         found: dict[str, None] = {}
         macros, bodies = dict(self._task.board.macros), [self._done[2]]
-        for commands in bodies:  # which grow meanwhile
+        for commands in bodies:  # the list grows meanwhile
             for command in commands:
                 verb = command.row.verb if command.row is not None else ""
                 if verb == "call_macro" and command.value in macros:
@@ -114,7 +124,10 @@ class Poll:
         return list(found)
 
     def _give_up(self) -> None:
-        """The pass that ends here changes nothing and will be the same for ever, as far as this task can tell."""
+        """Mark the loop as hopeless.
+
+        The iteration that ends here has no effect and repeats for ever, as far as this task can know.
+        """
         task = self._task
         assert task.line is not None
         if not self.is_hopeless():
@@ -123,7 +136,7 @@ class Poll:
         self._done = task.board.effects, self.attention.clock.fired, tuple(commands)
 
     def _skip(self, until: float, length: int) -> Wait | None:
-        """Go on over passes of so many commands that are alike until a moment."""
+        """Skip equal iterations of `length` commands until a time."""
         task, clock = self._task, self.attention.clock
         board, now, turns = task.board, clock.now, task.board.turns
         scheduler = board.machine.scheduler
@@ -137,7 +150,10 @@ class Poll:
         return None
 
     def _levels(self) -> list[Note]:
-        """What a pass that begins with a reading compares it with; what may change at once where it does more."""
+        """Return the dependencies of an iteration on the values that it compares.
+
+        The iteration begins with a read. If it does more than compare, it may change at once.
+        """
         task = self._task
         assert task.line is not None
         reading, *others = task.line.commands[task.pc : task.here + 1]
@@ -146,5 +162,5 @@ class Poll:
             return [(self.attention.at_once, ())]
         compared = [task.value(each) for each, verb in zip(others, verbs, strict=True) if verb in _COMPARES]
         where = task.board, task.axis(reading), task.whole(reading)
-        # A fraction is cut off: what is compared with 5 may change at 4 and 6, too.
+        # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
         return [(crossing_time, (*where, level + k)) for level in compared for k in (-1, 0, 1)]

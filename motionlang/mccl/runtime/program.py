@@ -1,4 +1,7 @@
-"""A file of commands, downloaded line by line as a terminal program does: the next line when the last one is done."""
+"""A file of commands, downloaded line by line like by a terminal program.
+
+The next line is sent when the last one is done.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +38,10 @@ class MacroFile(Program):
         return first is not None and not (isinstance(first, Line) and first.commands[0].row is not None)
 
     def start(self, machine: Machine) -> FileTask:
-        """The foreground task, on a board that is as at power-up but for the registers that `--set` gives."""
+        """Return the foreground task.
+
+        Its board is as at power-up, except for the registers that `--set` gives.
+        """
 
         def complain(diagnostic: Diagnostic, task: CommandTask) -> None:
             place = locate(self.source, task.at)
@@ -50,7 +56,7 @@ class MacroFile(Program):
 
 
 class FileTask(CommandTask):
-    """Sends the lines of a file, and at the end waits for the background tasks that are left."""
+    """Sends the lines of a file, and at the end waits for remaining background tasks."""
 
     __slots__ = ("_lines", "_next", "_source", "_stray")
 
@@ -71,7 +77,7 @@ class FileTask(CommandTask):
         override(self, values)
 
     def next_line(self) -> Line | None:
-        """The next line that can be carried out; the faults of others are told where they stand."""
+        """Return the next valid line, and report the faults of others."""
         while self._next < len(self._lines):
             line = self._lines[self._next]
             self._next += 1
@@ -94,7 +100,10 @@ class FileTask(CommandTask):
         return Wait(now, self._nothing_left, lambda: INFINITY, f"for background task {names} to end", "task")
 
     def _nothing_left(self) -> bool:
-        """Whether each background task has ended, or watches for what nothing on this machine can bring about."""
+        """True if no background task can do any more.
+
+        Each has ended, or polls for something that nothing on this machine can cause.
+        """
         board = self.board
         scheduler = board.machine.scheduler
         if not board.background:
@@ -107,13 +116,13 @@ class FileTask(CommandTask):
 
 
 def _only_watches(task: CommandTask) -> bool:
-    """Whether a task polls what no event is to change, or waits for an input."""
+    """True if a task polls a value that no event changes, or waits for an input."""
     wait = task.wait
     return task.poll.is_hopeless() or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
 
 
 def told_of(source: Source, task: CommandTask) -> str:
-    """What is to be said of a background task that still watches when the foreground has ended."""
+    """Return the remark on a background task that outlasts the foreground by polling."""
     line, _, _ = locate(source, task.at)
     poll = task.poll
     if poll.is_hopeless():
@@ -132,7 +141,7 @@ def told_of(source: Source, task: CommandTask) -> str:
 
 
 def override(task: CommandTask, values: dict[str, float | str]) -> None:
-    """Set registers by their names, R0 to R255, as `--set` has them."""
+    """Set registers by the names R0 to R255, for `--set`."""
     from motionlang.controller.faults import Refusal
 
     for name, value in values.items():
@@ -150,7 +159,7 @@ def override(task: CommandTask, values: dict[str, float | str]) -> None:
 
 
 def locate(source: Source, at: int) -> tuple[int, int, int]:
-    """Line, column and length of the command at an offset."""
+    """Return line, column and length of the command at an offset."""
     line, column = source.place(at)
     text = source.line(line)
     if column == 1 and len(text) > 255:

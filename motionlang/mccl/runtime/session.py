@@ -1,4 +1,4 @@
-"""MCCL for a person who types one line after the other."""
+"""MCCL for an interactive session, one line after another."""
 
 from __future__ import annotations
 
@@ -30,7 +30,10 @@ class Session(Interactive):
         self._registers = first.registers
 
     def task(self, source: Source) -> Task:
-        """The task that carries `source` out; what goes wrong is a `?` code and a diagnostic of the machine."""
+        """Return the task for `source`.
+
+        An error is a `?` code and a diagnostic of the machine.
+        """
         self.board.forget_complaints()
         task = LineTask(self.board, source)
         task.registers = self._registers
@@ -39,7 +42,7 @@ class Session(Interactive):
     def _complain(self, diagnostic: Diagnostic, task: CommandTask) -> None:
         line = task.line
         if line is not None:
-            # The command may stand in a macro, which came with an earlier text: its place is one in that.
+            # The command may be in a macro from an earlier text: its offset is in that text.
             _, diagnostic.column, diagnostic.length = locate(Source("input", line.origin), task.place)
             diagnostic.line = line.number
         elif isinstance(task, LineTask):
@@ -48,7 +51,7 @@ class Session(Interactive):
 
 
 class LineTask(CommandTask):
-    """Carries out the lines of a text; background tasks go on by themselves."""
+    """Carries out the lines of a text; background tasks run independently."""
 
     __slots__ = ("_entered", "_lines", "_stray", "source")
 
@@ -61,7 +64,10 @@ class LineTask(CommandTask):
 
     @property
     def at(self) -> int:
-        """Offset in the text: of the command, or of the one that called the macro of an earlier text it stands in."""
+        """The offset of the command in the text.
+
+        For a macro from an earlier text, this is the offset of the command that called it.
+        """
         if self.line is None:
             return self._stray
         if self.line.origin is self.source.text:
@@ -72,7 +78,7 @@ class LineTask(CommandTask):
         return self._entered
 
     def next_line(self) -> Line | None:
-        """The next of the lines entered that can be carried out; the faults of others are told."""
+        """Return the next valid line that was entered, and report the faults of others."""
         while self._lines:
             line = self._lines.pop(0)
             if isinstance(line, Line):

@@ -1,6 +1,7 @@
-"""A task of the controller's interpreter: a line of commands, a program counter, and the time each command costs.
+"""A task of the controller's interpreter.
 
-Time is `base + count * cost`, so that it is the same number however many commands are run, or skipped, in one go.
+It has a line of commands, a program counter, and the time that each command takes. Time is `base + count *
+cost`, so that it is the same number whether commands are run one by one or skipped together.
 """
 
 from __future__ import annotations
@@ -33,24 +34,24 @@ if TYPE_CHECKING:
     Then: TypeAlias = Callable[[float], Wait | None]
 
 PRIVATE = 10
-# How a report of an axis is told, by the machine file's reading `mccl.reply-form`.
+# Formats of a report of an axis, by the machine file's assumption `mccl.reply-form`.
 FORMS: dict[object, str] = {
     "01 1234": "{:02d} {}\n",
     "1 1234": "{} {}\n",
     "01=1234": "{:02d}={}\n",
     "1234": "{1}\n",
 }
-# Macros that may be open at once.
+# The largest depth of macro calls.
 DEEPEST = 100
 # Commands between two returns to the scheduler, so that a busy program can be paced and interrupted.
 SLICE = 20_000
 
 
 class CommandTask(Task):
-    """Carries out lines one after the other; `next_line` says where they come from.
+    """Carries out lines one after another; `next_line` supplies them.
 
-    `line` is the line (or macro) being carried out, `pc` the index of its next command, `calls` the lines to come
-    back to. `registers` 0 to 9 are the task's own. `then` is what follows the wait that the task is in.
+    `line` is the current line or macro, `pc` the index of its next command, `calls` the lines to return to.
+    `registers` 0 to 9 are the task's own. `then` continues after the wait that the task is in.
     """
 
     __slots__ = (
@@ -89,7 +90,7 @@ class CommandTask(Task):
         # The contour path that the commands of the line are describing.
         self.path_open: Path | None = None
         self.here = 0
-        # Up to when it may run; the machine time of its first command, and how many there have been since.
+        # The end of the time slice; the machine time of the first command, and the number of commands since.
         self.horizon = INFINITY
         self.base = 0.0
         self.count = 0
@@ -105,7 +106,7 @@ class CommandTask(Task):
 
     @property
     def place(self) -> int:
-        """Offset of the command being carried out, in the text that its line came from."""
+        """The offset of the current command in the text that its line came from."""
         line = self.line
         return line.places[self.here] if line is not None and self.here < len(line.places) else 0
 
@@ -120,17 +121,20 @@ class CommandTask(Task):
 
     @property
     def source_line(self) -> int:
-        """Number of the source line of the command being carried out."""
+        """The number of the source line of the current command."""
         return self.line.number if self.line is not None else 0
 
     @property
     def word(self) -> str:
-        """The mnemonic of the command being carried out."""
+        """The mnemonic of the current command."""
         line = self.line
         return line.commands[self.here].name if line is not None and self.here < len(line.commands) else ""
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """Carry out commands to the horizon, a wait or another task's turn: the time, s, and the wait."""
+        """Run commands until the horizon, a wait or another task's time slice.
+
+        Returns the time, s, and the wait.
+        """
         if now != self.base + self.count * self.cost:
             self.base, self.count = now, 0
         self.horizon = horizon
@@ -163,7 +167,7 @@ class CommandTask(Task):
                 return now, wait
             if pc > loop_log.end:
                 loop_log.passed()
-            # One command; written out here, as a call of its own would be a tenth of what it costs.
+            # One command. It is inlined, because a call would be a tenth of its cost.
             command = line.commands[pc]
             self.here, self.pc = pc, pc + 1
             if not command.pure:
@@ -187,39 +191,42 @@ class CommandTask(Task):
     # ----------------------------------------------------------------------------------------- for the actions
 
     def reply(self, text: str) -> None:
-        """One line of an answer."""
+        """Write one line of an answer."""
         self.write(text + "\n")
 
     def tell(self, axis: int, text: str) -> None:
-        """A report of an axis or a channel: its number in two digits, a blank, the value."""
+        """Report a value of an axis or a channel.
+
+        The default form is the number in two digits, a blank and the value.
+        """
         self.write(FORMS[self.board.readings.get("mccl.reply-form", "01 1234")].format(axis, text))
 
     def value(self, command: Command) -> float | int:
-        """The parameter as a number, that of a register if `@` says so; 0 where there is none."""
+        """Return the parameter as a number, that of a register after `@`; 0 if none."""
         if command.kind == REGISTER:
             assert command.row is not None
             return checked(self.register(int(command.value)), command.row)
         return command.value if command.kind != TEXT else 0  # type: ignore[return-value]
 
     def given(self, command: Command) -> bool:
-        """Whether the command has a parameter."""
+        """True if the command has a parameter."""
         return command.kind != NONE
 
     def whole(self, command: Command) -> int:
-        """The parameter as a whole number; a fraction is a parameter error."""
+        """Return the parameter as an integer; a fraction is a parameter error."""
         value = self.value(command)
         if value != int(value):
             raise Fault(codes.PARAMETER, f"{command.name} wants a whole number, not {value:g}", kind="range")
         return int(value)
 
     def axes(self, command: Command) -> tuple[AxisState, ...]:
-        """The axes that the command speaks to: the one it names, or all."""
+        """Return the axes that the command addresses: the one it names, or all."""
         if command.axis == 0:
             return self.board.all_axes
         return (self.board.axis(command.axis),)
 
     def axis(self, command: Command) -> AxisState:
-        """The one axis that the command must name."""
+        """Return the one axis that the command must name."""
         if command.axis == 0:
             raise Fault(
                 codes.NO_AXIS,
@@ -230,7 +237,7 @@ class CommandTask(Task):
         return self.board.axis(command.axis)
 
     def register(self, number: int) -> float | int:
-        """The content of a register: the first ten are the task's own."""
+        """Return the content of a register; the first ten are the task's own."""
         if number < PRIVATE:
             return self.registers[number]
         if number >= len(self.board.registers):
@@ -238,7 +245,7 @@ class CommandTask(Task):
         return self.board.registers[number]
 
     def set_register(self, number: int, value: float | int) -> None:
-        """Give a register a value."""
+        """Set a register."""
         if number < PRIVATE:
             if number and self.registers[number] != value:
                 self.board.effects += 1
@@ -251,7 +258,7 @@ class CommandTask(Task):
         self.board.registers[number] = value
 
     def call(self, line: Line) -> None:
-        """Carry out a macro, then come back."""
+        """Carry out a macro, then return."""
         if len(self.calls) >= DEEPEST:
             raise Fault(
                 codes.PARAMETER,
@@ -271,7 +278,7 @@ class CommandTask(Task):
             self.loop_log.find_end()
 
     def jump(self, target: int) -> Wait | None:
-        """Go on with command `target` of the line."""
+        """Continue with command `target` of the line."""
         assert self.line is not None
         if not 0 <= target <= len(self.line.commands):
             last = len(self.line.commands) - 1
@@ -290,7 +297,7 @@ class CommandTask(Task):
         return self.poll.again()
 
     def abandon(self) -> None:
-        """Leave the line and every macro it is in."""
+        """Leave the line and every macro that it is in."""
         self.calls.clear()
         self.loop_log.left()
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
@@ -299,18 +306,18 @@ class CommandTask(Task):
     # ------------------------------------------------------------------------------------------ for the kinds
 
     def next_line(self) -> Line | None:
-        """The line to carry out when the last one is done; None at the end."""
+        """Return the next line to carry out, or None at the end."""
         return None
 
-    # Whether `_gate` is asked before each command.
+    # True if `_gate` is called before each command.
     gated = False
 
     def _gate(self, line: Line) -> Wait | None:
-        """What the next command of a line has to wait for."""
+        """Return the wait before the next command of a line, if any."""
         return None
 
     def _rest(self, now: float) -> Wait | None:
-        """What remains to wait for when there are no more lines; None ends the task."""
+        """Return the wait after the last line; None ends the task."""
         self.done = True
         return None
 
@@ -333,13 +340,13 @@ class CommandTask(Task):
             self.abandon()
 
     def close_path(self) -> None:
-        """The contour path that the line was describing is complete."""
+        """Complete the contour path that the line was describing."""
         path, self.path_open = self.path_open, None
         if path is not None:
             path.close(self)
 
     def _step_out(self) -> bool:
-        """Come back from a macro, or begin the next line; False when there is none."""
+        """Return from a macro, or begin the next line; return False if there is none."""
         if self.path_open is not None:
             try:
                 self.close_path()
@@ -364,7 +371,7 @@ class CommandTask(Task):
 
 
 class BackgroundTask(CommandTask):
-    """A macro in the background; when it has come to its end the task is over."""
+    """A macro in the background; the task ends with the macro."""
 
     __slots__ = ("_number",)
 
@@ -374,7 +381,7 @@ class BackgroundTask(CommandTask):
         self.enter(macro)
 
     def end(self) -> None:
-        """End the task from outside; the scheduler drops it at its next turn."""
+        """End the task from outside; the scheduler drops it at its next time slice."""
         self.board.ended(self)
         self.done = True
         self.wait = None

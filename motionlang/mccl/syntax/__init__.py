@@ -1,1 +1,4 @@
-"""The structure of MCCL text: lines, commands, tokens. No mnemonic is known here."""
+"""The structure of MCCL text: lines, commands, tokens.
+
+This package contains no mnemonic.
+"""

@@ -1,4 +1,7 @@
-"""Where a piece of text stops being a command, by the table of `grammars/mccl.lark`."""
+"""The offset at which a text stops being a command.
+
+It is found with the table of `grammars/mccl.lark`.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,10 @@ _PATTERNS = {name: re.compile(pattern, re.ASCII) for name, pattern in TERMINALS.
 
 
 def stuck(text: str) -> tuple[int, set[str]]:
-    """How much of a text is the beginning of a command, and the kinds of token that could follow it there."""
+    """Return the length of a valid beginning of a command, and what could follow.
+
+    The latter is a set of kinds of token.
+    """
     top, at = empty(AUTOMATON), 0
     while True:
         kinds = _could_follow(top)
@@ -24,7 +30,10 @@ def stuck(text: str) -> tuple[int, set[str]]:
 
 
 def _could_follow(top: Cell) -> set[str]:
-    """The kinds of token that could come next, tried out once for each stack: a command has few."""
+    """Return the kinds of token that could come next.
+
+    They are tried out once for each stack, because a command has few.
+    """
     states = tuple([cell.state.number for cell in top])
     kinds = _FOLLOW.get(states)
     if kinds is None:

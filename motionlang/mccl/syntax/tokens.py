@@ -1,4 +1,7 @@
-"""The pieces of a text for highlighting: axis, command, number, register, text, comment, separator, unknown."""
+"""The tokens of a text for highlighting.
+
+Their kinds are axis, command, number, register, text, comment, separator and unknown.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ _DIGITS = "0123456789"
 
 
 def tokens(text: str) -> Iterator[tuple[str, str, int]]:
-    """Kind, text and offset of each piece; together they are `text` again, whatever it is."""
+    """Return kind, text and offset of each token; together they are all of `text`."""
     start = 0
     for line in text.splitlines(keepends=True):
         body = line.rstrip("\r\n")
