@@ -1,7 +1,7 @@
 """Variables of an axis: a program looks up names and reads and writes addresses.
 
-The names are ours unless a source gives them (docs/fidelity.md). The addresses are all ours. They differ
-between real boards, so programs look them up.
+The names are ours unless a source gives them (docs/fidelity.md). The addresses are all ours. An
+address of one board is not valid on another, so programs look them up.
 """
 
 from __future__ import annotations

@@ -126,7 +126,7 @@ class Port:
         while self._waiting and not self.busy:
             self._idle(self._waiting.pop(0))
 
-    # ----------------------------------------------------------------------------------------------- inside
+    # ---------------------------------------------------------------------------------------------- private
 
     def _take_in(self, code: int) -> bool:
         if self._flow(code):

@@ -106,7 +106,7 @@ def stop(task: CommandTask, command: Command) -> None:
 
 
 def abort(task: CommandTask, command: Command) -> None:
-    """Stop the axes instantly (AB), or at their DS if the machine file says so."""
+    """Stop the axes instantly (AB), or decelerate them at DS if so configured."""
     for axis in task.axes(command):
         axis.running = False
         task.board.release(axis)

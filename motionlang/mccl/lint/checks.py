@@ -71,7 +71,7 @@ def _unreachable(why: str, what: str = "command") -> Fault:
     return Fault(0, f"this {what} can never run: {why}", "", "unreachable")
 
 
-# ------------------------------------------------------------------------------------------- never carried out
+# ---------------------------------------------------------------------------------------- unreachable commands
 
 
 def _reached(line: Line) -> set[int]:

@@ -186,7 +186,7 @@ class Contour:
                 self._ends.clear()
             self.go()
 
-    # ------------------------------------------------------------------------------------- told by the planner
+    # ----------------------------------------------------------------------------------- called by the planner
 
     def take_override(self) -> None:
         """Apply the current override to the next plan."""

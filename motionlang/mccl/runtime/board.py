@@ -127,7 +127,7 @@ class Board:
         controller.set_scale(number, 1.0)
         motor.power_up(self, axis)
 
-    # ------------------------------------------------------------------------------------ what axes belong to
+    # -------------------------------------------------------------------------------------- paths and masters
 
     def contour(self, axis: AxisState) -> Contour:
         """Return the contour that the axis controls."""
@@ -202,7 +202,7 @@ class Board:
         elif what == "home":
             self.home_changed(number)
 
-    # ------------------------------------------------------------------------------------------------- asking
+    # ------------------------------------------------------------------------------------------------ queries
 
     def axis(self, number: int) -> AxisState:
         """Return an axis by its number; raise Fault if it does not exist."""
@@ -254,7 +254,7 @@ class Board:
     def start_task(self, macro: Line, issuer: CommandTask) -> int:
         """Run a macro in the background and return its number.
 
-        Its replies go to the same place as the issuer's.
+        Its replies go where the issuer's go.
         """
         scheduler = self.machine.scheduler
         assert scheduler is not None, "background tasks need a scheduler"
@@ -285,7 +285,7 @@ class Board:
             if each is task:
                 del self.background[number]
 
-    # ------------------------------------------------------------------------------------------------ talking
+    # ------------------------------------------------------------------------------------------------ answers
 
     def whole(self, value: int) -> str:
         """Format an integer as DM or HM require."""

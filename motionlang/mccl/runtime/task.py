@@ -303,7 +303,7 @@ class CommandTask(Task):
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
         self.path_open = None
 
-    # ------------------------------------------------------------------------------------------ for the kinds
+    # ----------------------------------------------------------------------------------------- for subclasses
 
     def next_line(self) -> Line | None:
         """Return the next line to carry out, or None at the end."""
@@ -321,7 +321,7 @@ class CommandTask(Task):
         self.done = True
         return None
 
-    # ------------------------------------------------------------------------------------------------- inside
+    # ------------------------------------------------------------------------------------------------ private
 
     def _go_on(self, now: float) -> Wait | None:
         while self.then is not None:
