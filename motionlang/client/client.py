@@ -31,7 +31,7 @@ QUIET = 0.05
 DRAIN = 0.5
 ESC = b"\x1b"
 ATTEMPTS = 3
-# The number of stored lines that nobody requested, from background tasks.
+# The largest number of stored lines that were not requested, from background tasks.
 MOST_UNASKED = 1000
 
 
@@ -56,7 +56,7 @@ class Client:
             wire.close()
             raise
 
-    # ----------------------------------------------------------------------------------------------- opening
+    # -------------------------------------------------------------------------------------------- connecting
 
     @classmethod
     def tcp(cls, host: str, port: int, timeout: float = TIMEOUT) -> Self:
@@ -118,7 +118,7 @@ class Client:
     ) -> None:
         self.close()
 
-    # ----------------------------------------------------------------------------------------------- talking
+    # ---------------------------------------------------------------------------------------------- commands
 
     def send(self, line: str, timeout: float | None = None) -> list[str]:
         """Send a line and return the lines of its answer; there may be none.
@@ -211,7 +211,7 @@ class Client:
         if status & Status.MOTOR_ERROR:
             raise AxisFault(axis, status)
 
-    # ------------------------------------------------------------------------------------------------ inside
+    # ----------------------------------------------------------------------------------------------- private
 
     def _find_board(self) -> None:
         if not self._wire.fresh:

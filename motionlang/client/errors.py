@@ -46,7 +46,7 @@ class ConnectionLost(ClientError, ConnectionError):
 
 
 class AxisFault(ClientError):
-    """A wait ended because the axis has an error; `status` says which."""
+    """A wait ended because the axis has an error; `status` identifies it."""
 
     def __init__(self, axis: int, status: Status) -> None:
         self.axis, self.status = axis, status

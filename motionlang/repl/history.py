@@ -41,7 +41,7 @@ def _folder() -> str | None:
 def _is_writable(path: str) -> bool:
     """True if the file is, or can be created as, private to this user.
 
-    Typed lines are nobody else's business.
+    Typed lines are private.
     """
     try:
         os.makedirs(os.path.dirname(path) or ".", 0o700, exist_ok=True)

@@ -76,7 +76,7 @@ class Session:
         self._lines: list[str] = []
         self._ambiguous = 0
 
-    # ------------------------------------------------------------------------------------------ what is typed
+    # -------------------------------------------------------------------------------------------------- input
 
     @property
     def in_block(self) -> bool:
@@ -125,7 +125,7 @@ class Session:
         if text.strip():
             self.execute(Source("input", "\n" * before + text))
 
-    # ---------------------------------------------------------------------------------------------- executing
+    # ---------------------------------------------------------------------------------------------- execution
 
     def load(self, source: Source) -> bool:
         """Execute a whole program; return False after an error.
@@ -154,7 +154,7 @@ class Session:
         if self.pace is not None:
             self.pace(time)
 
-    # ------------------------------------------------------------------------------------------------ telling
+    # ------------------------------------------------------------------------------------------------- output
 
     def say(self, text: str) -> None:
         """Show text as part of the answer."""

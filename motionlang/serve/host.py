@@ -77,7 +77,7 @@ class Host:
         return self.ended is not None and self.is_silent
 
     def waits_in_vain(self) -> str:
-        """Return the reason of a wait that no event under way will end.
+        """Return the reason of a wait that no pending event will end.
 
         Returns an empty text if there is none or it has been reported.
         """
@@ -132,7 +132,7 @@ class Host:
         if self._outbox:
             del self._outbox[: self.channel.send(bytes(self._outbox[: self._limits.outbox]))]
 
-    # ---------------------------------------------------------------------------------------------------- inside
+    # --------------------------------------------------------------------------------------------------- private
 
     def _line(self) -> bytes:
         """Return the first received line, or the start of it if it is incomplete."""

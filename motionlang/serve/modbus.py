@@ -126,7 +126,7 @@ class ModbusServer:
             for task in late:
                 task.cancel()
 
-    # ----------------------------------------------------------------------------------- clients come and go
+    # ------------------------------------------------------------------------------------------- connections
 
     async def _accept(self, reader: StreamReader, writer: StreamWriter) -> None:
         if len(self._connections) >= self._limits.hosts and not self._make_room():

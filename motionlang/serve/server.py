@@ -80,7 +80,7 @@ class Server:
     ) -> None:
         self.close()
 
-    # --------------------------------------------------------------------------------------------- ways in
+    # ------------------------------------------------------------------------------------------- listening
 
     def listen(self, host: str, port: int, echo: bool | None = False) -> tuple[str, int]:
         """Let hosts connect over TCP; return the address to connect to.
@@ -145,7 +145,7 @@ class Server:
         self._wake.close()
         self._alarm.close()
 
-    # ----------------------------------------------------------------------------------- hosts come and go
+    # ----------------------------------------------------------------------------------------- connections
 
     def _accept(self, listener: socket.socket, echo: bool | None) -> None:
         try:
@@ -212,7 +212,7 @@ class Server:
             for listener, accept in self._listeners.items():
                 self._selector.register(listener, READ, accept)
 
-    # ---------------------------------------------------------------------------------------------- a turn
+    # --------------------------------------------------------------------------------------- one iteration
 
     def _timeout(self) -> float | None:
         if any(host.may_go_on(self.pace) for host in self.hosts):
@@ -286,7 +286,7 @@ class Server:
                         f"host {host.number} waits {why}, and nothing under way ends that; ESC gives it up"
                     )
 
-    # ------------------------------------------------------------------------------------------- our errors
+    # -------------------------------------------------------------------------------------- internal errors
 
     def _guard(self, work: Callable[[], None]) -> None:
         """Do `work`; an internal error costs only the line in which it happened."""

@@ -65,7 +65,7 @@ def render_paths(
 def at_its_end(row: PathRow) -> str:
     """Return how a path continues into the next, or why it stops.
 
-    The answer goes as far as the motion shows it.
+    This is inferred from the motion alone.
     """
     if row.ended:
         return f"ended by {row.ended}"
