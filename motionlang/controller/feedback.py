@@ -107,6 +107,7 @@ class Feedback:
         "changes",
         "chosen",
         "closed",
+        "demand_shift",
         "error_limit",
         "first_loop",
         "model",
@@ -130,6 +131,7 @@ class Feedback:
         self.warn_limit, self.warning = INFINITY, False  # given once, until it is forgotten
         self.warned: Callable[[], None] = lambda: None
         self.closed = True
+        self.demand_shift = 0.0  # total distance by which the demand was moved to the motor, counts
         # All that was done to the loop, by time: what a replay needs.
         self.changes: list[Change] = []
         self.chosen: Chosen | None = None
@@ -283,6 +285,7 @@ class Feedback:
             return
         axis, here = self._axis, self.position
         controller.freeze(axis, "cancel")
+        self.demand_shift += here - axis.position(controller.clock.now)
         axis.target = here
         controller.extend_track(axis, hold(here))
         self.closed = True

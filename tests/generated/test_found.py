@@ -664,3 +664,15 @@ def test_incr_counts_from_where_a_motor_under_a_torque_is() -> None:
     assert move.profile is not None
     assert move.profile.start > 1.0
     assert float(result.output[0]) == pytest.approx(move.profile.start + 5.0, abs=1e-4)
+
+
+@pytest.mark.parametrize("tie", ["FLY(2) = 20 : GO(2)", "CAM(2) = 0 : GO(2)", "FOLLOW(2) = 0.125"])
+def test_a_slave_stays_where_the_demand_of_its_master_is_taken_to_the_motor(tie: str) -> None:
+    """At 10 of 40 a ratio that grows evenly has led to 10² / 80, and a cam of one segment or a gear of 1/8 as far."""
+    table = "Dim rise(2) As Float = 1, 5\nCAMTABLE(2, rise, NULL) : MASTERDISTANCE(2) = 40 : MASTERCHANNEL(2) = 0\n"
+    drive = (
+        "MOVER(0) = 10 : GO(0)\nPAUSE IDLE(0)\nDRIVEENABLE(0) = 0\nDRIVEENABLE(0) = 1\nPRINT POSDEMAND(0)\n"
+    )
+    result = with_motor(f"{table}{tie}\n{drive}", "mnt", 0)
+    assert abs(float(result.output[0]) - 10.0) > 0.1
+    assert places(result, 2) == pytest.approx([1.25])

@@ -37,8 +37,9 @@ _SHORTEST = 1.0
 class CurveFollow(Follow):
     """A slave on `curve` (counts over counts of the master); `direction` is the one in which the master travels it.
 
-    `origin` is the master's position at which the curve begins; it moves when the master's zero does. `ordered` is what
-    the curve was made of: places of the master, the slave's values there, and how they are joined.
+    `origin` is the master's position at which the curve begins; it moves when the master's zero does, and when its
+    demand is taken to where its motor is: neither is a motion that the slave follows. `ordered` is what the curve was
+    made of: places of the master, the slave's values there, and how they are joined.
     """
 
     __slots__ = ("_event", "curve", "datum", "direction", "ordered", "origin")
@@ -49,7 +50,7 @@ class CurveFollow(Follow):
         super().__init__(controller, a, master, move)
         self.curve, self.direction = curve, direction
         self.ordered: Ordered | None = None
-        self.origin, self.datum = master.position(controller.clock.now), master.datum
+        self.origin, self.datum = master.position(controller.clock.now), _datum(master)
         self._event: Event | None = None
 
     def over(self, forward: bool) -> bool:
@@ -144,8 +145,9 @@ class CurveFollow(Follow):
 
     def _along(self, coming: Profile) -> Profile:
         """The master's motion as a distance along the curve."""
-        self.origin += self.master.datum - self.datum
-        self.datum = self.master.datum
+        datum = _datum(self.master)
+        self.origin += datum - self.datum
+        self.datum = datum
         return coming.scaled((coming.start - self.origin) * self.direction, float(self.direction))
 
     def _at(self, place: float) -> float:
@@ -153,6 +155,11 @@ class CurveFollow(Follow):
         if place < 0.0:
             return curve.start + curve.start_velocity * place
         return curve.position(place)
+
+
+def _datum(master: Axis) -> float:
+    """How far the positions of a master have moved that are not motion."""
+    return master.datum + (master.feedback.demand_shift if master.feedback is not None else 0.0)
 
 
 class Cam(CurveFollow):
