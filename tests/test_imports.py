@@ -20,7 +20,8 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # The doors: each opens a family of modules, of which most programs need few. That of the command line is the table
     # of its commands.
-    "fast/__init__.py": "loop_counters moves ranges recurrence",
+    "fast/__init__.py": "loop_counters moves ranges",
+    "fast/time_slices.py": "recurrence",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",

@@ -21,11 +21,10 @@ class Accelerators:
     * `scheduler(…)`: the scheduler of a run, called as `Scheduler` is
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
     * `counted(counters, steps)`: how many iterations of a loop may be skipped in which variables count
-    * `recurrence(machine, pace)`: finds the period of tasks that poll side by side
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called as `Ahead` is
     """
 
-    __slots__ = ("axes", "counted", "ranges", "recurrence", "scheduler", "servo")
+    __slots__ = ("axes", "counted", "ranges", "scheduler", "servo")
 
     def __init__(
         self,
@@ -33,12 +32,11 @@ class Accelerators:
         axes: Callable[[Sequence[int]], Sequence[Axis]] | None = None,
         counted: Callable[[Sequence[float], Sequence[float]], float] | None = None,
         ranges: Callable[[Any], tuple[set[Any], dict[int, Any]]] | None = None,
-        recurrence: Callable[..., Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
-        self.recurrence, self.scheduler, self.servo = recurrence, scheduler, servo
+        self.scheduler, self.servo = scheduler, servo
 
 
 NO_ACCELERATORS = Accelerators()

@@ -20,7 +20,6 @@ def everything() -> Accelerators:
         axes=_axes,
         counted=_counted,
         ranges=_ranges,
-        recurrence=_recurrence,
         scheduler=TimeSlices,
         servo=_servo,
     )
@@ -48,9 +47,3 @@ def _servo(*given: Any, **columns: Any) -> Any:
     from motionlang.fast.closed_form import ClosedFormServo
 
     return ClosedFormServo(*given, **columns)
-
-
-def _recurrence(*given: Any) -> Any:
-    from motionlang.fast.recurrence import Recurrence
-
-    return Recurrence(*given)

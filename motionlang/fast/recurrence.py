@@ -2,7 +2,7 @@
 
 Replaces: running every iteration of tasks none of which does more than poll and wait.
 
-Hook: `Accelerators.recurrence`; `Scheduler._compare` calls it after each time slice of a task that has only polled.
+Hook: `Accelerators.scheduler`; `TimeSlices.slice_over` calls it after each time slice of a task that has only polled.
 
 Gain: 32 tasks that poll take no longer for hours than for seconds, 10² to 10⁵ times (`poll_32_tasks_reading` of
 benchmarks/poll.py).

@@ -41,30 +41,17 @@ passes over them. Other modules skip polls and waits that repeat; the result is 
 
 from __future__ import annotations
 
-from motionlang.controller.accelerators import NO_ACCELERATORS
 from motionlang.lang.statement_time import NEVER, StatementTime
 from motionlang.lang.task import INFINITY, ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Protocol
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task, Wait
-
-    class Period(Protocol):
-        """What the accelerator `recurrence` makes: it finds the period of tasks that poll side by side."""
-
-        def forget(self) -> None:
-            """The tasks do more than poll and wait: no state so far counts."""
-
-        def has_run(self, task: Task) -> None:
-            """A task has run since its state was last compared."""
-
-        def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:
-            """Go on to what may change the joint state if it is one that was met before."""
 
     class Outside(Protocol):
         """A world that acts by itself."""
@@ -102,6 +89,9 @@ class Scheduler:
     world that acts by itself, such as a host: it says how far time passes, and no wait is without hope.
     """
 
+    # When another task goes on, as far as that is known without asking each; in the past: it is not.
+    next_turn = -INFINITY
+
     def __init__(
         self,
         machine: Controller | Machine,
@@ -111,49 +101,42 @@ class Scheduler:
     ) -> None:
         self.machine = machine
         self.clock = machine.clock
-        self.parent = parent
+        # The parent is the first; it stays when it has ended.
         self.tasks: list[Task] = [parent]
         # Event handlers, the innermost last: while there is one, nothing else runs.
         self.interrupts: list[Task] = []
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
-        # When another task goes on, as far as that is known without asking; in the past where it is not.
-        self.next_turn = -INFINITY
-        # Whether the clock goes on with nobody but the tasks being asked.
-        self.by_itself = pace is None and outside is None
-        # Which knows whether anybody may act while the task that runs waits.
+        # The statement time knows whether anything may act while the task that runs waits.
         self._statements = getattr(machine, "statements", None) or StatementTime(0.0)
         self._statements.share()
         # When the program had ended, while motion goes on.
         self.ended: float | None = None
-        # When the running task was resumed, when its turn began, whether no other could have had it, and when it ends;
-        # an event cuts a turn in two, and does not end it.
-        self.began = self.turn_began = 0.0
+        # When the running task was resumed, whether no other could have been, and when its time slice ends, 0 if there
+        # is none; an event cuts a slice in two, and does not end it.
+        self.began = 0.0
         self._alone = False
         self._end = 0.0
         # The others that wait, for what has not come about yet.
         self._waiting: list[Task] = []
-        # How many turns in a row have brought nothing about.
-        self._calm = 0
         self.until = INFINITY
-        # The waits of tasks none of which can run, as `_runnable` has found them.
-        self._asked: list[Wait] = []
-        self._due = INFINITY
-        # Whether all tasks may be waiting, as the one that ran last does.
-        self._asleep = False
-        # What makes that which finds the period of tasks that poll side by side; None: every iteration is run.
-        self._period = getattr(machine, "accelerators", NO_ACCELERATORS).recurrence
-        self._recurrence: Period | None = None
+        # The index of the task that is next, and how often in a row time stood still while all waited.
         self._turn = 0
         self._stalls = 0
-        self._log = machine.log
-        self._log.where = self._where
-        # How long each task has had the machine since the last of them began or ended a wait, and when that was.
-        self._took: dict[str, float] = {}
-        self._turns_began = 0.0
-        # The length of the turns of a round, and how many of them are still to come.
+        machine.log.place_by(self._where)
+        # The length of the time slices of a round, and how many of them are still to come.
         self._length, self._left = QUANTUM, 0
+
+    @property
+    def parent(self) -> Task:
+        """The task that is the program."""
+        return self.tasks[0]
+
+    @property
+    def by_itself(self) -> bool:
+        """Whether the clock advances as far as the tasks let it."""
+        return self.pace is None and self.outside is None
 
     def _where(self) -> int:
         """Where the program stands, for the log."""
@@ -172,7 +155,7 @@ class Scheduler:
     def interrupt(self, task: Task) -> None:
         """Let a task run to its end before any other goes on."""
         self.stir()
-        self._log.note(self.clock.now, "handler", text=task.name)
+        self.machine.log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:
@@ -187,10 +170,16 @@ class Scheduler:
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
-        clock, statements, outside = self.clock, self._statements, self.outside is not None
-        self.until, self._end, self._asleep = until, 0.0, False
-        while not self.parent.done:
-            if self._asleep and self.idle_round(until):
+        clock, statements, outside, parent = (
+            self.clock,
+            self._statements,
+            self.outside is not None,
+            self.parent,
+        )
+        by_itself = self.by_itself
+        self.until, self._end = until, 0.0
+        while not parent.done:
+            if self.current.wait is not None and len(self.tasks) > 1 and by_itself and self.idle_round(until):
                 continue
             now = clock.now
             if now >= until:
@@ -201,10 +190,8 @@ class Scheduler:
                 continue
             horizon = min(clock.next_time(), until)
             several = outside or len(self.tasks) > 1
-            statements.alone, statements.free = self.by_itself and not several, NEVER
+            statements.alone, statements.free = by_itself and not several, NEVER
             event, self.began = horizon, now
-            if not self._end:
-                self.turn_began = now
             if several:
                 if not self._end:
                     many = task.busy >= 2 * QUANTUM or self._left
@@ -217,6 +204,9 @@ class Scheduler:
     def idle_round(self, until: float) -> bool:
         """Let tasks that wait go on where it is known when their waits end; False if none went on."""
         return False
+
+    def slice_over(self, task: Task) -> None:
+        """The time slice of a task is over."""
 
     def stir(self) -> None:
         """The running task has changed what another one waits for, or which tasks there are."""
@@ -265,16 +255,16 @@ class Scheduler:
     def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
         """A task that went on has come to a time; when it did so, the next event was to be at `event`."""
         clock = self.clock
-        advance = clock.advance if self.by_itself else self._advance
+        advance = clock.advance if self.pace is None and self.outside is None else self._advance
         advance(time)
         while clock.now < time:
             advance(time)
         if several:
-            self._took_turn(task, self.began)
+            stops = task.wait is not None or task.done
+            self.machine.log.turns.took(task.name, self.began, clock.now, stops)
         if self._end and not (event <= time < self._end and self._goes_on(task)):
             self._end = 0.0
-            self._compare(task)
-        self._asleep = several and task.wait is not None and self.by_itself
+            self.slice_over(task)
         if task.done and task is not self.parent:
             self._forget(task)
 
@@ -284,31 +274,21 @@ class Scheduler:
 
     def next_change(self) -> float:
         """When something will happen, or a task that waits may go on, if those that run do nothing."""
-        tasks = self.interrupts[-1:] or self.tasks
-        due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
-        return min(self.clock.next_time(), due)
+        first = self.clock.next_time()
+        for task in self.interrupts[-1:] or self.tasks:
+            wait = task.wait
+            if wait is not None:
+                due = wait.due() if wait.ends is None else wait.ends
+                if due < first:
+                    first = due
+        return first
 
     def _waited(self, task: Task, wait: Wait) -> None:
         """Write a wait that is over into the log."""
-        self._log.waits.add(task.waited(wait, self.clock.now))
-        if self._took:
-            self._write_turns()
-
-    def _took_turn(self, task: Task, began: float) -> None:
-        """Note how long a task has had the machine; those that take turns without a wait are one record."""
-        if not self._took:
-            if task.wait is not None or task.done:
-                self._log.turns.add((began, self.clock.now, (task.name,), (self.clock.now - began,)))
-                return
-            self._turns_began = began
-        self._took[task.name] = self._took.get(task.name, 0.0) + self.clock.now - began
-        if task.wait is not None or task.done:
-            self._write_turns()
-
-    def _write_turns(self) -> None:
-        """Write what tasks have had the machine into the log."""
-        took, self._took = self._took, {}
-        self._log.turns.add((self._turns_began, self.clock.now, tuple(took), tuple(took.values())))
+        log = self.machine.log
+        log.waits.add(task.waited(wait, self.clock.now))
+        if log.turns.seconds:
+            log.turns.close(self.clock.now)
 
     def _goes_on(self, task: Task) -> bool:
         """Whether what has cut the turn of a task was nothing to anybody else: then it goes on with it."""
@@ -320,28 +300,6 @@ class Scheduler:
                 return False
         self.current = task
         return True
-
-    def _compare(self, task: Task) -> None:
-        """Where nobody does more than poll and wait, and all stand as they did before: go on to what may change it."""
-        recurrence = self._recurrence
-        if self._period is None:
-            return
-        if task.look is None or task.busy or task.done or self.interrupts or self.outside is not None:
-            self._calm = 0
-            if recurrence is not None:
-                recurrence.forget()
-            return
-        self._calm += 1
-        count = len(self.tasks)
-        if recurrence is not None:
-            recurrence.has_run(task)
-        if self._calm < count or (self._calm % count and not self._waiting):
-            return  # not everybody has looked in vain yet; where nobody waits, one comparison a round tells as much
-        if recurrence is None:
-            recurrence = self._recurrence = self._period(self.machine, self.pace)
-        elif self._calm == count:
-            recurrence.forget()  # tasks may have run since it was last asked
-        recurrence.leap(self.tasks, self._turn, self.until)
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
@@ -432,17 +390,13 @@ class Scheduler:
                 tasks.remove(task)
 
     def _runnable(self) -> Task | None:
-        """The next task that does not wait or whose wait is over: of the highest priority, in turn.
-
-        Where there is none, `_asked` has the waits that had to be asked, `_due` is when the first of the others ends.
-        """
+        """The next task that does not wait or whose wait is over: of the highest priority, in turn."""
         tasks = self.interrupts[-1:] if self.interrupts else self.tasks
         count, now = len(tasks), self.clock.now
         start = self._turn % count
-        highest, due, asked = None, INFINITY, self._asked
+        highest: int | None = None
         found: Task | None = None
         self._alone = False
-        asked.clear()
         for k in range(start, start + count):
             task = tasks[k if k < count else k - count]
             if found is not None and task.priority <= found.priority:
@@ -453,11 +407,8 @@ class Scheduler:
                 if ends is None:
                     self.current = task
                     if not wait.ready():
-                        asked.append(wait)
                         continue
                 elif now < ends - ROUNDING:
-                    if ends < due:
-                        due = ends
                     continue
             self._alone = found is None and k == start + count - 1
             found, turn = task, (k + 1) % count
@@ -466,7 +417,6 @@ class Scheduler:
             if task.priority == highest:
                 break
         if found is None:
-            self._due = due
             return None
         wait = found.wait
         if wait is not None:
@@ -479,13 +429,7 @@ class Scheduler:
     def _jump(self, until: float) -> None:
         """All wait: go to the next moment at which something can change."""
         clock = self.clock
-        due = clock.next_time()
-        if self._due < due:
-            due = self._due
-        for wait in self._asked:
-            each = wait.due()
-            if each < due:
-                due = each
+        due = self.next_change()
         time = due if due < until else until
         if due == INFINITY and (self.outside is None or not self.outside.may_act()):
             waiting = (self.interrupts or self.tasks)[-1 if self.interrupts else 0]

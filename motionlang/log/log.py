@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from motionlang import log as record
 from motionlang.log.stream import DISK, Store, Stream
+from motionlang.log.turns import TurnStream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.controller.move import Move
     from motionlang.log.moves import Moves
     from motionlang.log.older_profiles import Profiles
-    from motionlang.log.records import Changed, Event, Looped, Printed, Setting, Turns, Waited
+    from motionlang.log.records import Changed, Event, Looped, Printed, Setting, Waited
 
 # Profiles of all axes together that are not packed, fewer where motors follow some, whose pieces are made; and
 # those of each axis that never are.
@@ -69,7 +70,7 @@ class Log:
         self.settings: Stream[Setting] = Stream(store, "Setting")
         self.waits: Stream[Waited] = Stream(store, "Waited")
         self.loops: Stream[Looped] = Stream(store, "Looped")
-        self.turns: Stream[Turns] = Stream(store, "Turns")
+        self.turns = TurnStream(store)
         self.prints: Stream[Printed] = Stream(store, "Printed")
         self.events: Stream[Event] = Stream(store, "Event")
         # The last clamp of each axis and quantity, which is reported once, and where the program stands.
@@ -89,6 +90,10 @@ class Log:
         made = record.moves.Moves(self.store)
         setattr(self, name, made)
         return made
+
+    def place_by(self, where: Callable[[], int]) -> None:
+        """Write events at the place in the program that `where` answers."""
+        self.where = where
 
     def note(
         self,

@@ -107,7 +107,7 @@ class Runner:
         before = scheduler.parent
         scheduler.tasks = [task, *(each for each in scheduler.tasks if each is not before and not each.done)]
         scheduler.interrupts = [each for each in scheduler.interrupts if not each.done]
-        scheduler.parent = scheduler.current = task
+        scheduler.current = task
 
     def _pass_on(self, source: Source) -> None:
         """Report the machine's diagnostics that did not end the command."""
@@ -149,9 +149,9 @@ class Runner:
         task = self._scheduler.current
         frames = (frame for frame, _ in walk_tb(error.__traceback__))
         if any(frame.f_code.co_name == "resume" and frame.f_locals.get("self") is task for frame in frames):
-            for tasks in (self._scheduler.tasks, self._scheduler.interrupts):
-                if task in tasks:
-                    tasks.remove(task)
+            task.done = True  # the command stays the scheduler's parent until the next one takes its place
+            if task is not self._scheduler.parent:
+                self._scheduler.end(task)
 
     def _explain(self, error: Exception, task: Task | None, source: Source) -> None:
         """Report an error; internal errors are raised again."""

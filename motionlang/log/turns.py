@@ -1,0 +1,43 @@
+"""Who has had the processor, where several tasks share it."""
+
+from __future__ import annotations
+
+from motionlang.log.stream import Stream
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.log.records import Turns
+    from motionlang.log.stream import Store
+
+    TurnsInOrder = Stream[Turns]
+else:
+    TurnsInOrder = Stream
+
+
+class TurnStream(TurnsInOrder):
+    """`Turns` in the order of time; tasks that alternate without a wait are one record."""
+
+    __slots__ = ("_began", "seconds")
+
+    def __init__(self, store: Store) -> None:
+        super().__init__(store, "Turns")
+        # How long each task has computed since one of them began or ended a wait, and when that was.
+        self.seconds: dict[str, float] = {}
+        self._began = 0.0
+
+    def took(self, task: str, began: float, now: float, stops: bool) -> None:
+        """Note a time slice of a task; `stops` says that it then waits or has ended."""
+        seconds = self.seconds
+        if not seconds:
+            if stops:
+                self.add((began, now, (task,), (now - began,)))
+                return
+            self._began = began
+        seconds[task] = seconds.get(task, 0.0) + now - began
+        if stops:
+            self.close(now)
+
+    def close(self, now: float) -> None:
+        """Write what has been noted: a task begins or ends a wait."""
+        seconds, self.seconds = self.seconds, {}
+        self.add((self._began, now, tuple(seconds), tuple(seconds.values())))
