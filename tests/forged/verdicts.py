@@ -6,6 +6,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from math import inf
 from types import FrameType
 from typing import NamedTuple
 
@@ -24,7 +25,10 @@ LONGEST = 5.0
 
 
 class Entry(NamedTuple):
-    """An entry of the log: its axis, when it began, how long it took, where it ended, and whether it is of a path."""
+    """An entry of the log: its axis, when it began, how long it took, where it ended, and whether it is of a path.
+
+    What is in progress as the run ends has no duration of its own: it is inf.
+    """
 
     axis: int
     start: float
@@ -34,8 +38,9 @@ class Entry(NamedTuple):
 
     def is_like(self, other: Entry) -> bool:
         """Whether both take as long and end in the same place but for rounding."""
-        return self.ends_like(other) and abs(self.duration - other.duration) <= ALIKE * max(
-            1.0, self.duration
+        return self.ends_like(other) and (
+            self.duration == other.duration
+            or abs(self.duration - other.duration) <= ALIKE * max(1.0, min(self.duration, other.duration))
         )
 
     def ends_like(self, other: Entry) -> bool:
@@ -111,8 +116,9 @@ def motion(result: Run, times: list[float]) -> Motion:
     entries = []
     for move in result.controller.log.moves:
         assert move.profile is not None
-        length = min(move.profile.duration, result.time - move.start_time)
-        end = move.profile.position(length)
+        left = result.time - move.start_time
+        length, end = move.profile.duration, move.profile.position(min(move.profile.duration, left))
+        length = inf if length > left * (1.0 + ALIKE) else length
         entries.append(Entry(move.axis, move.start_time, length, end, isinstance(move.action, PathMove)))
     return Motion(result.time, states, tuple(a.position(result.time) for a in axes), tuple(entries))
 
