@@ -6,12 +6,14 @@ import json
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from random import Random
 from types import FrameType
 from typing import Any
 
 import pytest
 
+import motionlang
 from motionlang import run
 from motionlang.lang.scheduler import Scheduler
 from motionlang.log.track import Recorded
@@ -21,6 +23,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.table import render
 
+PACKAGE = Path(motionlang.__file__).parent
 MINT = """Dim i As Integer
 SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
 For i = 1 To 2
@@ -77,6 +80,9 @@ class Ended:
 
     def __init__(self, places: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
         self.places, self.at, self.count = places, at, 0
+        # The first and the last count at each line.
+        self.first: dict[tuple[str, int], int] = {}
+        self.last: dict[tuple[str, int], int] = {}
 
     def look(self, frame: FrameType, event: str, argument: Any) -> Any:
         code = frame.f_code
@@ -85,6 +91,8 @@ class Ended:
             return None
         if event == "line":
             self.count += 1
+            self.first.setdefault((code.co_filename, frame.f_lineno), self.count)
+            self.last[code.co_filename, frame.f_lineno] = self.count
             if self.count == self.at:
                 sys.settrace(None)
                 raise KeyboardInterrupt
@@ -123,6 +131,7 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
 
 @pytest.mark.parametrize("places", PLACES)
 @pytest.mark.parametrize(("name", "text"), [("a.mnt", MINT), ("a.mcl", MCCL)])
+@pytest.mark.slow
 def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: pytest.MonkeyPatch) -> None:
     source, whole = Source(name, text), Ended(PLACES[places], 0)
     for _ in range(2):  # the first run imports, and fills what is kept
@@ -152,20 +161,37 @@ def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
     }
 
 
-def test_plain_moves_are_whole_wherever_the_run_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    """At each line that starts one, writes it on the track or packs it: the run up to then, and nothing twice."""
+def test_the_places_exist() -> None:
+    """A file that is renamed would end no run any more."""
+    files = ["/motionlang/" + path.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py")]
+    for place in (*STEPS, *(each for places in PLACES.values() for each in places)):
+        assert any(place in file for file in files), place
+    for place, names in STEPS.items():
+        (file,) = (file for file in files if place in file)
+        text = (PACKAGE.parent / file[1:]).read_text(encoding="utf-8")
+        assert all(f"def {name}(" in text for name in names), place
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)], ids=["some", "every"])
+def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """At each line that starts one, writes it on the track or packs it: the run up to then, and nothing twice.
+
+    Each line as it is run for the first time and for the last, and 60 of the others; all of them with `long`.
+    """
     for name, most in {"FIRST_LOOK": 1, "HURRY": 0.0, "MOST_PROFILES": 6, "LEFT_PROFILES": 2}.items():
         monkeypatch.setattr(f"motionlang.log.log.{name}", most)
-    source, whole = Source("a.mnt", PLAIN), Ended(STEPS, 0)
+    source = Source("a.mnt", PLAIN)
     for _ in range(2):
-        whole.count = 0
+        whole = Ended(STEPS, 0)
         result = ran(source, whole, monkeypatch)
         assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
     assert result.controller.axes[0].older is not None
     ended = result
     begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
     tracks = motion(result)
-    for at in range(1, whole.count + 1):
+    chosen = {*whole.first.values(), *whole.last.values(), *Random(1).sample(range(1, whole.count), 60)}
+    for at in range(1, whole.count + 1) if every else sorted(chosen):
         result = ran(source, Ended(STEPS, at), monkeypatch)
         assert result.status == "interrupted", at
         for number, a in result.controller.axes.items():
