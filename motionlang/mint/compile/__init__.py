@@ -1,1 +1,1 @@
-"""From a resolved tree to Python."""
+"""Compile a resolved tree to Python."""

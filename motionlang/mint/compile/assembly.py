@@ -1,4 +1,7 @@
-"""From the bodies of all functions to the units that are compiled, line by line with their places."""
+"""Assemble the function bodies into units for compilation, with a source map.
+
+The source map has the source offset of each line of Python.
+"""
 
 from __future__ import annotations
 
@@ -23,18 +26,18 @@ if TYPE_CHECKING:
 
     Made = TypeVar("Made")
 
-# A program of so many lines of Python is compiled at once, a longer one as it is called.
+# A program of up to this many lines of Python is compiled at once, a longer one as its functions are called.
 SHORT = 1000
-# What CPython might refuse, for the depth of its blocks or of its brackets, is compiled at once.
+# Units that CPython might reject for the depth of their blocks or brackets are compiled at once.
 DEEP, LONG = 15, 400
 _DEEP = "\n" + " " * DEEP
 
 
 class TypedLine:
-    """A line typed at a prompt: its functions, the place of each line of them, and what its names stand for.
+    """A line typed at a prompt: its functions, its source map, and its operations.
 
-    `first` gives its variables their first values. `blocks` are the tasks and event handlers by "task blink", "event
-    timer", with their names in the code.
+    `first` sets the first values of its variables. `blocks` are the tasks and event handlers by "task blink",
+    "event timer", with their names in the code.
     """
 
     __slots__ = ("blocks", "first", "operations", "places", "specs", "unit")
@@ -49,7 +52,7 @@ class TypedLine:
 
 
 def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
-    """The code of a program."""
+    """Return the code of a program."""
     shared = _shared(whole, bodies)
     units = _Units(shared)
     for function, b in bodies.items():
@@ -67,7 +70,7 @@ def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
 
 
 def _compile_now(code: Code, risky: set[Unit], problems: Problems) -> None:
-    """Compile what is called at once, and what CPython may refuse."""
+    """Compile what is called at once, and what CPython may reject."""
     for number, unit in enumerate(code.units):
         if number == 0 or len(code.places) <= SHORT or unit in risky:
             _checked(unit.compile, code.places, unit.before, problems)
@@ -82,7 +85,7 @@ def _key(function: Function) -> str:
 
 
 def _shared(whole: Whole, bodies: dict[Function, Body]) -> list[str]:
-    """The names of the variables that are cells of the program."""
+    """Return the names of the variables that are cells of the program."""
     names = [symbol.python for symbol in _of_module(whole)]
     for function, b in bodies.items():
         if function.kind != "sub":
@@ -96,7 +99,7 @@ def _of_module(whole: Whole) -> list[Symbol]:
 
 
 def _first_values(whole: Whole) -> str:
-    """Python that gives the shared variables of the module their first values."""
+    """Return Python that sets the first values of the module's shared variables."""
     plain: dict[str, list[str]] = {}
     lines = []
     for symbol in _of_module(whole):
@@ -109,9 +112,10 @@ def _first_values(whole: Whole) -> str:
 
 
 class _Units:
-    """The units being made; `places[n]` is the place in the program of line n of all their lines.
+    """The units of a program during assembly.
 
-    `shared` are the names of all cells; `risky` are units that CPython may refuse.
+    `places[n]` is the source offset of line n of all units together. `shared` are the names of all cells.
+    `risky` are units that CPython may reject.
     """
 
     def __init__(self, shared: Sequence[str]) -> None:
@@ -123,21 +127,21 @@ class _Units:
         self._lines: list[Line] = []
 
     def add(self, name: str, lines: list[Line]) -> None:
-        """A function; short ones share a unit."""
+        """Add a function; short ones share a unit."""
         if self._lines and len(self._lines) + len(lines) > SIZE:
             self.close()
         self._names.append(name)
         self._lines += lines
 
     def add_part(self, part: Part) -> None:
-        """A part of the function before it."""
+        """Add a part of the function before it."""
         self.close()
         self._names = [part.name]
         self._lines = part.written({*TIME, *(part.names & self.shared)}, 0)
         self.close()
 
     def close(self) -> None:
-        """The next function begins a unit of its own."""
+        """End the unit; the next function begins another one."""
         if not self._lines:
             return
         lines, before = self._lines, len(self.places) - 1
@@ -151,14 +155,17 @@ class _Units:
 
 
 def _places(lines: list[Line], places: list[int]) -> list[int]:
-    """Add the places of a unit's lines, behind which of the two before them."""
+    """Append the source offsets of a unit's lines, after those of its two head lines."""
     places += [lines[0].at] * 2
     places += [line.at for line in lines]
     return places
 
 
 def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
-    """Compile; Python takes twenty loops within one another, so many may stand here around what leaves them all."""
+    """Compile a unit; report blocks that are nested too deeply for Python.
+
+    Python allows twenty nested loops, which limits the blocks around a statement that leaves them all.
+    """
     try:
         return work()
     except SyntaxError as error:
@@ -175,7 +182,7 @@ def _checked(work: Callable[[], Made], places: Sequence[int], before: int, probl
 def assemble_line(
     whole: Whole, bodies: dict[Function, Body], known_before: dict[str, Symbol], file: str
 ) -> TypedLine:
-    """The code of a line typed at a prompt."""
+    """Return the code of a line typed at a prompt."""
     first, names = [], []
     lines: list[Line] = []
     for key, symbol in whole.names.module.names.items():
@@ -191,7 +198,7 @@ def assemble_line(
 
 
 def _dispatched(whole: Whole, b: Body) -> list[Line]:
-    """The lines of a function: those of its dispatcher inside it, where it has labels."""
+    """Return the lines of a function; with labels they contain its dispatcher."""
     if not b.function.jumps:
         return b.lines
     function = b.function
@@ -213,7 +220,10 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
 
 
 def _label_handler(b: Body, label: str, number: int) -> list[str]:
-    """v4: a label with the name of an event, to which nothing jumps, is its handler."""
+    """Return the v4 event handler for a label.
+
+    The label has the name of an event, and no jump leads to it.
+    """
     begin = f", {whole_stack(b)}" if b.function.counted else ""
     return [
         f"def e_{label}(): yield from {jumps.dispatcher(b.function)}({number}{begin})",
@@ -222,7 +232,10 @@ def _label_handler(b: Body, label: str, number: int) -> list[str]:
 
 
 def _shared_names(whole: Whole, own: set[str], outer: set[str]) -> list[str]:
-    """What says that a function assigns to names of the function around it, which has the time, and of the module."""
+    """Return the declarations of the outer names to which a function assigns.
+
+    These are names of the function around it, which has the time, and of the module.
+    """
     if whole.typed:
         return [f"nonlocal {', '.join(sorted(own))}"] + (
             [f"global {', '.join(sorted(outer))}"] if outer else []
@@ -231,13 +244,13 @@ def _shared_names(whole: Whole, own: set[str], outer: set[str]) -> list[str]:
 
 
 def _own(function: Function) -> list[Symbol]:
-    """The variables of a function."""
+    """Return the variables of a function."""
     mine = [s for s in function.scope.names.values() if s.kind in ("variable", "parameter")]
     return mine if function.result is None else [*mine, function.result]
 
 
 def _head(whole: Whole, b: Body) -> list[Line]:
-    """The line `def …` and what must be done on entry."""
+    """Return the line `def …` and the statements on entry."""
     function = b.function
     is_unit = bool(b.parts) and function.kind != "sub"
     outside = set() if function.jumps else set(b.outside)
@@ -255,7 +268,7 @@ def _head(whole: Whole, b: Body) -> list[Line]:
 
 
 def _shared_by(part: Part, function: Function) -> set[str]:
-    """What a part that stands in its sub shares with it."""
+    """Return the names that a part inside its sub shares with the sub."""
     time = set(TIME if not function.plain else "t")
     known: set[str] = set()
     known.update(name for symbol in _own(function) for name in _spellings(symbol))
@@ -272,7 +285,7 @@ def _parameters(function: Function) -> list[str]:
 
 
 def _spellings(symbol: Symbol) -> list[str]:
-    """The names in Python of what a variable or a parameter is made of: with its place, or with its sizes."""
+    """Return the Python names of a variable or parameter, with its index or its sizes."""
     if symbol.by_ref:
         return [symbol.python, f"{symbol.python}_k"]
     sizes = counted(symbol.python, symbol.dimensions) if len(symbol.dimensions) > 1 else []
@@ -280,7 +293,10 @@ def _spellings(symbol: Symbol) -> list[str]:
 
 
 def _own_variables(function: Function, b: Body) -> list[str]:
-    """First values of the variables that live in the function (those of the parent task may live around it)."""
+    """Return the first values of the variables that live in the function.
+
+    Variables of the parent task may live around it.
+    """
     lines = []
     for symbol in function.scope.names.values():
         if symbol.kind == "variable" and not (function.kind == "main" and symbol.shared):

@@ -1,12 +1,13 @@
-"""The Python text of one function, and how it counts virtual time.
+"""Write the Python text of one function, and count virtual time in it.
 
-Problem. A Mint program becomes Python functions. Each statement takes machine time (10 µs by default), events must
-take effect between the right two statements, and a task must give way in the middle of any loop or sub. Counting and
-comparing after each statement would take longer than most statements themselves.
+Problem. A Mint program becomes Python functions. Each statement takes machine time (10 µs by default), events
+must take effect between the right two statements, and a task must give way in the middle of any loop or sub.
+Counting and comparing after each statement would take longer than most statements themselves.
 
-Idea. Time is counted in statements, and as late as possible. `pending` is the number of statements written since `t`
-was last up to date. It becomes a constant in the text where a statement needs the time, and at the end of a block. The
-exact time of a statement that only computes makes no difference, so several are paid for together.
+Idea. Time is counted in statements, and as late as possible. `pending` is the number of statements written
+since `t` was last up to date. It becomes a constant in the text where a statement needs the time, and at the
+end of a block. The exact time of a statement that only computes makes no difference, so several are paid for
+together.
 
     n = 1             v_n = 1.0
     n = n + 2         v_n = v_n + 2
@@ -24,10 +25,10 @@ The names in the text:
     E, P        the environment of the program, and its print function
     v_ p_ s_    variables, parameters and subs; other prefixes are the compiler's own
 
-Data. `Whole` is what the functions of a program share: names, problems, specs. `Body` is one function, with its `lines`
-and what is known at the point that is being written. A `Line` has a text, the source offset that it comes from, and the
-names of its variables, so that later passes need not parse the text. A `Value` is an expression: its text, its type and
-what is known of its value.
+Data. `Whole` is what the functions of a program share: names, problems, specs. `Body` is one function, with
+its `lines` and the known facts at the point that is being written. A `Line` has a text, the source offset
+that it comes from, and the names of its variables, so that later passes need not parse the text. A `Value` is
+an expression: its text, its type and its possible values.
 
 Invariants.
 - Machine time is base + t × cost and never a running sum, so it does not matter how often the clock is set.
@@ -61,31 +62,32 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.problems import Problems
     from motionlang.mint.resolve.symbols import Type
 
-    # What an operation is bound to: an axis, several, each, or none.
+    # The binding of an operation: to one axis, to several axes, to `EACH`, or to none.
     Where = int | tuple[int, ...] | str | None
 
 Spec = tuple[object, ...]
-# In the place of an axis: whichever one the program names.
+# In place of an axis: the axis that the program names at run time.
 EACH = "each"
 
 
-# The call of a sub that may wait, and what may stand before it where nothing is worked out yet.
+# The call of a sub that may wait, and the words that may come before it without any evaluation.
 CALL = "(yield from "
 _WORKS_NOTHING_OUT = frozenset(("if", "elif", "not", "while", "return"))
-# How tightly an operator binds whose brackets may be left out: a sum, a product.
+# The precedence of an operator whose brackets may be left out: sum, product.
 SUM, PRODUCT = 1, 2
 
 
 class Value:
-    """An expression in Python: its text, its Mint type, what is known of it, its value where that is known.
+    """An expression in Python: its text, Mint type, range and, if known, its value.
 
-    The text can stand anywhere. Where it is a sum or a product in brackets, `binds` says which, and `bare` leaves the
-    brackets out: CPython takes as long for two of them as for a name.
+    The text is valid in any context. If it is a sum or a product in brackets, `binds` says which, and `bare`
+    leaves the brackets out: CPython takes as long for a pair of them as for a name.
     """
 
     __slots__ = ("binds", "const", "range", "text", "type")
 
-    # Of a reading that takes the level it is compared with: its text with that; and without its sign.
+    # For a reading that accepts the level it is compared with: its text with that level, and its text for the
+    # absolute value.
     solved: Callable[[str], str] | None = None
     unsigned: Callable[[str], str] | None = None
 
@@ -101,12 +103,12 @@ class Value:
 
     @property
     def bare(self) -> str:
-        """The text where nothing beside it binds."""
+        """The text without brackets, for a context in which no operator adjoins it."""
         return self.text[1:-1] if self.binds else self.text
 
     @property
     def truth(self) -> str:
-        """The text where only its truth counts."""
+        """The text for a context in which only the truth value counts."""
         return self.text
 
     @property
@@ -115,7 +117,7 @@ class Value:
 
 
 class Reading(Value):
-    """What may say until when it holds."""
+    """A reading whose condition can say how long it holds."""
 
     __slots__ = ("solved", "unsigned")
 
@@ -125,9 +127,9 @@ class Reading(Value):
 
 
 class Answer(Value):
-    """What is true or false in Python, without brackets: an Integer, 1 or 0, but in a condition as it is.
+    """A truth value in Python: the Integer 1 or 0, or the bare test in a condition.
 
-    `joined`: it is made of several answers, or turned round, so that a Not in front of it needs brackets.
+    `joined`: it consists of several tests or is negated, so a Not in front of it needs brackets.
     """
 
     __slots__ = ("_truth", "joined")
@@ -142,9 +144,10 @@ class Answer(Value):
 
 
 class Whole:
-    """What all functions of a program share: names, problems, and the run-time objects the text refers to.
+    """The data that all functions of a program share.
 
-    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs).
+    It holds names, problems and the run-time objects of the text. `specs[n]` tells the runtime what `kN` is
+    (with a suffix at a prompt, because earlier lines have their own).
     """
 
     __slots__ = (
@@ -179,26 +182,26 @@ class Whole:
     ) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes
         self.typed, self.suffix = names.typed, suffix
-        # What knows the ranges of a function's variables; None where they are not analysed.
+        # Returns the ranges of a function's variables; None if they are not analysed.
         self.ranges: Ranges | None = None
-        self.told = told  # words whose values the machine file says
+        self.told = told  # keywords whose values the machine file gives
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
         self._operations: dict[tuple[str, Keyword, Where], str] = {}
-        # What loops that poll may write over and over.
+        # Keywords that polling loops may write repeatedly.
         self.rewritten: set[Keyword] = set()
-        self.parts = 0  # how many there are
+        self.parts = 0  # the number of parts so far
         self.line = problems.line
-        # Whether an ONERROR handler takes what fails, so that the program goes on.
+        # True if an ONERROR handler catches failures, so that the program continues.
         self.guarded = handles(names, "onerror")
-        # Whether others can change what a function reads while it gives way.
+        # True if others can change what a function reads while it gives way.
         self.others = self.typed or any(f.jumps or f.kind in ("task", "event") for f in names.functions)
-        # Whether the statement being written holds what may fail, or what there is but once.
+        # True if the statement being written uses a run-time object, which may fail or exist only once.
         self.checks = False
 
     def use(self, *spec: object) -> str:
-        """The name, in the generated text, of what `spec` describes; what is used there may fail."""
+        """Return the name in the generated text for `spec`; its use may fail."""
         self.checks = True
         return self._named(*spec)
 
@@ -210,22 +213,25 @@ class Whole:
         return name
 
     def described(self) -> list[Spec]:
-        """What the `kN` are, now that it is known which of them loops that poll use, and what was cut into parts."""
+        """Return the final descriptions of the `kN`.
+
+        By now it is known which of them polling loops use, and which functions were split into parts.
+        """
         if self.rewritten:
             numbers = {name: number for number, name in enumerate(self.spec_names.values())}
             for (how, row, _), name in self._operations.items():
                 if how in ("write", "do") and row in self.rewritten:
                     number = numbers[name]
                     self.specs[number] = (f"re{how}", *self.specs[number][1:])
-        if self.parts:  # whose places have callers
+        if self.parts:  # waits in parts have callers
             self.specs = [(*spec[:3], False) if spec[0] == "wait" else spec for spec in self.specs]
         return self.specs
 
     def called(self, how: str, row: Keyword, where: list[str]) -> tuple[str, list[str]]:
-        """What is called to "read", "write", "load" or "do" a keyword at `where`, as text, and what it is then given.
+        """Return the text of the operation on a keyword, and its arguments.
 
-        What has to do with one axis is bound to it by its number; a reading and a writing also by a text that finds it
-        in the run.
+        `how` is "read", "write", "load" or "do". An operation on one axis is bound to the number of the axis.
+        A read or a write is also bound by a text that finds the axis at run time.
         """
         if row.index not in ("axis", "axes") or not row.simulated:
             return self._operation(how, row, None), where
@@ -234,11 +240,14 @@ class Whole:
             return self._operation(how, row, int(axis)), rest
         if how in ("load", "do"):
             return self._operation(how, row, None), where
-        self.checks = True  # as there may be no such axis
+        self.checks = True  # the axis may not exist
         return f"{self._operation(how, row, EACH)}[{axis}]", rest
 
     def called_together(self, how: str, row: Keyword, axes: list[str]) -> tuple[str, list[str]]:
-        """The same of what loads or does something with several axes at once, bound to them where they are known."""
+        """Return the operation on several axes at once, like `called`.
+
+        It is bound to the axes if they are known.
+        """
         if row.simulated and all(map(str.isdecimal, axes)):
             return self._operation(how, row, tuple(map(int, axes))), []
         return self._operation(how, row, None), [f"({', '.join(axes)},)"]
@@ -293,9 +302,9 @@ class Body:
     def __init__(self, whole: Whole, function: Function) -> None:
         self.whole, self.function, self.scope = whole, function, function.scope
         self.lines: list[Line] = []
-        # What the next line has of variables.
+        # The variables in the next line.
         self.names: list[str] = []
-        self.indent = 2  # in its function, which stands in what makes the cells
+        self.indent = 2  # inside its function, which is inside the one that makes the cells
         self.at = function.at
         self.pending = 0
         self.temps = 0
@@ -303,40 +312,47 @@ class Body:
         self.outside: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
-        # What a turn that a Goto ends is compared by, where it is known; () where it is not watched.
+        # The state that is compared for an iteration that ends with a Goto, None until it is known, () if the
+        # loop is not watched.
         self.turn: tuple[dict[str, Symbol], bool, bool, str] | tuple[()] | None = None
-        # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
+        # The stretch between labels that is being written, and the watches on backward jumps, which begin
+        # with the dispatcher.
         self.stretch = 0
         self.polls: list[Poll] = []
-        # In how many loops that are watched it stands; what readings are compared with that loops only keep, by node.
+        # The number of watched loops around the statement, and, by node, the level for readings that a loop
+        # only stores.
         self.watching = 0
         self.levels: dict[int, str] = {}
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
-        # The source offsets of the loops around what is written, and the loops that Gotos make.
+        # The source offsets of the loops around the statement, and the loops made of Gotos.
         self.timed: list[int] = []
         self.regions: list[Region] = []
-        # The loops that a jump is thrown out of.
+        # The loops that a jump leaves by an exception.
         self.thrown: set[int] = set()
-        # How many loops stand within one another at most in what was written last.
+        # The maximum nesting of loops in what was written last.
         self.deepest = 0
         self.facts: dict[int, intervals.Range] = {}
         self.analysed: set[Symbol] = set()
-        # Variables that are the same wherever they are read, by their spelling.
+        # Variables with the same text at each read, by their spelling.
         self.values: dict[str, Value] = {}
-        # Variables that were given a value, by their spelling.
+        # Variables that were assigned to, by their spelling.
         self.targets: dict[str, tuple[str, Type, Symbol]] = {}
-        # Of the statement being written: does it take note of time, does it call a sub that may wait?
+        # For the statement being written: True if it observes time, and True if it calls a sub that may wait.
         self.observes = self.calls = False
         # The sub that was called last.
         self.callee: Function | None = None
-        # Of the function so far: was `t` used as an absolute time; does it hold a `yield`?
+        # For the function so far: True if `t` was used as an absolute time, and True if it contains a
+        # `yield`.
         self.noted = self.waits = False
 
     # -------------------------------------------------------------------------------------------- lines
 
     def emit(self, text: str, kind: str = PLAIN, cost: int = 0) -> None:
-        """Write a line; one that calls a sub with part of an expression worked out counts that (`E.midway`)."""
+        """Write a line.
+
+        A line that calls a sub after part of its expression has been evaluated counts that (`E.midway`).
+        """
         if CALL in text and self.whole.others and not _calls_first(text):
             text = text.replace(CALL, f"{CALL}E.midway or ")
         if self.names:
@@ -346,24 +362,27 @@ class Body:
             self.lines.append(Line(self.indent, text, self.at, kind, NONE, cost))
 
     def spelt(self, symbol: Symbol) -> str:
-        """A variable in the text of the next line."""
+        """Return the name of a variable and record its use in the next line."""
         self.names.append(symbol.python)
         return symbol.python
 
     def gives_way(self) -> None:
-        """The next line holds a `yield`."""
+        """Record that the next line contains a `yield`."""
         self.names.append(YIELDS)
         self.waits = True
 
     def temp(self, kind: str = "w") -> str:
-        """A name for what the program does not name; of kind `SCRATCH` where nothing asks for it after a `yield`."""
+        """Return a new name for a temporary value.
+
+        Use the kind `SCRATCH` for a value that is not used after a `yield`.
+        """
         self.temps += 1
         return f"{kind}{self.temps}"
 
     # --------------------------------------------------------------------------------------------- time
 
     def begin(self) -> None:
-        """A statement begins: nothing is known of it yet."""
+        """Begin a statement with no known properties."""
         self.observes = self.calls = self.whole.checks = False
 
     def flush(self) -> None:
@@ -373,7 +392,7 @@ class Body:
             self.pending = 0
 
     def _give_way(self, text: str) -> None:
-        """A line by which others run when their time has come."""
+        """Write a line in which other tasks run if they are due."""
         self.waits = self.noted = True
         names = JUST_YIELDS
         if self.names:
@@ -381,7 +400,7 @@ class Body:
         self.lines.append(Line(self.indent, text, self.at, HORIZON, names))
 
     def horizon(self, answer: str = "t", then: str = "") -> None:
-        """Bring `t` up to date and let others run when their time has come, `then` look again."""
+        """Bring `t` up to date and let others run if they are due; then carry out `then`."""
         now = "t"
         if self.pending:
             now, self.pending = f"(t := t + {self.pending}.0)", 0
@@ -389,9 +408,10 @@ class Body:
         self._give_way(f"if {now} >= H: {give_way}{then}")
 
     def settle(self, tell: bool = True) -> None:
-        """Before a statement that takes note of time: let everything happen that is due until then.
+        """Write the check before a statement that observes time.
 
-        `tell`: the clock is told, as what follows reads it.
+        It lets everything happen that is due before the statement. `tell`: it also sets the clock, which the
+        statement reads.
         """
         if self.observes and tell:
             self._give_way(f"if T({self.pending}.0): yield")
@@ -403,9 +423,9 @@ class Body:
             self.noted = True
 
     def operate(self, calls: Sequence[tuple[str, list[str]]]) -> None:
-        """A statement of operations, which look themselves whether something is due until then.
+        """Write a statement made of operations, which themselves check for earlier events.
 
-        That is before them where what they are given reads the time, may fail, or may be another one afterwards.
+        The check comes before the arguments if these read the time, may fail, or may change in the meantime.
         """
         if (
             not calls
@@ -417,7 +437,7 @@ class Body:
             tell, self.observes = self.observes, True
             self.settle(tell)
         for operation, arguments in calls:
-            if self.calls and arguments:  # time passes in the sub, so what it is given is worked out before
+            if self.calls and arguments:  # time passes in the sub, so its arguments are evaluated before
                 given = self.temp()
                 self.emit(f"{given} = {', '.join(arguments)},")
                 arguments = [f"*{given}"]
@@ -425,18 +445,24 @@ class Body:
         self.pending = 1
 
     def operation(self, operation: str, arguments: list[str]) -> None:
-        """The call of an operation, which brings `t` up to date, and the way for others where it is put off."""
+        """Write the call of an operation, which brings `t` up to date.
+
+        If the operation is put off, others run.
+        """
         self._give_way(f"if {operation}({', '.join([f'{self.pending}.0', *arguments])}): yield")
         self.pending = 0
 
     def act(self, text: str) -> None:
-        """A statement of one line that may take note of time."""
+        """Write a statement of one line that may observe time."""
         self.settle()
         self.emit(text)
         self.pending += 1
 
     def wait(self, expression: str, at_once: str = "") -> None:
-        """Give way until a `Wait` is over; `at_once or` says when it was over before anything could happen."""
+        """Write a wait: give way until the `Wait` is over.
+
+        `at_once or` returns its result at once if nothing else could happen before the end of the wait.
+        """
         self.flush()
         self.gives_way()
         self.emit(f"t, H = {at_once}(yield {expression})" if at_once else f"t, H = yield {expression}")
@@ -445,7 +471,10 @@ class Body:
     # ------------------------------------------------------------------------------------------- labels
 
     def stretches(self) -> list[tuple[str, list[nodes.Stmt]]]:
-        """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
+        """Return the statements between labels, each stretch with the label before it.
+
+        The label of the first stretch is "".
+        """
         if self._stretches is None:
             self._stretches = [("", [])]
             for node in self.function.body:
@@ -456,7 +485,7 @@ class Body:
         return self._stretches
 
     def labels(self) -> dict[str, int]:
-        """The number of the stretch that each label leads to."""
+        """Map each label to the number of its stretch."""
         if self._labels is None:
             self._labels = {}
             for number, (label, _) in enumerate(self.stretches()):
@@ -474,19 +503,22 @@ class Body:
     # ---------------------------------------------------------------------------------------- variables
 
     def use_outside(self, symbol: Symbol) -> None:
-        """Note that the function assigns to a variable that lives outside it (or outside its dispatcher)."""
+        """Record an assignment to a variable outside the function or its dispatcher."""
         if self.function.jumps or not self.keeps(symbol):
             self.outside.add(symbol.python)
 
     def keeps(self, symbol: Symbol) -> bool:
-        """Whether a variable lives in this Python function: what others use too does only in subs, which recur."""
+        """True if a variable lives in this Python function.
+
+        A shared variable does so only in subs, because these may recur.
+        """
         function = self.function
         if symbol.home is not function:
             return False
         return function.kind == "sub" or not (symbol.shared or (self.whole.typed and function.kind == "main"))
 
     def range_of(self, symbol: Symbol, node: nodes.Node) -> intervals.Range:
-        """What is known of a variable where `node` reads it."""
+        """Return the range of a variable where `node` reads it."""
         fact = self.facts.get(id(node))
         if fact is not None:
             return fact
@@ -496,7 +528,7 @@ class Body:
 
 
 def _calls_first(text: str) -> bool:
-    """Whether nothing is worked out in a line before its one call of a sub that may wait."""
+    """True if a line evaluates nothing before its one call of a sub that may wait."""
     before, _, after = text.partition(CALL)
     words = before.rpartition(" = ")[2].replace("(", " ").split()
     return CALL not in after and all(each in _WORKS_NOTHING_OUT for each in words)

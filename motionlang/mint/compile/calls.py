@@ -18,7 +18,7 @@ _NOTHING = Value("0", FLOAT, intervals.ANY)
 
 
 def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
-    """The call of a sub, as a value (`wanted`) or as a statement."""
+    """Return the call of a sub, as a value (`wanted`) or as a statement."""
     callee = symbol.home
     if wanted and callee.result is None:
         b.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
@@ -42,7 +42,7 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
 
 
 def room_below(b: Body) -> str:
-    """The room on the stack for what is called here; the recursion error where there is none."""
+    """Return the remaining stack depth for a call; none raises a recursion error."""
     if not has_room(b.function):
         return f"{whole_stack(b)}[0]"
     b.names.append(ROOM)
@@ -50,12 +50,12 @@ def room_below(b: Body) -> str:
 
 
 def whole_stack(b: Body) -> str:
-    """The room that a task begins with."""
+    """Return the stack depth with which a task begins."""
     return b.whole.use("env", "stack")
 
 
 def has_room(function: Function) -> bool:
-    """Whether the code of a function is given its room on the stack; a task begins with all of it."""
+    """True if a function receives the remaining stack depth; a task begins with all."""
     return function.counted and (function.kind == "sub" or function.jumps)
 
 
@@ -74,7 +74,7 @@ def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
 
 
 def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
-    """An array as a whole: a list, and the sizes of one with several subscripts."""
+    """Return an array argument: a list, and the sizes if it has several subscripts."""
     wanted = len(parameter.dimensions)
     found = array(b, node)
     if found is None or len(found[2]) != wanted:
@@ -89,7 +89,7 @@ def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
 
 
 def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None:
-    """The text, the type and the sizes of an array that is named as a whole, a member's too."""
+    """Return text, type and sizes of an array named as a whole, also of a member."""
     if type(node) is nodes.Name and node.args is None:
         symbol = node.symbol
         if symbol is not None and symbol.is_array:
@@ -102,7 +102,7 @@ def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None
 
 
 def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
-    """A list and a place in it, which the sub reads and writes."""
+    """Return a ByRef argument: a list and an index, which the sub reads and writes."""
     if type(node) is nodes.Name or type(node) is nodes.Member:
         symbol = node.symbol if type(node) is nodes.Name else None
         if (symbol is not None and symbol.kind in ("variable", "parameter")) or type(node) is nodes.Member:
@@ -114,12 +114,12 @@ def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
         if symbol is None and type(node) is nodes.Name and node.row is None:
             unknown(b, node)
             return "[0], 0"
-    found = value(b, node)  # anything else is a value of its own, which the sub may change
+    found = value(b, node)  # any other expression is a temporary value, which the sub may change
     return f"[{converted(b, found, parameter.type, node)}], 0"
 
 
 def _pair(text: str) -> str:
-    """`name[place]` as the two arguments `name, place`."""
+    """Return `name[place]` as the two arguments `name, place`."""
     if not text.endswith("]"):
         return f"[{text}], 0"
     depth = 0

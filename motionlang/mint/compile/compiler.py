@@ -1,10 +1,10 @@
-"""From a syntax tree to Python: functions written line by line, put together by `assembly`.
+"""Compile a syntax tree to Python, function by function; `assembly` joins them.
 
     def main(t, H): …                 the parent task, tasks and events: generators
     def s_fill(p_n): …                subs: plain functions, or generators where they may wait
 
-A line typed at a prompt is compiled by itself: its names are the globals of one namespace that lives as long as the
-session.
+A line typed at a prompt is compiled by itself. Its names are the globals of one namespace that lives as long
+as the session.
 """
 
 from __future__ import annotations
@@ -42,9 +42,10 @@ DEFAULT_AXES = 8
 
 
 class Compiled:
-    """A program's code, its names, and what there is to say about the program.
+    """A compiled program: its code, its names and its problems.
 
-    `outline` is, packed, the blocks of its text and the line of each place in the code: a profile need not parse again.
+    `outline` holds, packed, its blocks and the line of each source offset in the code, so a profile need not
+    parse it again.
     """
 
     __slots__ = ("code", "names", "outline", "problems")
@@ -57,7 +58,7 @@ class Compiled:
 def compile_module(
     module: Module, settings: dict[str, object] | None = None, ranges: Ranges | None = None
 ) -> Compiled:
-    """Compile a program; ProgramError with every mistake."""
+    """Compile a program; raise ProgramError with all errors."""
     problems = Problems(module)
     if settings and "fault" in settings:
         from motionlang.mint.compile.line_triggers import mark
@@ -74,7 +75,10 @@ def compile_module(
 def compile_line(
     module: Module, settings: dict[str, object] | None, scope: Scope, suffix: str, file: str
 ) -> TypedLine:
-    """Compile a line typed at a prompt, whose names are those of `scope`; ProgramError with every mistake."""
+    """Compile a line typed at a prompt, with the names of `scope`.
+
+    Raises ProgramError with all errors.
+    """
     known_before = dict(scope.names)
     problems = Problems(module)
     with Room():
@@ -87,7 +91,7 @@ def compile_line(
 def _declared(
     module: Module, settings: dict[str, object] | None, problems: Problems, scope: Scope | None, suffix: str
 ) -> Whole:
-    """What the functions of a module share, its names declared."""
+    """Declare the names of a module and return the data that its functions share."""
     names = Names(table(), problems, scope)
     names.declare_module(module)
     return Whole(table(), problems, names, range(_number_of_axes(settings)), suffix, words(settings or {}))
@@ -102,9 +106,9 @@ def _number_of_axes(settings: dict[str, object] | None) -> int:
 
 
 def _function(whole: Whole, function: Function) -> Body:
-    """The body of one function."""
+    """Write the body of one function."""
     b = Body(whole, function)
-    # What fails under ONERROR leaves its statement half done, so that nothing is certain behind it.
+    # A failure under ONERROR leaves its statement unfinished, so nothing is certain after it.
     certain = not (whole.guarded or (whole.typed and function is whole.names.main))
     if certain and whole.ranges is not None:
         b.analysed, b.facts = whole.ranges(function)
@@ -120,12 +124,15 @@ def _function(whole: Whole, function: Function) -> Body:
     if function.result is not None or not is_called:
         leave(b)
     if not is_called:
-        b.emit("yield")  # which makes it a generator
+        b.emit("yield")  # makes the function a generator
     return b
 
 
 def warn_of_misspellings(whole: Whole) -> None:
-    """A name that is only ever assigned to and looks like a keyword is a typing error, not a variable."""
+    """Report names that are only assigned to and resemble a keyword.
+
+    Such a name is a typing error rather than a variable.
+    """
     words: dict[str, Keyword] = {}
     for function in whole.names.functions:
         for symbol in function.scope.names.values():
@@ -150,9 +157,12 @@ def compile_text(
     given: Mapping[str, bool] | None = None,
     ranges: Ranges | None = None,
 ) -> Compiled:
-    """Parse and compile a program, `given` as `override` has it. ProgramError with every mistake."""
+    """Parse and compile a program; raise ProgramError with all errors.
+
+    For `given` see `override`.
+    """
     collecting = gc.isenabled()
-    gc.disable()  # what is made here lasts to the end or goes by itself, and the collector would look at it every time
+    gc.disable()  # the objects made here are permanent or freed without the collector, which would check them each time
     try:
         with Room():
             module = _parsed(source, settings)

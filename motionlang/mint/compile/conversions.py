@@ -1,4 +1,4 @@
-"""A value that is known beforehand, and the text of a value as another type."""
+"""Conversions: literals, and the text of a value as another type."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.syntax import nodes
 
-# What stands in for a value that is wrong, so that further mistakes are told.
+# Replaces a wrong value, so that further errors are reported.
 NOTHING = Value("0", FLOAT, intervals.ANY)
 
 
 def literal(known: float | str) -> Value:
-    """A value that is known beforehand."""
+    """Return the value of a known constant."""
     if isinstance(known, str):
         return Value(repr(known), STRING, intervals.ANY, known)
     kind = INTEGER if type(known) is int and intervals.INT_LOW <= known <= intervals.INT_HIGH else FLOAT
@@ -32,7 +32,7 @@ def literal(known: float | str) -> Value:
 
 
 def as_float(found: Value) -> str:
-    """The text of a number that must be a Python float."""
+    """Return the text of a number that must be a Python float."""
     known = found.const
     if known.__class__ is int:
         return f"{found.text}.0" if 0 <= known <= intervals.INT_HIGH else literal(float(known)).text
@@ -40,7 +40,7 @@ def as_float(found: Value) -> str:
 
 
 def as_integer(b: Body, found: Value) -> str:
-    """The text of a number that must be a Python int of 32 bits; a fraction is cut off."""
+    """Return the text of a number as a 32-bit Python int, with the fraction cut off."""
     const = found.const
     if const is not None and found.type != STRING and intervals.INT_LOW <= const <= intervals.INT_HIGH:  # type: ignore[operator]
         return literal(int(const)).text
@@ -50,7 +50,10 @@ def as_integer(b: Body, found: Value) -> str:
 
 
 def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:
-    """The text of a value for a variable of a type; `exact`: a Float must be a Python float."""
+    """Return the text of a value converted for a variable of a type.
+
+    `exact`: a Float must be a Python float.
+    """
     if type.name == FLOAT and found.type in NUMERIC:
         return as_float(found) if exact else found.text
     if type.name == INTEGER and found.type in NUMERIC:
@@ -72,5 +75,5 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
 
 
 def article(type: str) -> str:
-    """The name of a type with its article."""
+    """Return the name of a type with its article."""
     return f"an {type}" if type[:1] in "AEIOaeio" else f"a {type}"

@@ -1,4 +1,4 @@
-"""What is wrong with a program that cannot be parsed: the lines that cannot be read, and the mistakes of all others."""
+"""Errors of a program that cannot be parsed: unreadable lines and compile errors."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.mint.syntax.nodes import Module
 
-# What is wrong with a statement by itself. Other mistakes, such as an Exit in no loop, may come of a line taken out.
+# Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by a
+# removed line.
 _OF_A_STATEMENT = frozenset(
     {
         "unknown-word",
@@ -31,16 +32,18 @@ _OF_A_STATEMENT = frozenset(
         "division-by-zero",
     }
 )
-# A line that opens a block takes others with it: its end, then what stood between.
+# The maximum number of attempts. Removing a line that opens a block makes others unreadable: its end, then
+# the lines between.
 _TURNS = 4
 
 
 def with_other_lines(
     source: Source, settings: dict[str, object] | None, unreadable: ProgramError
 ) -> ProgramError:
-    """The mistakes of a text and, with the lines that have them taken out, what the compiler says of the others.
+    """Return the errors of a text, and compile errors of its readable lines.
 
-    A name that stands in a line taken out may have been declared there: lines that use it are given no blame.
+    The unreadable lines are removed. A name in a removed line may have been declared there, so lines that use
+    it are not reported.
     """
     lines = source.text.split("\n")
     module, taken = _readable(source.name, lines, unreadable)
@@ -56,7 +59,10 @@ def with_other_lines(
 
 
 def _readable(name: str, lines: list[str], error: ProgramError) -> tuple[Module | None, set[int]]:
-    """The tree of what is left without the lines that cannot be read, and these; no tree where nothing helps."""
+    """Return the tree of a text without its unreadable lines, and their numbers.
+
+    The tree is None if the rest cannot be parsed either.
+    """
     taken: set[int] = set()
     for _ in range(_TURNS):
         taken.update(each.line for each in error.diagnostics)
@@ -72,7 +78,7 @@ _WORDS = ("NAME", "DOTTED")
 
 
 def _names(line: str) -> set[str]:
-    """The words of a line that are not Mint's."""
+    """Return the words of a line that are not keywords of Mint."""
     words = table()
     pieces = set(TABLES.texts(line))  # each once: a line may have a million of them
     found = {piece.lower() for piece in pieces if TABLES.kind_of[piece] in _WORDS}
@@ -80,5 +86,5 @@ def _names(line: str) -> set[str]:
 
 
 def _stands(mistake: Diagnostic, lines: list[str], names: set[str]) -> bool:
-    """Whether a mistake would be one, too, if the lines taken out were right."""
+    """True if an error would remain if the removed lines were right."""
     return mistake.code in _OF_A_STATEMENT and not _names(lines[mistake.line - 1]) & names

@@ -1,4 +1,4 @@
-"""Expressions: from a node to a `Value`, with the checks that are not known to be needless."""
+"""Compile expressions from a node to a `Value`, with necessary run-time checks."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
 
 _SAME = frozenset((INTEGER, FLOAT, STRING))
-# Whole numbers that have been written; so many are kept.
+# Integers that have been written, up to a maximum number.
 _SEEN: dict[float, Value] = {}
 MOST_SEEN = 20_000
 
 
 def value(b: Body, node: nodes.Expr) -> Value:
-    """The value of any expression; a mistake is noted and something harmless returned."""
+    """Return the value of any expression; report an error and return a harmless value."""
     return _VALUES[node.__class__](b, node)
 
 
 def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
-    """The value of an expression that must be a number."""
+    """Return the value of an expression that must be a number."""
     found = _VALUES[node.__class__](b, node)
     if found.type not in NUMERIC:
         b.problem("type", f"{what} is needed here, not {article(found.type)}", node)
@@ -49,7 +49,10 @@ def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
 
 
 def condition(b: Body, node: nodes.Expr) -> str:
-    """The text of a condition: only its truth counts. Whatever is put beside it, it stands in brackets there."""
+    """Return the text of a condition; only its truth value counts.
+
+    Next to another operator it needs brackets.
+    """
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
         return f"{_part(b, node.left, node.op)} {node.op.lower()} {_part(b, node.right, node.op)}"
     if type(node) is nodes.Unary and node.op == "Not":
@@ -58,7 +61,7 @@ def condition(b: Body, node: nodes.Expr) -> str:
 
 
 def _part(b: Body, node: nodes.Expr, op: str) -> str:
-    """The text of what stands beside And, Or or Not, in brackets where Python would group it otherwise."""
+    """Return the text of an operand of And, Or or Not, in brackets if necessary."""
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
         text = condition(b, node)
         return text if node.op == op else f"({text})"
@@ -72,7 +75,10 @@ def _part(b: Body, node: nodes.Expr, op: str) -> str:
 
 
 def _given(b: Body, node: nodes.Given) -> Value:
-    """A global name, which the program's start gives its value: always a Python float, or a text."""
+    """Return a global name whose value is set when the program starts.
+
+    The value is a Python float or a string.
+    """
     text = given_name(node.name)
     return Value(text, STRING, intervals.ANY) if node.is_text else Value(text, FLOAT, intervals.FLOAT)
 
@@ -93,7 +99,7 @@ def _number(b: Body, node: nodes.Number) -> Value:
         b.problem("overflow", "the number is too large", node)
         return NOTHING
     if intervals.INT_HIGH < known < 1 << 32 and type(known) is int and b.whole.problems.is_pattern(node.at):
-        known -= 1 << 32  # a pattern of 32 bits is an Integer, whatever its highest bit
+        known -= 1 << 32  # a 32-bit pattern is an Integer, even if its highest bit is set
     return literal(known)
 
 
@@ -119,7 +125,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
     symbol, row = node.symbol, node.row
     result = b.function.result
     if result is not None and node.args is None and result.name.lower() == node.name.lower():
-        return load(b, node, result)  # inside a function its bare name is the value it will have
+        return load(b, node, result)  # inside a function, its name without brackets is the result so far
     if symbol is not None:
         if symbol.kind == "const" and node.args is None:
             assert symbol.const is not None
@@ -143,7 +149,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
 
 
 def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
-    """The value of a variable; of one that is its name and the same wherever it stands it is made once."""
+    """Return the value of a variable, cached if it has the same text at each read."""
     found = load(b, node, symbol)
     if found.text == symbol.python and symbol.type.name in _SAME and symbol not in b.analysed:
         b.values[node.name] = found
@@ -151,7 +157,7 @@ def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
 
 
 def unknown(b: Body, node: nodes.Name) -> None:
-    """Note a word that is neither declared nor a keyword."""
+    """Report a word that is neither declared nor a keyword."""
     words = [symbol.name for symbol in b.scope.symbols()]
     words += [row.name for row in b.whole.table if row.kind not in ("statement", "command")]
     otherwise = (
@@ -166,7 +172,10 @@ def unknown(b: Body, node: nodes.Name) -> None:
 
 
 def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:
-    """Where a variable, an element or a member lives: Python text that can be read and assigned to."""
+    """Return the location of a variable, element or member.
+
+    It is Python text that can be read and assigned to.
+    """
     if type(node) is nodes.Member:
         return _member_place(b, node)
     assert type(node) is nodes.Name
@@ -187,7 +196,7 @@ def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol |
 def element(
     b: Body, node: nodes.Node, text: str, name: str, sizes: tuple[int, ...], args: list[nodes.Expr] | None
 ) -> str:
-    """The text of an array's element, its subscripts checked where they are not known to be right."""
+    """Return the text of an array element, with checks of uncertain subscripts."""
     if args is None:
         b.problem("index", f"{name} is an array and needs a subscript", node)
         return f"{text}[1]"
@@ -204,7 +213,10 @@ def element(
 
 
 def counted(text: str, sizes: tuple[int, ...]) -> list[str]:
-    """The texts of an array's sizes; those of an array that a sub is given are known when it is called."""
+    """Return the texts of an array's sizes.
+
+    The sizes of an array parameter are known when the sub is called.
+    """
     if sizes == (0,):
         return [f"len({text}) - 1"]
     return [str(size) if size else f"{text}_N{place}" for place, size in enumerate(sizes)]
@@ -228,7 +240,7 @@ def _count(count: int, what: str) -> str:
 
 
 def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
-    """The value of a variable or an element."""
+    """Return the value of a variable or an element."""
     if symbol.is_array and node.args is None:
         b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
         return NOTHING
@@ -270,7 +282,7 @@ def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None
 
 
 def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | None:
-    """The text, the type and the sizes of a member as a whole; a mistake is noted."""
+    """Return text, type and sizes of a member as a whole; report an error."""
     if type(node.value) is nodes.Name and node.value.symbol is None:
         if node.value.args is None and node.value.row is not None:
             b.problem("syntax", f"behind the dot of {node.value.name} stands a number, not a name", node,
@@ -331,7 +343,7 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
 
 
 class _Done(nodes.Node):
-    """The first operations of a chain, which are compiled."""
+    """The first operations of a chain, already compiled."""
 
     __slots__ = ("value",)
 
@@ -344,14 +356,17 @@ def _done(b: Body, node: _Done) -> Value:
 
 
 def _nested(first: nodes.Expr, links: list[nodes.Link]) -> nodes.Expr:
-    """Some operations of a chain, nested as the grammar has them."""
+    """Return some operations of a chain, nested as the grammar does it."""
     for link in links:
         first = nodes.Binary(first.at, link.op, first, link.value)
     return first
 
 
 def _chain(b: Body, node: nodes.Chain) -> Value:
-    """Operations in groups, each of which gives its result to a variable: Python's own nesting is limited, too."""
+    """Compile a chain in groups; each assigns its result to a variable.
+
+    Python limits nesting, too.
+    """
     steps: list[str] = []
     first: nodes.Expr = node.first
     for begin in range(0, len(node.links), LINKS):
@@ -376,7 +391,7 @@ def _comparison(b: Body, node: nodes.Binary) -> Value:
     calls, b.calls = b.calls, b.calls or called
     if not (left.is_number and right.is_number) or (left.const is not None and right.const is not None):
         return _known(b, node, left, right)
-    if not calls:  # what calls a sub keeps its place before or behind the reading
+    if not calls:  # an operand that calls a sub remains before or after the reading
         if left.solved is not None and right.solved is None:
             left, right = _compared(b, left, right)
         elif right.solved is not None and left.solved is None:
@@ -385,7 +400,7 @@ def _comparison(b: Body, node: nodes.Binary) -> Value:
 
 
 def _known(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
-    """An operation on what is known beforehand, or on what is no number."""
+    """Return an operation on known values, or on operands that are not numbers."""
     op = node.op
     if not (left.is_number and right.is_number):
         return _other_than_numbers(b, node, left, right)
@@ -401,7 +416,10 @@ def _known(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
 
 
 def _compared(b: Body, reading: Value, level: Value, level_first: bool = False) -> tuple[Value, Value]:
-    """A reading that is told which level it is compared with, and that level, worked out once."""
+    """Return a reading with the level that it is compared with, and that level.
+
+    The level is evaluated once.
+    """
     assert reading.solved is not None
     given = text = level.text
     if level.const is None and not text.isidentifier():

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def zero(kind: Type) -> str:
-    """The text of a new variable's value."""
+    """Return the text of a new variable's value."""
     if kind.name == RECORD and kind.record is not None:
         members = [fresh(member, sizes) for _, member, sizes in kind.record.members.values()]
         return f"[{', '.join(members)}]"
@@ -18,7 +18,7 @@ def zero(kind: Type) -> str:
 
 
 def fresh(kind: Type, sizes: tuple[int, ...]) -> str:
-    """The text of a new variable or array; element 0 of an array is never used."""
+    """Return the text of a new variable or array; element 0 of an array is never used."""
     if not sizes:
         return zero(kind)
     count = 1

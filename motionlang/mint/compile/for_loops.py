@@ -1,17 +1,17 @@
-"""`For`: plain, and in chunks.
+"""Compile `For`, as a simple loop or in chunks.
 
-A counted loop whose body neither waits nor takes note of time is cut into chunks: as many turns at once as cannot
-reach the horizon at the highest cost a turn can have. Within a chunk nothing is tested, what the turns cost is counted
-in whole statements, and the loop gives way after exactly the turn at which it would have without chunks.
+A counted loop whose body neither waits nor observes time is run in chunks: as many iterations at once as
+cannot reach the horizon at the highest cost of an iteration. Nothing is tested within a chunk, the cost is
+counted in whole statements, and the loop gives way after exactly the same iteration as without chunks.
 
-    n = (stop - i) // step + 1           turns that are left
-    w = (H - t) / worst                 turns that surely fit
+    n = (stop - i) // step + 1           iterations that remain
+    w = (H - t) / worst                 iterations that surely fit
     if n > w: n = int(w) if w > 1.0 else 1
     c = n * statements
     for i in range(i, i + n * step, step): …; c += 1 where a branch costs something
     i += step
     t += c
-    if t >= H: t, H = yield (t, how long the turns that are left will take at least)
+    if t >= H: t, H = yield (t, minimum time of the iterations that remain)
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 class Counter:
-    """The parts of a For: its variable as text and symbol, start, limit and step."""
+    """The data of a For: its variable as text and symbol, start, limit and step."""
 
     __slots__ = ("exact", "kind", "start", "step", "stop", "symbol", "text")
 
@@ -51,13 +51,13 @@ class Counter:
             b.problem("range", "a For that counts by 0 never ends", node.step or node)
         b.settle()
         first = converted(b, self.start, type_, node.start, self.exact)
-        # Limit and step are worked out once, before the variable has its first value.
+        # Limit and step are evaluated once, before the variable has its first value.
         self.stop, self.step = _kept(b, self.stop), _kept(b, self.step)
         b.emit(f"{self.text} = {first}")
 
 
 def count(b: Body, node: nodes.For) -> None:
-    """`For variable = start To stop Step step … Next`."""
+    """Compile `For variable = start To stop Step step … Next`."""
     symbol = node.variable.symbol
     if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
         name = node.variable.name
@@ -91,7 +91,7 @@ def count(b: Body, node: nodes.For) -> None:
 
 
 def _kept(b: Body, found: Value) -> Value:
-    """A limit that stays what it was when the loop began."""
+    """Store a limit, so that it does not change during the loop."""
     if found.const is not None:
         return found
     name = b.temp()
@@ -113,7 +113,7 @@ def _plain(b: Body, node: nodes.For, counter: Counter, body: list[Line]) -> None
 
 
 def _known(b: Body, node: nodes.For, counter: Counter) -> intervals.Range:
-    """What is known of the variable at Next."""
+    """Return the range of the variable at Next."""
     known = b.facts.get(id(node))
     if known is not None:
         return known
@@ -148,7 +148,7 @@ def _next(b: Body, counter: Counter, known: intervals.Range) -> None:
 
 
 def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
-    """Whether the variable only counts, in whole numbers that cannot overflow."""
+    """True if the variable only counts, in integers that cannot overflow."""
     step, stop = counter.step.const, counter.stop.range
     if counter.exact or type(step) is not int or step == 0 or stop[2] != "i":
         return False
@@ -160,7 +160,7 @@ def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
 
 
 def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
-    """Whether the body gives the variable another value."""
+    """True if the body assigns to the variable."""
     for each in walk(node.body):
         target = (
             each.target

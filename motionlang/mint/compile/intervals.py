@@ -1,8 +1,9 @@
-"""What can be known about a number before the program runs: the domain of the range analysis.
+"""Intervals of numbers before the program runs: the domain of the range analysis.
 
-A `Range` is `(low, high, kind)`. Kind "i" means that the value is certainly held as a Python int (and no bool) between
-low and high; "f" that it is certainly a Python float; "a" that it may be either (its bounds are then infinite). A Float
-that is held as an int never exceeds 2^53, up to which ints and doubles do the same arithmetic.
+A `Range` is `(low, high, kind)`. Kind "i" means that the value is certainly a Python int (and no bool)
+between low and high; "f" that it is certainly a Python float; "a" that it may be either, with infinite
+bounds. A Float that is stored as an int never exceeds 2^53, up to which ints and doubles do the same
+arithmetic.
 """
 
 from __future__ import annotations
@@ -18,17 +19,17 @@ FLOAT: Range = (-INFINITY, INFINITY, "f")
 ANY: Range = (-INFINITY, INFINITY, "a")
 BOOL: Range = (0, 1, "i")
 
-# Where the result of an operation does not fit: how the compiler writes it.
+# How the compiler writes an operation, depending on whether its result is certain to fit.
 PLAIN, CHECKED, COERCED = "plain", "checked", "coerced"
 
 
 def constant(value: float) -> Range:
-    """The range of a literal."""
+    """Return the range of a literal."""
     return (value, value, "i") if type(value) is int and abs(value) <= EXACT else FLOAT
 
 
 def join(a: Range, b: Range) -> Range:
-    """What holds for values of either range."""
+    """Return the range that contains both ranges."""
     if a == b:
         return a
     if a[2] == b[2] == "i":
@@ -37,7 +38,10 @@ def join(a: Range, b: Range) -> Range:
 
 
 def widen(old: Range, new: Range, thresholds: list[int]) -> Range:
-    """`join`, but with bounds that can only move to one of `thresholds` (ascending, within ±2^53)."""
+    """Join two ranges, with bounds that move only to one of `thresholds`.
+
+    The thresholds are ascending and within ±2^53.
+    """
     joined = join(old, new)
     if joined[2] != "i" or joined == old:
         return joined
@@ -51,7 +55,10 @@ def widen(old: Range, new: Range, thresholds: list[int]) -> Range:
 
 
 def arithmetic(op: str, integer: bool, a: Range, b: Range) -> tuple[Range, str]:
-    """The range of `a op b` (`+ - *`), and how it must be written; `integer` when both sides are Integer."""
+    """Return the range of `a op b` (`+ - *`), and how the compiler must write it.
+
+    `integer` is True if both sides are Integer.
+    """
     if a[2] == "i" and b[2] == "i":
         low, high = _bounds(op, a, b)
         if integer:
@@ -74,7 +81,7 @@ def _bounds(op: str, a: Range, b: Range) -> tuple[float, float]:
 
 
 def quotient(a: Range, b: Range) -> Range:
-    """The range of whole division (toward zero) of two Integers."""
+    """Return the range of integer division (toward zero) of two Integers."""
     if b[0] > 0:
         ends = [_whole(x, y) for x in a[:2] for y in b[:2]]
         return (min(ends), max(ends), "i")
@@ -88,7 +95,7 @@ def _whole(a: float, b: float) -> int:
 
 
 def remainder(a: Range, b: Range) -> Range:
-    """The range of the remainder, which has the sign of the dividend, of two Integers."""
+    """Return the range of the remainder of two Integers; it has the dividend's sign."""
     most = max(abs(b[0]), abs(b[1]), 1) - 1
     return (max(a[0], -most) if a[0] < 0 else 0, min(a[1], most) if a[1] > 0 else 0, "i")
 
@@ -98,17 +105,20 @@ _OPPOSITE = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "=": "<>", "<>": "="}
 
 
 def swapped(op: str) -> str:
-    """The comparison with its sides exchanged."""
+    """Return the comparison with its sides exchanged."""
     return _SWAPPED[op]
 
 
 def opposite(op: str) -> str:
-    """The comparison that is true when `op` is false (for numbers, not for NaN)."""
+    """Return the comparison that is true when `op` is false (numbers only, not NaN)."""
     return _OPPOSITE[op]
 
 
 def narrow(a: Range, op: str, b: Range) -> Range | None:
-    """What is known of `a` where `a op b` is true; None where it never is. Only whole numbers are narrowed."""
+    """Return the range of `a` where `a op b` is true, None if it never is.
+
+    Only integers are narrowed.
+    """
     if a[2] != "i" or b[2] != "i":
         return a
     low, high = a[0], a[1]
@@ -122,19 +132,19 @@ def narrow(a: Range, op: str, b: Range) -> Range | None:
         low = max(low, b[0])
     elif op == "=":
         low, high = max(low, b[0]), min(high, b[1])
-    elif b[0] == b[1]:  # <> a constant: cuts only at an end
+    elif b[0] == b[1]:  # <> a constant narrows only at an end
         low += low == b[0]
         high -= high == b[0]
     return (low, high, "i") if low <= high else None
 
 
 def to_integer(a: Range) -> Range:
-    """The range after an assignment to an Integer, which is checked."""
+    """Return the range after a checked assignment to an Integer."""
     if a[2] != "i":
         return INTEGER
     return (max(a[0], INT_LOW), min(a[1], INT_HIGH), "i")
 
 
 def fits_integer(a: Range) -> bool:
-    """Whether an assignment to an Integer needs no check."""
+    """True if an assignment to an Integer needs no check."""
     return a[2] == "i" and a[0] >= INT_LOW and a[1] <= INT_HIGH

@@ -1,4 +1,4 @@
-"""Labels, Goto and Gosub: a function that has them becomes a dispatcher over the stretches between its labels.
+"""Labels, Goto and Gosub: a dispatcher over the stretches between labels.
 
     def j_main(pc):
      while True:
@@ -7,8 +7,9 @@
        if pc == 1: …
       except J as jump: pc = jump.args[0]
 
-A Goto sets `pc`, a Gosub calls the dispatcher at a label, Return leaves that call. Labels stand between statements of
-the outermost level; a jump out of loops is an exception, as Python has no other way out of several at once.
+A Goto sets `pc`, a Gosub calls the dispatcher at a label, and Return leaves that call. Labels are between
+statements of the outermost level. A jump out of loops is an exception, because Python has no other way out of
+several loops at once.
 """
 
 from __future__ import annotations
@@ -26,17 +27,17 @@ if TYPE_CHECKING:
 
     from motionlang.mint.compile.body import Body
 
-# In a function of more stretches than this no jump is watched.
+# In a function with more stretches than this, no jump is watched.
 MOST_STRETCHES = 200
 
 
 def dispatcher(function: Function) -> str:
-    """The name of a function's dispatcher."""
+    """Return the name of a function's dispatcher."""
     return f"j_{function.python}"
 
 
 def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
-    """The lines of the dispatcher, without its head."""
+    """Write the lines of the dispatcher, without its head."""
     _check(b)
     first = len(b.lines)
     b.regions = loop_times.regions(b)
@@ -70,17 +71,17 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
 
 
 def _end(b: Body) -> None:
-    """The text ends here, and with it the task: also within a Gosub."""
+    """Write the end of the text, which ends the task, also within a Gosub."""
     if b.function.kind in ("sub", "event"):
         b.emit("return")
     else:
         if b.whole.guarded and b.function.kind == "main":
-            b.horizon()  # ONERROR hears of what the last statement has done wrong
+            b.horizon()  # report an error of the last statement to ONERROR
         b.emit(f"{b.whole.use('env', 'end_main' if b.function.kind == 'main' else 'end_this')}(t)")
 
 
 def _check(b: Body) -> None:
-    """Labels twice."""
+    """Report duplicate labels."""
     seen: set[str] = set()
     for node in b.function.body:
         if type(node) is not nodes.Label:
@@ -91,7 +92,7 @@ def _check(b: Body) -> None:
 
 
 def jump(b: Body, node: nodes.Jump) -> None:
-    """Goto and Gosub."""
+    """Compile a Goto or a Gosub."""
     labels = b.labels()
     key = node.name.lower()
     if key not in labels:
@@ -136,7 +137,7 @@ def jump(b: Body, node: nodes.Jump) -> None:
 
 
 def _unless(b: Body, node: nodes.Jump) -> str:
-    """What stands before a jump that has a condition."""
+    """Return the text in front of a jump with a condition, "" without one."""
     if node.unless is None:
         return ""
     test = condition(b, node.unless)
@@ -145,7 +146,7 @@ def _unless(b: Body, node: nodes.Jump) -> str:
 
 
 def return_(b: Body, node: nodes.Return) -> None:
-    """Return from a Gosub."""
+    """Compile a Return from a Gosub."""
     b.pending += 1
     b.flush()
     b.noted = True
@@ -154,4 +155,4 @@ def return_(b: Body, node: nodes.Return) -> None:
 
 
 def label(b: Body, node: nodes.Label) -> None:
-    """Labels are where stretches begin; one that stands elsewhere has been reported."""
+    """Do nothing: labels begin stretches, and misplaced ones have been reported."""

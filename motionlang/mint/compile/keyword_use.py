@@ -1,7 +1,7 @@
-"""Simulated keywords where they are used: read in an expression, written by `=`, given as a command.
+"""Compile simulated keywords: reads in expressions, writes with `=`, commands.
 
-The row of the table tells everything: access, index, unit, range. What the run does with it is the business of
-`motionlang.mint.runtime.binding`, found by the row's verb.
+The row of the table has all data: access, index, unit, range. At run time `motionlang.mint.runtime.binding`
+finds the operation by the row's verb.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.symbols import Symbol
 
 _NOTHING = Value("0", FLOAT, intervals.ANY)
-# The text of a value that is left out; no value that is given is written so.
+# The text of an omitted value. No other value has this text.
 OMITTED = "None"
 
 
 def type_of(row: Keyword) -> str:
-    """The Mint type of a keyword's value."""
+    """Return the Mint type of a keyword's value."""
     return INTEGER if row.is_whole else STRING if row.unit == "text" else FLOAT
 
 
-# -------------------------------------------------------------------------------------------------- reading
+# ---------------------------------------------------------------------------------------------------- reads
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
-    """The value of a keyword, a function or a constant."""
+    """Return the value of a keyword, a function or a constant."""
     if row.kind == "constant":
         if node.args is not None:
             b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)
@@ -72,7 +72,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
 
 
 def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
-    """Whether a keyword has a value that a program may read; where it has none that is noted."""
+    """True if a program may read a keyword; report it if not."""
     if "R" in row.access:
         return True
     what = "is a command and has no value" if row.access == "C" else "can be written but not read"
@@ -81,14 +81,14 @@ def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
 
 
 def read_at(b: Body, node: nodes.Name, row: Keyword) -> list[str]:
-    """The texts of what a keyword is read of: where no brackets stand, of the first axis of AXES."""
+    """Return the indices of a read; without brackets, the first axis of AXES."""
     if by_default(b, node, row):
         return [f"{b.whole.use('env', 'default_axes')}()[0]"]
     return indices(b, node, row, single=True)
 
 
 def answer(row: Keyword, text: str) -> Reading:
-    """What is read of a keyword, by the text that reads it."""
+    """Return the value read from a keyword, for the text that reads it."""
     if row.unit == "text":
         return Reading(text, STRING, intervals.ANY)
     kind = type_of(row)
@@ -99,7 +99,7 @@ def answer(row: Keyword, text: str) -> Reading:
 
 
 def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
-    """`IDLE[0, 1]` as people write it after a move of several axes: `IDLE[0] And IDLE[1]`."""
+    """Expand `IDLE[0, 1]`, as written after a path, to `IDLE[0] And IDLE[1]`."""
     parts: list[nodes.Expr] = [
         nodes.Name(node.at, node.name, [arg], node.axes).resolve(None, node.row) for arg in args
     ]
@@ -174,7 +174,7 @@ def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
 
 
 def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
-    """The texts of what stands in a keyword's brackets: its axes, channels, or nothing."""
+    """Return the texts of a keyword's indices: axes, channels, or none."""
     args = node.args
     kind = row.index
     if args and len(args) == 1 and kind in _ONE:
@@ -203,7 +203,7 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]
 
 
-# What can stand alone in brackets.
+# Kinds of index that may be the only one in brackets.
 _ONE = frozenset(("axis", "axes", "channel"))
 
 
@@ -228,7 +228,7 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
 
 
 def _name_of_task(b: Body, node: nodes.Expr) -> str:
-    """The name of a task, which is not an expression."""
+    """Return the name of a task, which is not an expression."""
     named = node if type(node) is nodes.Name and node.args is None else None
     word = node.name if type(node) is nodes.Name else ""
     if named is not None and named.symbol is None and word.lower() == PARENT.lower():
@@ -238,7 +238,7 @@ def _name_of_task(b: Body, node: nodes.Expr) -> str:
 
 
 def task(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol | None:
-    """The task that a node stands for, or the diagnostic of one that there is not."""
+    """Return the task that a node names; report it if there is no such task."""
     if node.symbol is not None and node.symbol.kind == "task":
         return node.symbol
     tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
@@ -251,11 +251,11 @@ def _many(count: int, what: str) -> str:
     return f"{count} {what if count == 1 else plural}"
 
 
-# -------------------------------------------------------------------------------------------------- writing
+# --------------------------------------------------------------------------------------------------- writes
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
-    """`KEYWORD(axes) = values`."""
+    """Compile `KEYWORD(axes) = values`."""
     if "W" not in row.access:
         refuse(b, node, target, row)
         return
@@ -274,16 +274,16 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
 
 
 def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
-    """Note that a keyword takes no value."""
+    """Report that a keyword takes no value."""
     b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
     for each in node.values:
         value(b, each)
 
 
 def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, last: list[str]) -> None:
-    """Write the values to the axes, or to whatever else stands in the brackets; None is the axes of AXES.
+    """Write values to the axes or to the other indices; None means the axes of AXES.
 
-    `last` is what the operation of each is given behind its value.
+    `last` are arguments of each operation after its value.
     """
     if where is None:
         _write_to_defaults(b, node, row, last)
@@ -299,12 +299,15 @@ def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, las
 
 
 def by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
-    """Whether a keyword without brackets means the axes of AXES."""
+    """True if a keyword without brackets means the axes of AXES."""
     return target.args is None and row.index in ("axis", "axes") and b.whole.names.uses_axes
 
 
 def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword, last: list[str]) -> None:
-    """`SPEED = 10, 20` after `AXES[0, 1]`: how many axes there are is known when the program runs."""
+    """Compile `SPEED = 10, 20` after `AXES[0, 1]`.
+
+    The number of axes is known only at run time.
+    """
     texts = _given(b, node, row)
     tell, b.observes = b.observes, True
     b.settle(tell)
@@ -340,7 +343,7 @@ def _instead(row: Keyword, name: str) -> str:
 
 
 def _given(b: Body, node: nodes.Assign, row: Keyword) -> list[str]:
-    """The texts of the values of an assignment, of one left out the text `OMITTED`."""
+    """Return the texts of the values of an assignment, `OMITTED` for an omitted one."""
     return [OMITTED if type(each) is nodes.Omitted else _value(b, each, row) for each in node.values]
 
 
@@ -380,7 +383,7 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
 
 
 def _storing(b: Body, row: Keyword, where: list[str], text: str, last: list[str]) -> tuple[str, list[str]]:
-    """What writes a value, or loads a move, and what it is given."""
+    """Return the operation that writes a value or loads a move, and its arguments."""
     how = "load" if row.kind == "move" else "write" if "W" in row.access else "do"
     operation, where = b.whole.called(how, row, where)
     return operation, [*where, text, *last]
@@ -390,7 +393,7 @@ def _storing(b: Body, row: Keyword, where: list[str], text: str, last: list[str]
 
 
 def command(b: Body, node: nodes.Call, row: Keyword) -> None:
-    """A keyword that stands alone: `GO(0, 1)`, `WAIT(100)`."""
+    """Compile a keyword as a statement: `GO(0, 1)`, `WAIT(100)`."""
     target = node.target
     if row.verb == "wait":
         wait(b, target, target.args or [], row)
@@ -410,7 +413,10 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
 def done_at(
     b: Body, target: nodes.Name, row: Keyword, indices: Callable[..., list[str]]
 ) -> tuple[str, list[str]]:
-    """What carries a command out, and what it is given of the brackets, whose texts `indices` finds."""
+    """Return the operation of a command, and its index arguments.
+
+    `indices` returns their texts.
+    """
     if by_default(b, target, row):
         default = f"{b.whole.use('env', 'default_axes')}()"
         return b.whole.called("do", row, [default if row.index == "axes" else f"{default}[0]"])
@@ -421,7 +427,7 @@ def done_at(
 
 
 def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
-    """Note that a keyword cannot stand alone."""
+    """Report that a keyword is not a statement."""
     shown = row.name if target.args is None else f"{row.name}(…)"
     if row.kind == "statement":
         b.problem("syntax", f"{row.name} cannot stand here", target, row.help)
@@ -437,7 +443,7 @@ def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
 
 
 def wait(b: Body, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> None:
-    """`WAIT = ms` and `WAIT(ms)`."""
+    """Compile `WAIT = ms` and `WAIT(ms)`."""
     if len(values) != 1:
         b.problem("values", f"WAIT needs 1 value, {len(values)} given", node, "WAIT = 100 waits for 100 ms")
         return

@@ -1,7 +1,7 @@
-"""Lines at which the machine file lets something happen: what tells the world that the program has come to one.
+"""Lines that trigger an event of the machine file: report when one is reached.
 
-Before the first statement of such a line a call of a hidden word is put, which no program can write. To the compiler it
-is a command like any other, so it happens between statements and at its own moment.
+Before the first statement of such a line a call of a hidden keyword is inserted, which no program can write.
+To the compiler it is a command like any other, so it is executed between statements at its own time.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ WORD = "(line)"
 
 
 def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problems) -> None:
-    """Put the calls into the tree; a line without a statement is a mistake of the machine file."""
+    """Insert the calls into the tree.
+
+    A line without a statement is reported as an error of the machine file.
+    """
     faults: list[Mapping[str, int]] = settings.get("fault", [])  # type: ignore[assignment]
     wanted = {entry["line"] for entry in faults if "line" in entry}
     if not wanted:
@@ -35,7 +38,7 @@ def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problem
 
 
 def _bodies(module: nodes.Module) -> list[list[nodes.Stmt]]:
-    """Every list of statements, also the inner ones."""
+    """Return every list of statements, including the nested ones."""
     roots = [value for name in type(module).__slots__ if isinstance(value := getattr(module, name), list)]
     found = [root for root in roots if root and isinstance(root[0], nodes.Stmt)]
     for node in walk([each for root in roots for each in root]):

@@ -1,4 +1,4 @@
-"""The lines of Python that a program becomes, as records: what comes after them asks for fields, never for the text."""
+"""The lines of generated Python, as records: later passes never parse their text."""
 
 from __future__ import annotations
 
@@ -6,22 +6,23 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-# Kinds: LOOP is the head of a loop, BREAK leaves the innermost one, LEAVES the function or the stretch between labels,
-# HORIZON lets others run when their time has come.
+# Kinds: LOOP is the head of a loop, BREAK leaves the innermost loop, LEAVES the function or the stretch
+# between labels, and HORIZON lets others run if they are due.
 PLAIN, LOOP, BREAK, LEAVES, HORIZON = "", "loop", "break", "leaves", "horizon"
-# Among the names of a line: it holds a `yield`.
+# Among the names of a line: it contains a `yield`.
 YIELDS = "yield"
-# The name of the room on the stack that a call is given: a tuple of the room that the next one is given, () for none.
+# The name for the remaining stack depth in a call: a tuple with that of the next call, or () for none.
 ROOM = "r"
 NONE: Sequence[str] = ()
 JUST_YIELDS: Sequence[str] = (YIELDS,)
 
 
 class Line:
-    """`text` stands `indent` blanks from the left; `at` is its place in the program.
+    """A line of Python.
 
-    `kind` is one of those above; `names` are the variables in it, and `YIELDS`; `cost` is how many statements it pays
-    for, where it does nothing else.
+    It is indented by `indent` blanks. `at` is its source offset in the program. `kind` is one of those above.
+    `names` are the variables in it, and `YIELDS`. `cost` is the number of statements that it pays for, if it
+    does nothing else.
     """
 
     __slots__ = ("at", "cost", "indent", "kind", "names", "text")
@@ -40,7 +41,7 @@ class Line:
 
 
 def moved(found: list[Line], by: int) -> list[Line]:
-    """The same lines, so many blanks further in."""
+    """Indent lines by some more blanks."""
     if by:
         for line in found:
             line.indent += by
@@ -48,10 +49,10 @@ def moved(found: list[Line], by: int) -> list[Line]:
 
 
 def names_in(found: Iterable[Line]) -> set[str]:
-    """All names of some lines."""
+    """Return all names of some lines."""
     return set().union(*[line.names for line in found])
 
 
 def text_of(found: Iterable[Line]) -> str:
-    """The lines as text."""
+    """Return the lines as text."""
     return "\n".join([" " * line.indent + line.text for line in found])

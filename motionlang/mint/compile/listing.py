@@ -1,4 +1,4 @@
-"""The generated Python of a program as lines to read, each with the program line that it was made from."""
+"""List the generated Python of a program, with the program line of each line."""
 
 from __future__ import annotations
 
@@ -22,18 +22,21 @@ T(2.0)      pay for 2 statements and set the clock; true if something is due
 k0, k1 ...  operations, named beside the code; a write, load or do takes what
             it pays for first, and is true if it has to be put off
 E, P        the environment of the run; print"""
-# A string, in which nothing is looked for, or the name of an operation.
+# A string, in which nothing is searched, or the name of an operation.
 _OPERATION = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|\b(k\d+)\b""")
 _OF_KEYWORDS = frozenset(("read", "write", "load", "do", "rewrite", "redo"))
-# The others by what stands before their name; the first two are Python names of `mint/runtime`.
+# The other kinds of spec, with the prefix of their names. The first two are Python names of `mint/runtime`.
 _OTHERS = {"env": "Environment.", "fn": "functions.", "show": "text of ", "using": "USING of "}
 
 
 def listing(code: Code, line_of: Mapping[int, int]) -> Listing:
-    """The lines of freshly compiled code; `line_of` has the program line of each source offset in it."""
+    """Return the lines of freshly compiled code.
+
+    `line_of` maps source offsets to program lines.
+    """
     found = [(0, f" {text}", "") for text in code.first_text.splitlines()]
     for unit in code.units:
-        # Unit.compile puts two lines before the text, and lines count from 1.
+        # `Unit.compile` puts two lines before the text, and lines count from 1.
         for number, text in enumerate(unit.text.split("\n"), unit.before + 3):
             notes = ", ".join(_operations(text, code.specs))
             found.append((line_of[code.places[number]], text, notes))
@@ -41,13 +44,13 @@ def listing(code: Code, line_of: Mapping[int, int]) -> Listing:
 
 
 def _operations(text: str, specs: Sequence[tuple[object, ...]]) -> Iterator[str]:
-    """The operations that a line of code calls, such as `k3 read IDLE(0)`."""
+    """Yield the operations that a line of code calls, such as `k3 read IDLE(0)`."""
     for name in dict.fromkeys(filter(None, _OPERATION.findall(text))):
         yield f"{name} {_described(*specs[int(name[1:])])}"
 
 
 def _described(how: object, *details: object) -> str:
-    """An operation by what it does: to a keyword, with its axes, or one of the run-time library."""
+    """Describe an operation: of a keyword, with its axes, or of the run-time library."""
     if how in _OF_KEYWORDS:
         keyword, *where = details
         axes = where[0] if where and isinstance(where[0], tuple) else where

@@ -1,18 +1,21 @@
-"""Loops write into the log when they ran: what the profile needs to charge a loop that polls, or computes.
+"""Code with which loops log their times, so that a profile can charge them.
+
+The profile needs this for loops that poll or compute.
 
     l7 = t, E.statements.base
     while …: …
     if t - l7[0] > 100.0 or E.statements.base is not l7[1]: E.looped(t, l7, 7)
     l7 = None
 
-The variable is named after the source offset of the loop, so that the frame of a task that is still in a loop, or has
-been thrown out of it, says since when. A loop shorter than `LEAST` statements that never waited leaves no record.
-Nothing is added to an iteration.
+The variable is named after the source offset of the loop. If a task is still in a loop, or has left it by an
+exception, the frame shows when the loop began. A loop shorter than `LEAST` statements that never waited
+leaves no record. Nothing is added to an iteration.
 
-A call of a sub outside of loops is noted in the same way, for what it computes outside of its own.
+A call of a sub outside loops is logged in the same way, for computing outside the sub's own loops.
 
-A backward Goto makes a loop of the stretches from its label to the last jump back to it. It begins where its label is
-reached, and ends behind the statement of that last jump, or at a jump to a stretch outside of it.
+A backward Goto makes a loop of the stretches from its label to the last jump back to it. The loop begins when
+its label is reached. It ends after the statement with that last jump, or at a jump to a stretch outside the
+loop.
 """
 
 from __future__ import annotations
@@ -26,12 +29,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
 
-# In a function of more labels than this no loop of Gotos is noted.
+# In a function with more labels than this, no loop of Gotos is logged.
 MAX_LABELS = 200
 
 
 class Region:
-    """A loop of Gotos: the stretches `first` to `last`, in which statement `end` has the last jump back."""
+    """A loop of Gotos: the stretches `first` to `last`.
+
+    The last jump back is in statement `end`.
+    """
 
     __slots__ = ("at", "end", "first", "last")
 
@@ -41,21 +47,22 @@ class Region:
 
 
 def begin(b: Body) -> None:
-    """Before the first iteration of the loop being written; `t` is up to date."""
+    """Write the start of the record before a loop; `t` is up to date."""
     b.timed.append(b.at)
     b.emit(f"l{b.at} = t, E.statements.base")
 
 
 def end(b: Body) -> None:
-    """Behind a loop."""
+    """Write the end of the record after a loop."""
     _close(b, b.timed.pop())
 
 
 def call(b: Body, node: nodes.Stmt, begin: int) -> None:
-    """Around a statement, written from line `begin` on, that calls a sub: it leaves a record as a loop does.
+    """Log a statement that calls a sub, like a loop.
 
-    Not where it waits, as the places of its waits say in which sub it is. Not in a loop, whose iterations stay what
-    they are, and not where a sub calls itself: the first call is enough.
+    The statement was written from line `begin` on. Not if the sub waits, because the source offsets of its
+    waits identify it. Not in a loop, whose iterations must not change, and not if a sub calls itself: the
+    first call is enough.
     """
     if type(node) not in (nodes.Call, nodes.Assign) or b.callee is None or b.callee is b.function:
         return
@@ -69,7 +76,7 @@ def call(b: Body, node: nodes.Stmt, begin: int) -> None:
 
 
 def leave(b: Body) -> None:
-    """Before the function returns from within its loops."""
+    """End the records of all loops before the function returns from within them."""
     for at in reversed(b.timed):
         _close(b, at)
     for region in b.regions:
@@ -80,7 +87,7 @@ def leave(b: Body) -> None:
 
 
 def regions(b: Body) -> list[Region]:
-    """The loops that the Gotos of a function make; none of one that has too many labels."""
+    """Return the loops that the Gotos of a function make, none with too many labels."""
     found: dict[int, Region] = {}
     labels = [node for node in b.function.body if type(node) is nodes.Label]
     if len(labels) > MAX_LABELS:
@@ -98,14 +105,17 @@ def regions(b: Body) -> list[Region]:
 
 
 def open_regions(b: Body) -> None:
-    """At the begin of a stretch: the loop that begins with its label, if it has not begun yet."""
+    """Open the record of the loop that begins with the label of this stretch.
+
+    A loop that is already open is not changed.
+    """
     for region in b.regions:
         if region.first == b.stretch:
             b.emit(f"if r{region.at} is None: r{region.at} = t, E.statements.base")
 
 
 def close_regions(b: Body, place: int) -> None:
-    """Behind so many statements of a stretch: the loops whose last jump back is the one before."""
+    """Close the records of the loops whose last jump back is the preceding statement."""
     for region in b.regions:
         if (region.last, region.end) == (b.stretch, place):
             b.flush()
@@ -113,7 +123,7 @@ def close_regions(b: Body, place: int) -> None:
 
 
 def left(b: Body, number: int) -> list[Region]:
-    """The loops of Gotos that a jump to a stretch leaves."""
+    """Return the loops of Gotos that a jump to a stretch leaves."""
     return [
         region
         for region in b.regions
@@ -122,13 +132,16 @@ def left(b: Body, number: int) -> list[Region]:
 
 
 def jump(b: Body, number: int) -> None:
-    """Before a jump to a stretch that no other loop stands around: the loops that it leaves."""
+    """Close the records of the loops that a jump leaves; no other loop is around it."""
     for region in left(b, number):
         _close_region(b, region)
 
 
 def thrown(b: Body) -> None:
-    """Where a jump out of loops has arrived: these, which other functions may have counted, and those of Gotos."""
+    """Close the records of loops that a jump has left by an exception.
+
+    Other functions may have counted some of them. Loops of Gotos are closed, too.
+    """
     b.emit("E.thrown(t, jump)")
     for at in sorted(b.thrown):
         b.emit(f"l{at} = None")
@@ -140,7 +153,7 @@ def thrown(b: Body) -> None:
         )
 
 
-# ------------------------------------------------------------------------------------------------ the text
+# ----------------------------------------------------------------------------------------- loops and calls
 
 
 def _close(b: Body, at: int) -> None:

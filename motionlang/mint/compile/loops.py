@@ -1,7 +1,7 @@
-"""Loops and what leaves them.
+"""Compile loops and the statements that leave them.
 
-The cost of a turn is added once, at its end, and the horizon is tested there, so a loop can neither hold up the
-machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one statement each.
+The cost of an iteration is added once, at its end, and compared with the horizon there. So a loop can neither
+delay the machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one statement each.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="
 
 
 def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
-    """The statements of a loop."""
+    """Write the statements of a loop."""
     from motionlang.mint.compile.statements import block
 
     b.loops.append((kind, flag))
@@ -29,7 +29,7 @@ def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
 
 
 def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
-    """The end of a turn: pay for it, and let others run when it is time."""
+    """Write the end of an iteration: pay for it, and let others run if they are due."""
     b.pending += cost
     if poll is None:
         b.horizon()
@@ -39,7 +39,7 @@ def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
 
 
 def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
-    """A flag for an Exit that has to leave inner loops first, "" where there is none."""
+    """Create a flag for an Exit that must leave inner loops first, "" without one."""
     if not (b.function.exits and leaves(body, kind, inside=True)):
         return ""
     flag = b.temp()
@@ -48,14 +48,14 @@ def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
 
 
 def go_on_leaving(b: Body) -> None:
-    """After a loop: an Exit may have meant a loop further out."""
+    """After a loop, continue an Exit that leaves a loop further out."""
     for _, flag in b.loops:
         if flag:
             b.emit(f"if {flag}: break", BREAK)
 
 
 def _opened(b: Body, kind: str, body: list[nodes.Stmt], *conditions: nodes.Expr) -> tuple[str, Poll | None]:
-    """What stands before the first turn: the flag of an Exit and the watch, where there are any."""
+    """Write the code before a loop; return the flag of an Exit and the watch, if any."""
     b.flush()
     flag = flag_for(b, kind, body)
     b.noted = True
@@ -64,13 +64,13 @@ def _opened(b: Body, kind: str, body: list[nodes.Stmt], *conditions: nodes.Expr)
 
 
 def _forever(b: Body) -> None:
-    """The head of a loop that is left from within."""
+    """Write the head of a loop that is left from within."""
     b.emit("while True:", LOOP)
     b.indent += 1
 
 
 def _turns(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | None) -> None:
-    """The statements of a turn, and its end at the place where the loop began."""
+    """Write the statements of an iteration, and its end with the loop's source offset."""
     at = b.at
     body_of(b, kind, body, flag)
     b.at = at
@@ -85,7 +85,7 @@ def _closed(b: Body, poll: Poll | None, cost: int = 1) -> None:
 
 
 def while_(b: Body, node: nodes.While) -> None:
-    """`While condition … End While`."""
+    """Compile `While condition … End While`."""
     test = condition(b, node.condition)
     observes, calls = b.observes, b.calls
     b.pending += 1
@@ -101,7 +101,7 @@ def while_(b: Body, node: nodes.While) -> None:
 
 
 def repeat(b: Body, node: nodes.Repeat) -> None:
-    """`Repeat … Until condition`."""
+    """Compile `Repeat … Until condition`."""
     flag, poll = _opened(b, "repeat", node.body, node.condition)
     _forever(b)
     body_of(b, "repeat", node.body, flag)
@@ -116,17 +116,17 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
 
 
 def endless(b: Body, node: nodes.Loop) -> None:
-    """`Loop … End Loop`."""
+    """Compile `Loop … End Loop`."""
     flag, poll = _opened(b, "loop", node.body)
     _forever(b)
     _turns(b, "loop", node.body, flag, poll)
 
 
-# ------------------------------------------------------------------------------------------------- leaving
+# ---------------------------------------------------------------------------------------------------- Exit
 
 
 def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
-    """`Exit` and `Exit For …`: the innermost loop, or the innermost of that kind."""
+    """Compile `Exit` and `Exit For …`: leave the innermost loop or block of that kind."""
     name = f"Exit {kind.capitalize()}".rstrip()
     around = [(k, flag) for k, flag in b.loops if k]
     if not kind:
@@ -148,16 +148,20 @@ def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
 
 
 def leaves(body: list[nodes.Stmt], kind: str, inside: bool = False) -> bool:
-    """Whether an Exit in `body` leaves a block of `kind` around it; `inside`: from within an inner Python loop."""
+    """True if an Exit in `body` leaves a block of `kind` around it.
+
+    `inside`: only an Exit from within an inner Python loop counts.
+    """
     return any(_leaves(node, kind, inside, False, False) for node in body)
 
 
-# Python's own parser descends with every `elif`; with more cases than this a Select is written as tests one by one.
+# Python's own parser recurses at every `elif`. A Select with more cases than this is written as separate
+# tests.
 MANY_CASES = 100
 
 
 def branches(node: nodes.If) -> list[nodes.If]:
-    """An If and its ElseIfs, however many."""
+    """Return an If and its ElseIfs, without recursion."""
     found = [node]
     while len(node.orelse) == 1 and type(node.orelse[0]) is nodes.If:
         node = node.orelse[0]
@@ -166,7 +170,10 @@ def branches(node: nodes.If) -> list[nodes.If]:
 
 
 def is_long(node: nodes.If) -> bool:
-    """Whether a chain of ElseIf is a loop in Python, of one turn, as that of a long Select is."""
+    """True if a chain of ElseIf becomes a Python loop of one iteration.
+
+    A long Select becomes one, too.
+    """
     count = 0
     while len(node.orelse) == 1 and type(node.orelse[0]) is nodes.If and count <= MANY_CASES:
         node, count = node.orelse[0], count + 1
@@ -174,7 +181,7 @@ def is_long(node: nodes.If) -> bool:
 
 
 def is_loop(node: nodes.Select) -> bool:
-    """Whether a Select is a loop in Python, of one turn, which `break` leaves."""
+    """True if a Select becomes a Python loop of one iteration, which `break` leaves."""
     return len(node.cases) > MANY_CASES or any(leaves(case.body, "select") for case in node.cases)
 
 
@@ -182,7 +189,10 @@ _KINDS: dict[type, str] = {nodes.For: "for", nodes.While: "while", nodes.Repeat:
 
 
 def _leaves(node: nodes.Stmt, kind: str, inside: bool, in_loop: bool, nested: bool) -> bool:
-    """`in_loop`: a Mint loop lies between; `nested`: a Python loop does, which may also be a Select's."""
+    """True if an Exit in a statement leaves a block of `kind`.
+
+    `in_loop`: a Mint loop is between. `nested`: a Python loop is between, which may also be that of a Select.
+    """
     if type(node) is nodes.Exit:
         wanted = node.kind or ("" if in_loop or kind == "select" else kind)
         return wanted == kind and (nested or not inside)

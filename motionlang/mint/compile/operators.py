@@ -1,4 +1,4 @@
-"""Operators: from the values of both sides to that of the whole, with a check where it may not fit."""
+"""Compile operators: from the values of both sides to the result, with checks."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _BITS = {"&": "&", "|": "|", "Xor": "^"}
 
 
 def operate(b: Body, op: str, left: Value, right: Value) -> Value:
-    """`left op right` for two numbers, where it is not one of `ARITHMETIC`."""
+    """Return `left op right` for two numbers and an operator not in `ARITHMETIC`."""
     if op in COMPARISONS:
         return Answer(f"{left.bare} {COMPARISONS[op]} {right.bare}")
     if op == "/":
@@ -41,9 +41,9 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
 
 
 def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
-    """`left op right` for + - *, with a check where the result may not fit."""
+    """Return `left op right` for + - *, with a check if the result may not fit."""
     binds = ARITHMETIC[op]
-    first = left.text[1:-1] if left.binds >= binds else left.text  # Python groups from the left, too
+    first = left.text[1:-1] if left.binds >= binds else left.text  # Python also groups from the left
     second = right.text[1:-1] if right.binds > binds else right.text
     if left.range[2] == "f" or right.range[2] == "f":
         return Value(f"({first} {op} {second})", FLOAT, intervals.FLOAT, None, binds)
@@ -86,7 +86,7 @@ def _remainder(b: Body, left: Value, right: Value) -> Value:
 
 
 def text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
-    """`left op right` where one of them is a text; a mistake is noted where the other one is not."""
+    """Return `left op right` for two strings; report an error if one is not a string."""
     if left.type != STRING or right.type != STRING:
         hint = "Str makes a text of a number" if node.op in ("+", "&") else ""
         b.problem("type", f"{node.op} cannot take {article(left.type)} and {article(right.type)}", node, hint)

@@ -1,4 +1,4 @@
-"""`--set NAME=VALUE`: another value for a constant, or for what a variable is first given."""
+"""`--set NAME=VALUE`: replace a constant, or the first value of a variable."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ if TYPE_CHECKING:
 def override(
     module: nodes.Module, overrides: Mapping[str, float | str], given: Mapping[str, bool] | None = None
 ) -> None:
-    """Put the values into the tree; ProgramError for names that the program does not have.
+    """Put the values into the tree; raise ProgramError for unknown names.
 
-    The names of `given` get their values when the program starts; it says which of them are texts.
+    The names of `given` get their values when the program starts. It maps each to True if the value is a
+    string.
     """
     wanted: dict[str, float | str | bool] = {name.lower(): value for name, value in overrides.items()}
     wanted |= {name.lower(): is_text for name, is_text in (given or {}).items()}
@@ -31,7 +32,7 @@ def override(
 
 
 def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
-    """The same for a line that is typed: a name that it does not have may come in another line."""
+    """Override values in a typed line; a missing name may come in another line."""
     wanted: dict[str, float | str | bool] = {name.lower(): value for name, value in overrides.items()}
     if wanted:
         _replace(module.body, wanted, set(), [])
@@ -53,9 +54,10 @@ def _unknown(name: str, names: list[str]) -> Diagnostic:
 def _replace(
     body: Iterable[nodes.Stmt], wanted: dict[str, float | str | bool], done: set[str], names: list[str]
 ) -> None:
-    """In the order of the text: the first value a name is given is the one that is replaced.
+    """Replace the first value of each name, in the order of the text.
 
-    Where that value is made of the name's own (`n = n + 1`), or stands in no line of the parent, Dim gives it.
+    If that value is computed from the name itself (`n = n + 1`), or is not assigned in the parent task, Dim
+    gets the value.
     """
     bare: dict[str, nodes.Variable] = {}
     for node in sorted(walk(body), key=lambda each: each.at):
@@ -84,7 +86,7 @@ def _reads_itself(node: nodes.Assign, key: str) -> bool:
 
 
 def _take(name: str, wanted: Collection[str], done: set[str], names: list[str]) -> bool:
-    """Whether this is the place for a value; notes the name for the message about those that are not found."""
+    """True if a value belongs here; record the name for the message on unknown names."""
     if name not in names:
         names.append(name)
     key = name.lower()

@@ -1,4 +1,4 @@
-"""Keywords that take more than one value an axis: paths of several axes, and tables given as arrays."""
+"""Compile keywords with several values for an axis: paths, and tables in arrays."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ if TYPE_CHECKING:
 
 
 def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
-    """`VECTORA(0, 1) = 10, 20` and `CIRCLER(0, 1) = 10, 0, 90`: all axes and all values in one move.
+    """Compile `VECTORA(0, 1) = 10, 20` and `CIRCLER(0, 1) = 10, 0, 90` as one move.
 
-    The row's unit lists the units of the values, "uu" once for each axis; a single unit is that of every axis.
+    The row's unit lists the units of the values, "uu" once for each axis. A single unit applies to every
+    axis.
     """
     values = [keyword_use._value(b, each, row) for each in node.values]
     if keyword_use.by_default(b, target, row):
@@ -29,7 +30,7 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
 
 
 def _check(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
-    """The number of axes and of values, where the axes are written down."""
+    """Check the number of axes and of values, if the axes are given in the text."""
     units = row.unit.split(", ")
     wanted = units.count("uu") if len(units) > 1 else 0
     if (wanted and axes != wanted) or axes < 2:
@@ -48,7 +49,7 @@ def _form(row: Keyword) -> str:
 
 
 def with_arrays(b: Body, node: nodes.Name, row: Keyword, names: list[str]) -> list[str]:
-    """The texts of what stands in the brackets of a word that takes arrays; those left out are NULL."""
+    """Return the index texts of a keyword that takes arrays, NULL for omitted ones."""
     args = list(node.args or [])
     least = len(names) - names.count("array") + 1
     if not least <= len(args) <= len(names):
@@ -61,7 +62,7 @@ def with_arrays(b: Body, node: nodes.Name, row: Keyword, names: list[str]) -> li
 
 
 def _array(b: Body, node: nodes.Expr, row: Keyword) -> str:
-    """An array as a whole, or None for NULL and 0."""
+    """Return an array as a whole, or None for NULL and 0."""
     if type(node) is nodes.Number and node.value == 0:
         return "None"
     symbol = node.symbol if type(node) is nodes.Name and node.args is None else None

@@ -1,4 +1,4 @@
-"""`Pause condition`: what it looks at decides when it is looked at again, without polling."""
+"""Compile `Pause condition`: tested when a dependency changes, without polling."""
 
 from __future__ import annotations
 
@@ -35,7 +35,10 @@ def pause(b: Body, node: nodes.Pause) -> None:
 
 
 def _at_rest(node: nodes.Expr) -> list[int]:
-    """The axes, given by their numbers, of a condition that asks for nothing but that they are at rest; else none."""
+    """Return the axes of a condition that only tests whether given axes are at rest.
+
+    Returns [] for any other condition.
+    """
     node = meant(node)
     if type(node) is nodes.Binary and node.op == "And":
         left, right = _at_rest(node.left), _at_rest(node.right)

@@ -1,16 +1,18 @@
-"""Loops that only poll: what is written into their turns so that those which cannot differ are skipped.
+"""Polling loops: code that lets identical iterations be skipped.
 
-A turn that did nothing (`E.acts` counts what a program does) and left every variable as it was before will be repeated
-as it was until something happens. `motionlang.mint.runtime.loop_skipping` pays for all those turns at once, to the
-exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does.
+An iteration that did nothing (`E.acts` counts what a program does) and left every variable unchanged will
+repeat identically until something happens. `motionlang.mint.runtime.loop_skipping` pays for all these
+iterations at once, with exactly the same result. A `Goto` back to an earlier label ends an iteration as `End
+Loop` does.
 
     if (t := t + 2.0) >= w2: t, H, w1, w2, (v_n,) = k1.turn_at(t, H, w1, (E.acts, v_state), (v_n,))
     if t >= H: yield; w2 = k1.due; w1 = None
 
-`w1` is what the turn began with; nobody looks before statement `w2`, which is asked for anew wherever in the loop
-others may have run, since whoever goes on after a wait may count from another moment. In a loop that waits itself it is
-a number of turns (`if w2: w2 -= 1.0`, `else: … k1.turn(…)`). What decides nothing (`idle`) is no part of the state;
-counters are given beside it, and come back as they are when turns have been skipped.
+`w1` is the state at the beginning of the iteration. No check is made before statement `w2`. It is read again
+wherever others may have run in the loop, because statements may count from another time after a wait. In a
+loop that itself waits, `w2` is a number of iterations (`if w2: w2 -= 1.0`, `else: … k1.turn(…)`). Variables
+that decide nothing (`idle`) are not part of the state. Counters are passed separately, and are returned with
+the values that they have after the skipped iterations.
 """
 
 from __future__ import annotations
@@ -30,23 +32,24 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
 
-    # Variables by the text of what they hold; counters, and all that decide nothing, by their spelling.
+    # State: variables by the text of their values. Idle: counters, and all variables that decide nothing, by
+    # their spelling.
     State = dict[str, Symbol]
     Idle = tuple[list[str], set[str]]
 
-# A loop that names more variables is not looked at turn by turn.
+# A loop that names more variables is not checked.
 MOST_VARIABLES = 100
-# Of what a loop reads, so many places are named.
+# The maximum number of readings that are named for a loop.
 MOST_NAMED = 3
 # Types whose values do not change by themselves.
 PLAIN = NUMERIC | {STRING}
-# What stands for a level, in generated text, until the reading turns round, and whatever it does.
+# Used in generated text in place of a level: until the reading reverses, and regardless of the reading.
 UNTIL_IT_TURNS, WHATEVER = "1e999", "-1e999"
 COUNTER = "counter"
 
 
 class Poll:
-    """One loop that is watched: what stands before its `first` turn, and the end of each."""
+    """The watch on a loop: the line before its `first` iteration, and the end of each."""
 
     __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
@@ -62,7 +65,7 @@ class Poll:
         self._begin = len(b.lines)
 
     def turn(self, b: Body) -> None:
-        """The end of a turn."""
+        """Write the end of an iteration."""
         lines = b.lines[self._begin :]
         if b.whole.guarded or any(YIELDS in line.names and line.kind != HORIZON for line in lines):
             self.counted(b)
@@ -79,7 +82,7 @@ class Poll:
         b.horizon(then=f"{again}; {self._look} = None")
 
     def counted(self, b: Body) -> None:
-        """The same where the turns are counted that nobody looks at."""
+        """Write the end of an iteration that counts unchecked iterations."""
         b.flush()
         b.emit(f"if {self._next}: {self._next} -= 1.0")
         self._spell(b)
@@ -96,7 +99,7 @@ class Poll:
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
-    """The watch on a loop, None where it would never find anything to skip."""
+    """Write the watch on a loop; return None if nothing could ever be skipped."""
     if any(map(_plainly_acts, body)):
         return None
     turn = list(reached(b, [*body, *conditions]))
@@ -110,10 +113,11 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
 
 
 def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool, str] | None:
-    """The variables, as text, that turns of a loop are compared by, whether it looks at what others can change, whether
-    it gives values to variables of others, and the names of what it reads.
+    """Return the state by which iterations of a loop are compared.
 
-    They are all that is named in what the turn reaches. None where there are too many, or where the loop just computes.
+    The result has the variables as text, True if the loop reads what others can change, True if it assigns to
+    variables of others, and the names of what it reads. The variables are all those named in the statements
+    that an iteration reaches. The result is None if there are too many, or if the loop only computes.
     """
     names = [node for node in turn if isinstance(node, (nodes.Name, nodes.Variable))]
     rows = {node.row for node in names if node.row is not None}
@@ -123,7 +127,7 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool,
     )
     values = [value for node in turn if isinstance(node, nodes.Assign) for value in node.values]
     if not reads and not all(isinstance(value, nodes.Number) for value in values):
-        return None  # with nothing but its own variables it computes
+        return None  # a loop with only its own variables computes
     held = [symbol.home.result or symbol if symbol.kind == "sub" else symbol for symbol in symbols]
     state = {_text(b, symbol): symbol for symbol in held if _outlasts(b, symbol)}
     if len(state) > MOST_VARIABLES:
@@ -133,7 +137,7 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool,
 
 
 def _looks_at(turn: Sequence[nodes.Node]) -> str:
-    """The names of the first things that a turn reads."""
+    """Return the names of the first readings of an iteration."""
     written = {id(node.target) for node in turn if isinstance(node, nodes.Assign)}
     names = [node for node in turn if isinstance(node, nodes.Name) and id(node) not in written]
     read = [node for node in names if node.row is not None and node.row.kind in ("reading", "setting")]
@@ -142,7 +146,7 @@ def _looks_at(turn: Sequence[nodes.Node]) -> str:
 
 
 def _alters(b: Body, node: nodes.Node) -> bool:
-    """Whether a statement gives a value to a variable that others may use."""
+    """True if a statement assigns to a variable that others may use."""
     target: object = None
     if isinstance(node, nodes.Assign):
         target = node.target
@@ -155,19 +159,20 @@ def _alters(b: Body, node: nodes.Node) -> bool:
 
 
 def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
-    """The variables to which a loop gives other values turn by turn and which decide nothing, of all that it reaches.
+    """Return the variables that change in each iteration and decide nothing.
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
 
-    Counters, and all of them, by their spelling; what they are given is read with its level. Turns that are alike but
-    for these can be skipped, all but the last one: it gives the copy and the extremum the values that they would have,
-    and a counter has counted on by as many turns. The condition of an extremum is the same again until the reading
-    turns round, which the copy is asked for instead of a level; of a mere copy nobody asks anything.
+    The result has the counters, and all such variables, by their spelling. The readings assigned to them are
+    called with a level. Iterations that differ only in these variables can be skipped, except for the last
+    one: it assigns the values to the copy and the extremum, and a counter is advanced by the number of
+    iterations. The condition of an extremum does not change until the reading reverses, so its assignment is
+    called with that in place of a level. A mere copy depends on nothing.
     """
     if b.function.kind == "sub" or b.function.jumps or b.watching:
         return [], set()
     uses: dict[Symbol | None, int] = {}
-    # How each is given its values: one that is so in several ways decides something after all.
+    # How each variable is assigned. One that is assigned in several ways does decide something.
     ways: dict[Symbol, set[object]] = {}
     levels: dict[int, tuple[Symbol, str]] = {}
     for node in turn:
@@ -200,12 +205,16 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
 
 
 def is_repeated(row: Keyword) -> bool:
-    """Whether a word may be written with what it has already, or stops what stands; the operation itself tells."""
+    """True if a keyword may be a no-op in a loop.
+
+    It may be written with its present value, or stop an axis at rest. The operation itself reports if that
+    was a no-op.
+    """
     return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
 
 
 def _plainly_acts(node: nodes.Stmt) -> bool:
-    """Whether a statement does something in every turn, at a glance."""
+    """True if a statement obviously does something in every iteration."""
     if not isinstance(node, (nodes.Assign, nodes.Call)):
         return isinstance(node, (nodes.Print, nodes.Input, nodes.End))
     row = node.target.row if isinstance(node.target, nodes.Name) else None
@@ -213,9 +222,9 @@ def _plainly_acts(node: nodes.Stmt) -> bool:
 
 
 def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
-    """Every node of a turn and of all that it calls."""
+    """Yield every node of an iteration and of everything that it calls."""
     bodies, seen = [turn], {id(turn)}
-    for body in bodies:  # which grow meanwhile
+    for body in bodies:  # the list grows during the loop
         for node in walk(body):
             yield node
             more: Sequence[object] = ()
@@ -231,13 +240,16 @@ def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
 
 
 def _outlasts(b: Body, symbol: Symbol) -> bool:
-    """Whether it is a variable that is there from turn to turn: not one of a sub that is called in it."""
+    """True if a variable persists between iterations.
+
+    A variable of a sub that the iteration calls does not.
+    """
     is_variable = symbol.kind in ("variable", "parameter")
     return is_variable and (symbol.home is b.function or symbol.home.kind != "sub")
 
 
 def _text(b: Body, symbol: Symbol) -> str:
-    """What a variable holds, as Python text of what does not change with it."""
+    """Return the value of a variable as the Python text of an immutable copy."""
     if symbol.is_array and symbol.type.name in PLAIN:
         return f"tuple({symbol.python})"
     if symbol.is_array or symbol.boxed or symbol.by_ref or symbol.type.name not in PLAIN:
@@ -246,7 +258,7 @@ def _text(b: Body, symbol: Symbol) -> str:
 
 
 def _own(b: Body, node: nodes.Node) -> Symbol | None:
-    """The number of this function alone that a name stands for."""
+    """Return the numeric variable of this function alone that a name refers to."""
     symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
     if symbol is None or symbol.kind != "variable" or symbol.home is not b.function:
         return None
@@ -255,7 +267,7 @@ def _own(b: Body, node: nodes.Node) -> Symbol | None:
 
 
 def _reading(node: nodes.Node) -> tuple[object, ...]:
-    """A reading of one axis or channel that can be asked for, for comparison; () where it is anything else."""
+    """Return a key for a reading of one axis or channel that accepts a level, else ()."""
     row = node.row if isinstance(node, nodes.Name) else None
     args = getattr(node, "args", None) or ()
     if row is None or not row.solved or not all(isinstance(each, nodes.Number) for each in args):

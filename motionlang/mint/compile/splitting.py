@@ -1,14 +1,15 @@
-"""Long blocks are cut into parts, each a function of its own.
+"""Split long blocks into parts, each a function of its own.
 
-What CPython's compiler needs for one function grows with the square of its jumps, so ten thousand statements in a row
-would take a second and a hundred thousand minutes. Statements that are not left by an Exit, a Return or a jump are
-moved into a part, and a call of it stands in their place:
+The time that CPython's compiler takes for one function grows with the square of its jumps: ten thousand
+statements in a row would take a second, and a hundred thousand would take minutes. Statements that no Exit,
+Return or jump leaves are moved into a part, and replaced by a call of it:
 
     yield from q1()
 
-The text of the statements stays what it is, so virtual time passes in the same steps. A part shares the time and the
-variables of its function. Those of tasks and event handlers, of which each runs once at a time, become cells of the
-program, and their parts units of their own; a sub may be called again before it ends, and its parts stand within it.
+The text of the statements does not change, so virtual time passes in the same steps. A part shares the time
+and the variables of its function. Tasks and event handlers run once at a time, so their shared variables
+become cells of the program and their parts are separate units. A sub may be called again before it ends, so
+its parts are inside it.
 """
 
 from __future__ import annotations
@@ -21,19 +22,20 @@ if TYPE_CHECKING:
 
     from motionlang.mint.compile.body import Body
 
-# A block with more lines than LONGEST is cut into parts of about SIZE lines.
+# A block with more lines than LONGEST is split into parts of about SIZE lines.
 LONGEST = 600
 SIZE = 200
-# A block that stands so deep is a part; so is a statement in a loop that is so many loops within one another: Python
-# takes twenty, and of ours each may be two, or have a `try` around it.
+# A block at this depth becomes a part, and so does a statement with this many nested loops. Python allows
+# twenty nested loops, and each of ours may take two, or have a `try` around it.
 DEEPEST = 60
 MOST_LOOPS = 8
 
 
 class Part:
-    """A part by its name; its lines are indented for the body of a function in the outermost place.
+    """A part; its lines are indented for the body of an outermost function.
 
-    `names` are the variables in it; `inside`: it stands in its function, else it is given the room on the stack.
+    `names` are the variables in it. `inside`: it is inside its function, else it receives the remaining stack
+    depth.
     """
 
     __slots__ = ("given", "inside", "lines", "name", "names", "waits")
@@ -45,19 +47,21 @@ class Part:
         self.given = ROOM if ROOM in self.names and not inside else ""
 
     def written(self, shared: Iterable[str], indent: int) -> list[Line]:
-        """The whole function; `shared` are the names that are not its own."""
+        """Return the whole function; `shared` are the names that are not its own."""
         at = self.lines[0].at
         names = sorted(shared)
         head = [
             Line(1, f"def {self.name}({self.given}):", at),
             Line(2, f"nonlocal {', '.join(names)}", at, names=names),
         ]
-        end = [Line(2, "if 0: yield", at)] if self.waits else []  # a generator wherever its yields are
+        end = (
+            [Line(2, "if 0: yield", at)] if self.waits else []
+        )  # a generator, even if all yields are in inner functions
         return moved([*head, *self.lines, *end], indent)
 
 
 def cut(b: Body, first: int, ends: list[int]) -> None:
-    """Cut the lines of a block from `first` on into parts; its statements end before the lines `ends`."""
+    """Split the lines of a block from `first` on; its statements end before `ends`."""
     if b.whole.typed:
         return
     statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
@@ -70,7 +74,7 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
 
 
 def fold(b: Body, first: int) -> bool:
-    """Move all lines from `first` on into a part, if that may be done."""
+    """Move all lines from `first` on into a part, if that is possible."""
     lines = b.lines[first:]
     if b.whole.typed or not lines or _is_left(lines):
         return False
@@ -79,7 +83,7 @@ def fold(b: Body, first: int) -> bool:
 
 
 def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
-    """The statements with runs of them replaced by calls."""
+    """Return the statements with runs of them replaced by calls."""
     out: list[list[Line]] = []
     run: list[list[Line]] = []
     length = 0
@@ -97,7 +101,7 @@ def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
 
 
 def _is_left(statement: list[Line]) -> bool:
-    """Whether some way leads out of the statement to another place than behind it."""
+    """True if some path leads out of the statement to another place than behind it."""
     loops: list[int] = []
     for line in statement:
         while loops and line.indent <= loops[-1]:
@@ -110,14 +114,14 @@ def _is_left(statement: list[Line]) -> bool:
 
 
 def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
-    """A run of statements in a part of its own, where it is long enough for that, and the call of it."""
+    """Return a run of statements as the call of a part, if it is long enough."""
     if len(run) < 2 or length < SIZE // 2:
         return run
     return [_part(b, [line for statement in run for line in statement])]
 
 
 def _part(b: Body, lines: list[Line]) -> list[Line]:
-    """Move lines into a part; the call of it."""
+    """Move lines into a part and return the call of it."""
     b.whole.parts += 1
     part = Part(f"q{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
     b.parts.append(part)

@@ -1,4 +1,4 @@
-"""Statements: each writes its Python lines into a `Body`."""
+"""Compile statements: each writes its Python lines into a `Body`."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def block(b: Body, body: list[nodes.Stmt]) -> None:
-    """Statements one after the other."""
+    """Write statements in sequence."""
     guarded = b.whole.guarded and not _handles_errors(b)
     whole, lines, around = b.whole, b.lines, b.loops
     first, outer, b.deepest = len(lines), b.deepest, len(around)
@@ -54,14 +54,14 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
 
 
 def _handles_errors(b: Body) -> bool:
-    """Whether these are statements of ONERROR itself, whose own failures end the program."""
+    """True for statements of ONERROR itself, whose own failures end the program."""
     return b.function.name.lower() == "onerror" or (
         b.function.jumps and b.stretches()[b.stretch][0] == "onerror"
     )
 
 
 def _guard(b: Body, node: nodes.Stmt) -> None:
-    """A statement whose failure is ONERROR's business; the program goes on with the next one."""
+    """Write a statement with its failure reported to ONERROR; the next one then runs."""
     b.flush()
     b.emit("try:")
     b.indent += 1
@@ -76,11 +76,11 @@ def _guard(b: Body, node: nodes.Stmt) -> None:
     b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
     b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
     b.gives_way()
-    b.emit(" t, H = yield t")  # ONERROR comes before the next statement, also before one that only computes
+    b.emit(" t, H = yield t")  # ONERROR runs before the next statement, even if that only computes
 
 
 def inner(b: Body, body: list[nodes.Stmt]) -> None:
-    """An indented block that starts and ends with `t` up to date."""
+    """Write an indented block that starts and ends with `t` up to date."""
     b.indent += 1
     before = len(b.lines)
     block(b, body)
@@ -92,7 +92,7 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
     b.indent -= 1
 
 
-# ------------------------------------------------------------------------------------------------ assigning
+# ---------------------------------------------------------------------------------------------- assignments
 
 
 def _assign(b: Body, node: nodes.Assign) -> None:
@@ -179,7 +179,10 @@ def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Valu
 
 
 def _take_or_give(b: Body, text: str, wanted: str) -> None:
-    """`s = _TRUE` waits until no other task holds a semaphore and takes it, `s = _FALSE` gives it back."""
+    """Write an assignment to a semaphore.
+
+    `s = _TRUE` waits until no other task holds it and takes it, `s = _FALSE` releases it.
+    """
     b.observes = True
     b.flush()
     b.settle()
@@ -238,10 +241,10 @@ def _fill(b: Body, variable: nodes.Variable, symbol: Symbol) -> None:
 
 
 def _nothing(b: Body, node: nodes.Stmt) -> None:
-    """Declarations cost nothing and do nothing when the program passes them."""
+    """Write nothing: declarations cost nothing and have no effect at run time."""
 
 
-# --------------------------------------------------------------------------------------------------- calling
+# ----------------------------------------------------------------------------------------------------- calls
 
 
 def _call(b: Body, node: nodes.Call) -> None:
@@ -259,12 +262,15 @@ def _call(b: Body, node: nodes.Call) -> None:
         words.command(b, node, row)
 
 
-# Words of the grammar that begin a statement and are easily written wrong.
+# Words of the grammar that begin a statement and are often misspelled.
 _FIRST_WORDS = ("Pause", "Print", "Return", "Input", "Repeat")
 
 
 def unknown_command(b: Body, target: nodes.Name) -> None:
-    """Note a word that should do something and is not known; what only has a value is no suggestion."""
+    """Report an unknown word used as a statement.
+
+    A word that only has a value is not suggested.
+    """
     known = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
     known += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
     known += _FIRST_WORDS
@@ -284,7 +290,7 @@ def _run(b: Body, node: nodes.Run) -> None:
     b.pending += 1
 
 
-# --------------------------------------------------------------------------------------------------- choosing
+# ---------------------------------------------------------------------------------------------- If and Select
 
 
 def _if(b: Body, node: nodes.If) -> None:
@@ -315,7 +321,10 @@ def _if(b: Body, node: nodes.If) -> None:
 
 
 def _long_if(b: Body, node: nodes.If) -> None:
-    """A chain of many ElseIf: a test for each branch, in a loop of one turn that the chosen branch leaves."""
+    """Write a chain of many ElseIf as tests in a loop of one iteration.
+
+    The chosen branch leaves the loop.
+    """
     b.flush()
     b.noted = True
     b.emit("while True:", LOOP)
@@ -341,7 +350,10 @@ def _long_if(b: Body, node: nodes.If) -> None:
 
 
 def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
-    """`Else If b Then x = 1` may be meant for an Else with an If of one line: what follows then belongs to the Else."""
+    """Warn of `Else If b Then x = 1` that may mean an Else with a one-line If.
+
+    The statements after it then belong to the Else.
+    """
     chained = orelse[0] if len(orelse) == 1 else None
     if type(chained) is not nodes.If or len(chained.body) < 2:
         return
@@ -406,11 +418,11 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
     return f"{name} {loops.COMPARISONS[test.op]} {sides[0].text}"
 
 
-# --------------------------------------------------------------------------------------------------- ending
+# ---------------------------------------------------------------------------------------- End, Exit, Return
 
 
 def hear_of_errors(b: Body) -> None:
-    """At the end of the program ONERROR hears of what the last statement has done wrong."""
+    """Let ONERROR handle an error of the last statement at the end of the program."""
     if b.function.kind == "main" and b.whole.guarded:
         b.horizon()
 
@@ -491,7 +503,7 @@ _STATEMENTS: dict[type, Callable[..., None]] = {
 }
 
 
-# What ONERROR can be told of; the statements inside a loop are guarded each for itself.
+# Statements whose failure ONERROR can handle. The statements inside a loop are guarded separately.
 _CAN_FAIL = frozenset(
     (nodes.Assign, nodes.Call, nodes.Print, nodes.Input, nodes.Dim, nodes.If, nodes.Select, nodes.For, nodes.While,
      nodes.Repeat, nodes.Pause, nodes.Run)

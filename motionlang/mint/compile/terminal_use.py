@@ -1,4 +1,4 @@
-"""PRINT, LINE and INPUT."""
+"""Compile PRINT, LINE and INPUT."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def print_(b: Body, node: nodes.Print) -> None:
-    """`PRINT items`, and LINE where it has formats or a `;`."""
+    """Compile `PRINT items`, and a LINE with formats or a `;`."""
     if node.word:
         _line_of_items(b, node)
         return
@@ -28,32 +28,35 @@ def print_(b: Body, node: nodes.Print) -> None:
 
 
 def _terminal(b: Body, node: nodes.Expr | None) -> str:
-    """The text of the number after a `#`, nothing where there is none."""
+    """Return the text of the number after a `#`, "" if there is none."""
     if node is None:
         return ""
     return converted(b, number(b, node, "the number of a terminal"), Type(INTEGER), node)
 
 
 def _use(b: Body, name: str) -> str:
-    """An operation on terminals, which only the compiler knows by a keyword."""
+    """Return an operation on terminals, under a keyword that only the compiler knows."""
     return b.whole.use("read", f"({name})")
 
 
 def _printed(b: Body, text: str, where: str = "") -> str:
-    """What prints a text; where nothing speaks of terminals it is the console alone that prints."""
+    """Return the call that prints a text.
+
+    If the program uses no terminals, only the console prints.
+    """
     if not where and not b.whole.names.uses_terminal:
         return f"P({text})"
     return f"{_use(b, 'printer')}({', '.join(filter(None, (text, where)))})"
 
 
 def _together(texts: list[str]) -> str:
-    """Texts one behind the other; Python nests a sum of many too deeply."""
+    """Return the concatenation of texts; Python nests a sum of many too deeply."""
     joined = _joined(texts)
     return " + ".join(joined) if len(joined) <= LINKS else f"''.join(({', '.join(joined)}))"
 
 
 def _joined(texts: list[str]) -> list[str]:
-    """Literal texts that stand side by side as one, which Python makes of them."""
+    """Join adjacent literal texts, which Python concatenates."""
     out: list[str] = []
     for text in texts:
         if out and out[-1][0] in "'\"" and text[0] in "'\"":
@@ -95,7 +98,7 @@ def _width(b: Body, node: nodes.Expr, first: bool) -> str:
 
 
 def line(b: Body, node: nodes.Call) -> None:
-    """`LINE row, values`: print from the begin of a row of the screen on."""
+    """Compile `LINE row, values`: print from the beginning of a row of the screen."""
     args = node.target.args or []
     _print_on_row(
         b, node, args[0] if args else None, [nodes.PrintItem(each.at, each, [], "") for each in args[1:]]
@@ -121,7 +124,7 @@ def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: li
 
 
 def input_(b: Body, node: nodes.Input) -> None:
-    """`INPUT "prompt", variable`."""
+    """Compile `INPUT "prompt", variable`."""
     target: nodes.Expr = node.target
     if type(target) is nodes.Name and target.symbol is None:
         unknown(b, target)

@@ -1,8 +1,8 @@
-"""Words that are known and not simulated where a program uses them: the warning, and what their operations are given.
+"""Compile keywords that are known but not simulated: warning and operation.
 
-What becomes of them in the run is the business of the operations of `mint/keywords/no_effect` and
-`mint/keywords/unsimulated`; the sorting stands in the rows of the latter. As nobody knows their brackets for certain,
-any number of values may stand in them.
+Their treatment at run time is defined by the operations of `mint/keywords/no_effect` and
+`mint/keywords/unsimulated`. The rows of the latter classify them. Their indices are not known for certain, so
+any number of values is accepted in brackets.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body, Value
 
 CODE = "not-simulated"
-# What follows the meaning of a word that ends the run where the program comes to it.
+# Follows the meaning of a keyword that ends the run when the program reaches it.
 _ENDS = "the run ends here"
 _WHEN_WRITTEN = {
     unsimulated.MOTION: f"{_ENDS}, unless it is given 0",
@@ -29,7 +29,7 @@ _WHEN_WRITTEN = {
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
-    """The value of such a word."""
+    """Return the value of such a keyword."""
     if not keyword_use.can_be_read(b, node, row):
         return NOTHING
     _warn(b, node, row)
@@ -40,7 +40,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
-    """`WORD(axes) = values`; a command of which nobody knows more may be given one, too."""
+    """Compile `WORD(axes) = values`; a command without details also accepts values."""
     if not ("W" in row.access or (row.access == "C" and row.verb != KEPT)):
         keyword_use.refuse(b, node, target, row)
         return
@@ -50,7 +50,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
 
 
 def command(b: Body, node: nodes.Call, row: Keyword) -> None:
-    """A word that stands alone."""
+    """Compile such a keyword as a statement."""
     target = node.target
     if row.access != "C":
         keyword_use.not_a_command(b, target, row)
@@ -61,15 +61,15 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
 
 
 def _is_loose(row: Keyword) -> bool:
-    """Whether anything may stand in the brackets of a word."""
+    """True if a keyword accepts anything in brackets."""
     return row.verb != KEPT and row.index not in ("axis", "axes")
 
 
 def _place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
-    """What the operations of such a word are given last: the line, and the place of the word in the program."""
+    """Return the last arguments of its operations: line and source offset."""
     if row.verb == KEPT:
         return [str(b.whole.line(node.at))]
-    at = -1 if b.whole.typed else node.at  # a sub that was typed may run when another line is executed
+    at = -1 if b.whole.typed else node.at  # a typed sub may run when another line is executed
     return [str(b.whole.line(node.at)), str(at)]
 
 
@@ -78,7 +78,7 @@ def _indices(b: Body, node: nodes.Name, row: Keyword, single: bool = False) -> l
 
 
 def _whatever(b: Body, node: nodes.Name) -> list[str]:
-    """The texts of whatever stands in the brackets; of an array only that it is there."""
+    """Return the texts of everything in brackets, "0" for an array."""
     texts = []
     for arg in node.args or ():
         if type(arg) is nodes.Name and arg.args is None and _is_whole(b, arg):
@@ -90,7 +90,7 @@ def _whatever(b: Body, node: nodes.Name) -> list[str]:
 
 
 def _is_whole(b: Body, node: nodes.Name) -> bool:
-    """Whether a name stands for an array, or for none."""
+    """True if a name refers to an array or to nothing."""
     symbol = node.symbol
     return node.name.lower() == "null" if symbol is None else symbol.is_array
 
@@ -99,7 +99,10 @@ def _is_whole(b: Body, node: nodes.Name) -> bool:
 
 
 def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
-    """Say of a word that it is not simulated, and what becomes of it; `by` writes it or carries it out."""
+    """Warn that a keyword is not simulated, and state its treatment.
+
+    `by` is the statement that writes it or carries it out.
+    """
     if row.verb == KEPT or _is_kept(row, by):
         _once(b, node, row, f"{row.name} is kept but has no effect")
     elif row.verb == unsimulated.COMMAND:
@@ -109,7 +112,7 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
 
 
 def _is_kept(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
-    """Whether a word takes what it is given and changes nothing by it, as far as can be seen."""
+    """True if a keyword stores its value without any effect, as far as can be seen."""
     if by is None:
         return False
     values = getattr(by, "values", ())

@@ -1,6 +1,6 @@
-"""Words of Mint where a program uses them: here those that are not simulated part from those that are.
+"""Dispatch keywords to the compiler of simulated or of unsimulated ones.
 
-Which a word is says the row that its name was resolved to; neither way looks anything up again.
+The name was resolved to the row of the keyword, which decides. Neither compiler looks it up again.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
-    """The value of a word in an expression."""
+    """Return the value of a keyword in an expression."""
     return keyword_use.read(b, node, row) if row.simulated else unsimulated_use.read(b, node, row)
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
-    """`WORD(axes) = values`."""
+    """Compile `WORD(axes) = values`."""
     if row.simulated:
         keyword_use.write(b, node, target, row)
     else:
@@ -28,7 +28,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
 
 
 def command(b: Body, node: nodes.Call, row: Keyword) -> None:
-    """A word that stands alone, as `GO(0)` does."""
+    """Compile a keyword as a statement, such as `GO(0)`."""
     if row.simulated:
         keyword_use.command(b, node, row)
     else:
