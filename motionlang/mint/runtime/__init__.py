@@ -1,1 +1,1 @@
-"""A compiled Mint program as it runs: tasks, events, errors, waits, and what generated code calls."""
+"""Run a compiled Mint program: tasks, events, errors, waits, run-time library."""

@@ -41,7 +41,7 @@ from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
 
-# A function with its first arguments given, for makers elsewhere, too.
+# A function with its first arguments given, also for makers elsewhere.
 with_first: Callable[..., Operation] = partial
 
 TYPE_CHECKING = False
@@ -56,22 +56,22 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
     Maker = Callable[["Environment", "Keyword"], Operation]
     Made = TypeVar("Made")
-    # What binds an operation to an axis.
+    # Binds an operation to an axis.
     Bound = Callable[["Environment", "Keyword"], Callable[[int], Operation]]
 
-# What a setting of the controller, in seconds or as a share, is multiplied by to be in a unit.
+# Factors from the controller's seconds and fractions to the unit of a setting.
 _TIMES = {"ms": 1000.0, "%": 100.0}
 
 
 def row_of(name: str) -> Keyword:
-    """The row of a keyword of a compiled program."""
+    """Return the row of a keyword of a compiled program."""
     row = table().get(name)
     assert row is not None, name
     return row
 
 
 def check(row: Keyword, value: float) -> None:
-    """Refuse a value outside the row's range; NaN is outside every range."""
+    """Raise Refusal if a value is outside the row's range; NaN is outside every range."""
     low, high = row.low, row.high
     if (low is not None and not value >= low) or (high is not None and not value <= high):
         limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
@@ -79,7 +79,7 @@ def check(row: Keyword, value: float) -> None:
 
 
 class Each(dict[int, "Made"]):
-    """Something of each axis or channel, made when its number is first named."""
+    """Objects by axis or channel number, created on first use."""
 
     def __init__(self, make: Callable[[int], Made]) -> None:
         self._make = make
@@ -90,22 +90,22 @@ class Each(dict[int, "Made"]):
 
 
 def by_axis(make: Callable[[Environment, Keyword, int], Operation]) -> Maker:
-    """A maker of what is bound to an axis, as which it is kept and called."""
+    """Return a maker of an operation that is bound to an axis and cached for it."""
     return to_each_axis(
         lambda environment, row: lambda axis: make(environment, row, axis_of(environment, axis))
     )
 
 
 def of(kind: type, function: Operation) -> Maker:
-    """The maker of a function that is given a part of the environment, or that itself, before all else.
+    """Return the maker of a function of the environment or of one of its parts.
 
-    Where the first index is an axis it is one that there is.
+    The function gets the part as its first argument. If the first index is an axis, it exists.
     """
     return _made(lambda environment, row: partial(function, environment.part(kind)))
 
 
 def of_word(kind: type, function: Operation) -> Maker:
-    """The same of a function that goes by the row of the word, too: it is given that after the part."""
+    """Return a maker like `of`, for a function that gets the row after the part."""
     return _made(lambda environment, row: partial(function, environment.part(kind), row))
 
 
@@ -124,7 +124,7 @@ def _made(make: Maker) -> Maker:
 
 
 def to_each_axis(bound: Bound) -> Maker:
-    """A maker of what is bound to each axis by what `bound` answers with."""
+    """Return a maker of operations for each axis, bound by what `bound` returns."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         each = Each(bound(environment, row))
@@ -135,7 +135,7 @@ def to_each_axis(bound: Bound) -> Maker:
 
 
 def on_axes(act: Callable[[Environment, int], None]) -> Maker:
-    """What does something to each of some axes, all of which there are."""
+    """Return a maker of an operation that acts on each of some axes, all existing."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         def do(axes: tuple[int, ...], line: int) -> None:
@@ -148,7 +148,7 @@ def on_axes(act: Callable[[Environment, int], None]) -> Maker:
 
 
 def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
-    """What does something to every axis."""
+    """Return a maker of an operation that acts on every axis."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         def do(*line: int) -> None:
@@ -161,20 +161,23 @@ def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
 
 
 def unchecked(make: Maker) -> Maker:
-    """The maker of a writing that takes any number, or looks at the range by itself."""
+    """Mark the maker of a write that accepts any number or checks the range itself."""
     make.unchecked = True  # type: ignore[attr-defined]
     return make
 
 
 def bind(environment: Environment, how: str, row: Keyword) -> Operation:
-    """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
+    """Return the operation of a keyword; `how` is "read", "write", "load" or "do"."""
     maker = maker_of(how, row)
     operation = maker(environment, row)
     return _in_range(row, operation, _brackets(row)) if _is_checked(how, row, maker) else operation
 
 
 def bind_to_axis(environment: Environment, how: str, row: Keyword) -> Callable[[int], Operation]:
-    """What makes the operation of a keyword on an axis; it is called without the number of the axis."""
+    """Return a function that makes the operation of a keyword on an axis.
+
+    The operation is called without the number of the axis.
+    """
     maker = maker_of(how, row)
     bound = _to_axis(environment, row, maker)
     return (lambda axis: _in_range(row, bound(axis), 0)) if _is_checked(how, row, maker) else bound
@@ -185,7 +188,10 @@ def _is_checked(how: str, row: Keyword, maker: Maker) -> bool:
 
 
 def _in_range(row: Keyword, write: Operation, place: int) -> Operation:
-    """A writing that refuses a value outside the row's range; `place` is the value's among all that it is given."""
+    """Return a write that raises Refusal for a value outside the row's range.
+
+    `place` is the position of the value among the arguments.
+    """
     low, high = _limits(row)
 
     def checked(*given: float) -> None:
@@ -201,14 +207,15 @@ def _limits(row: Keyword) -> tuple[float, float]:
 
 
 def _brackets(row: Keyword) -> int:
-    """How many indices stand in the brackets of a word."""
+    """Return the number of indices of a keyword."""
     return 0 if row.index == "none" else row.index.count(",") + 1
 
 
 def held(environment: Environment, row: Keyword) -> Operation:
-    """What a keyword holds where a writing puts its value, called with all that the writing is.
+    """Return an operation that reads the present value of a keyword before a write.
 
-    That is what its reading finds by the indices, unless it has an action "held".
+    It gets all arguments of the write. It is the read with the same indices, unless the row has an action
+    "held".
     """
     maker: Maker | None = row.actions.held
     if maker is not None:
@@ -219,7 +226,7 @@ def held(environment: Environment, row: Keyword) -> Operation:
 
 
 def held_by_axis(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
-    """The same of a keyword on an axis."""
+    """Return the same operation as `held`, for a keyword on an axis."""
     maker = row.actions.held
     if maker is not None:
         return _to_axis(environment, row, maker)
@@ -241,7 +248,10 @@ def _to_axis(environment: Environment, row: Keyword, maker: Maker) -> Callable[[
 
 
 def maker_of(how: str, row: Keyword) -> Maker:
-    """The maker of a keyword's operation: an action of its row, or that of a setting or reading of the controller."""
+    """Return the maker of a keyword's operation.
+
+    It is an action of its row, or that of a setting or reading of the controller.
+    """
     maker: Maker | None = getattr(row.actions, how)
     if maker is not None:
         return maker
@@ -252,12 +262,12 @@ def maker_of(how: str, row: Keyword) -> Maker:
 
 
 def is_repeatable(how: str, row: Keyword) -> bool:
-    """Whether a keyword may be written or done and leave everything as it was."""
+    """True if a keyword may be written or done without changing anything."""
     return hasattr(maker_of(how, row), "repeatable")
 
 
 def scale_of(environment: Environment, axis: int) -> Scale:
-    """The scale of an axis, or the refusal of an axis that does not exist."""
+    """Return the scale of an axis; raise Refusal if the axis does not exist."""
     try:
         return environment.controller.axes[axis].scale
     except KeyError:
@@ -265,7 +275,7 @@ def scale_of(environment: Environment, axis: int) -> Scale:
 
 
 def axis_of(environment: Environment, axis: int) -> int:
-    """The axis, or the refusal of one that does not exist."""
+    """Return the axis; raise Refusal if it does not exist."""
     scale_of(environment, axis)
     return axis
 
@@ -305,7 +315,7 @@ def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operatio
 
 @by_axis
 def _reading(environment: Environment, row: Keyword, axis: int) -> Operation:
-    """A verb of the controller that takes an axis and answers in counts."""
+    """Return the read of a controller verb that takes an axis and returns counts."""
     if row.is_whole:
         verb = environment.controller.reader(row.verb, axis)
         return lambda: int(verb())

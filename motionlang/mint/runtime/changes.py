@@ -1,4 +1,4 @@
-"""Readings that no event tells of: how those say when they change that are bound to no axis."""
+"""Readings that change without an event and belong to no axis: times of change."""
 
 from __future__ import annotations
 
@@ -17,23 +17,26 @@ if TYPE_CHECKING:
 
 
 def moving(make: Maker) -> Maker:
-    """A reading that may change for as long as anything moves; `make` makes the function that reads."""
+    """Make a reading that may change as long as anything moves; `make` makes the read."""
     return lambda environment, row: heard(environment, make(environment, row), end_of_motion(environment))
 
 
 def always(make: Maker) -> Maker:
-    """A reading that changes all the time."""
+    """Make a reading that changes all the time."""
     return lambda environment, row: heard(environment, make(environment, row), environment.attention.at_once)
 
 
 def repeatable(make: Maker) -> Maker:
-    """A writing that does nothing where it writes what is there already, as reading the word tells."""
+    """Mark a write that is a no-op if its value equals the present reading."""
     make.repeatable = True  # type: ignore[attr-defined]
     return make
 
 
 def heard(environment: Environment, read: Callable[..., Any], until: Until) -> Callable[..., Any]:
-    """A reading that makes a note: it and `until` are given where it is made and what it is compared with."""
+    """Return a read that also records its dependency.
+
+    `until` gets the indices and the level of comparison, as `read` does.
+    """
     attention = environment.attention
 
     def heard(*where: Any) -> Any:
@@ -45,7 +48,10 @@ def heard(environment: Environment, read: Callable[..., Any], until: Until) -> C
 
 
 def end_of_motion(environment: Environment) -> Until:
-    """What tells when something may change while anything moves: an axis, or an encoder that the world turns."""
+    """Return a function that computes when a reading may change while anything moves.
+
+    This includes axes and the encoders that the world turns.
+    """
     controller, clock = environment.controller, environment.clock
 
     def until(*where: Any) -> float:

@@ -1,8 +1,9 @@
-"""The code of a program in units: functions that are compiled together, at the latest when one of them is called.
+"""The code of a program in units: functions that are compiled together.
 
-What functions share lives in cells, made once when the program starts: the variables that more than one uses and, where
-subs are called, the time `t` and the horizon `H`. A unit is compiled within a function that has those
-names, and the functions found in it are put together with the cells:
+A unit is compiled when one of its functions is called, or earlier. Data that functions share is in cells,
+created once when the program starts: the variables that more than one uses and, if subs are called, the time
+`t` and the horizon `H`. A unit is compiled within a function that has those names, and the functions found in
+it are combined with the cells:
 
     def _(t, H, v_x):
      global s_fill
@@ -11,7 +12,7 @@ names, and the functions found in it are put together with the cells:
       …
 
 Everything else is a global name: `kN`, `E`, `P`, `T`, and the functions. Until a unit is compiled, its
-functions are stand-ins, which put the true ones in their places when they are called.
+functions are stand-ins, which replace themselves with the true ones when they are called.
 """
 
 from __future__ import annotations
@@ -24,21 +25,21 @@ if TYPE_CHECKING:
     from types import CellType, CodeType
     from typing import Any
 
-# The file name of generated code, by which tracebacks are told from our own.
+# The file name of generated code, which distinguishes it from our own in tracebacks.
 FILE = "<mint>"
-# The time, which subs share with who calls them.
+# The time, which subs share with their callers.
 TIME = ("t", "H")
-# How the names of variables begin that hold nothing of the program, or nothing beyond the next `yield`.
+# The prefix of variables that hold no data of the program, or none beyond the next `yield`.
 SCRATCH = "m"
 
 
 def given_name(name: str) -> str:
-    """The global name under which the code reads a value that it is given when it starts."""
+    """Return the global name of a value that is supplied when the code starts."""
     return f"g_{name.lower()}"
 
 
 def _example() -> Callable[[], None]:
-    """A function over a cell: of its classes everything here is made."""
+    """Return a function over a cell, as a source of its classes."""
     cell = None
     return lambda: cell
 
@@ -49,10 +50,11 @@ _CELL: Any = type(_example().__closure__[0])  # type: ignore[attr-defined,index,
 
 
 class Unit:
-    """Functions by their `names`, as text until somebody wants their code.
+    """Functions by their `names`, as text until their code is needed.
 
-    The text begins with the third line of what is compiled; line n of that is line `before` + n of the whole program.
-    `cells` are what it shares with others. One from the cache has its code `packed` until then.
+    The text begins with the third line of what is compiled. Line n of that is line `before` + n of the whole
+    program. `cells` are the names that it shares with others. A unit from the cache has its code `packed`
+    until then.
     """
 
     __slots__ = ("before", "cells", "codes", "names", "packed", "text")
@@ -70,11 +72,11 @@ class Unit:
 
     @property
     def is_compiled(self) -> bool:
-        """Whether there is code of it."""
+        """True if the code has been compiled."""
         return bool(self.codes or self.packed)
 
     def compile(self, file: str = FILE) -> tuple[CodeType, ...]:
-        """The code of the functions."""
+        """Return the code of the functions, compiled on first use."""
         if not self.codes and self.packed:
             self.codes = loads(self.packed)
         elif not self.codes:
@@ -88,13 +90,13 @@ class Unit:
         return self.codes
 
     def payload(self) -> tuple[object, ...]:
-        """What `Unit` needs to make it again."""
+        """Return the arguments with which `Unit` recreates it."""
         packed = self.packed or (dumps(self.codes) if self.codes else b"")
         return self.names, "" if packed else self.text, self.before, self.cells, packed
 
 
 def _moved(code: CodeType, lines: int) -> CodeType:
-    """The same code so many lines further down."""
+    """Return the code moved down by some lines."""
     if not lines:
         return code
     inner = tuple(_moved(each, lines) if each.__class__ is _CODE else each for each in code.co_consts)
@@ -102,10 +104,10 @@ def _moved(code: CodeType, lines: int) -> CodeType:
 
 
 class Code:
-    """All units of a program, and what they stand on.
+    """All units of a program, and the data that they need.
 
-    `first` gives the cells named in `shared` their first values. `specs` says what the `kN` are; `blocks` are the
-    functions by "main", "task blink", "event timer"; `places[n]` is the place in the program of line n of the code.
+    `first` sets the first values of the cells named in `shared`. `specs` describes the `kN`. `blocks` are the
+    functions by "main", "task blink", "event timer". `places[n]` is the source offset of line n of the code.
     `first_text` is the Python of `first`, which is not cached.
     """
 
@@ -127,12 +129,12 @@ class Code:
 
     @property
     def size(self) -> int:
-        """How many units are compiled."""
+        """The number of compiled units."""
         return sum(1 for unit in self.units if unit.is_compiled)
 
     @property
     def text(self) -> str:
-        """The Python that the program was made into, without the lines around its units."""
+        """The generated Python of the program, without the lines around its units."""
         return "\n".join(unit.text for unit in self.units)
 
     def compile_all(self) -> None:
@@ -141,18 +143,19 @@ class Code:
             unit.compile()
 
     def payload(self) -> tuple[object, ...]:
-        """Everything in a form that `marshal` takes, for `loaded`."""
+        """Return all data in a form that `marshal` accepts, for `loaded`."""
         units = [unit.payload() for unit in self.units]
-        # What `array` would be: to import that takes longer than to write this.
+        # Equivalent to `array`, whose import takes longer than this line.
         places = memoryview(bytearray(8 * len(self.places))).cast("q")
         for line, place in enumerate(self.places):
             places[line] = place
         return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()
 
     def link(self, namespace: dict[str, object], time: tuple[CellType, CellType]) -> list[CellType]:
-        """Put the functions, or their stand-ins, into a namespace that has everything else; `time` are those cells.
+        """Put the functions, or their stand-ins, into a namespace.
 
-        Answers with the cells of the variables that functions share.
+        The namespace has everything else. `time` are the cells of the time. Returns the cells of the
+        variables that functions share.
         """
         values: dict[str, object] = {}
         if self.first is not None:
@@ -169,7 +172,7 @@ class Code:
 
 
 def loaded(payload: tuple[object, ...]) -> Code:
-    """The code that `Code.payload` was made of."""
+    """Return the code from which `Code.payload` was made."""
     units, first, shared, specs, blocks, places = payload
     made = [Unit(*unit) for unit in units]  # type: ignore[attr-defined]
     return Code(made, first, shared, specs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]
@@ -187,7 +190,7 @@ class _StandIn:
 
     __slots__ = ("cells", "name", "namespace", "unit")
 
-    # Tells that the function will be generated code.
+    # Shows that the function will be generated code.
     __code__ = _example.__code__.replace(co_filename=FILE)
 
     def __init__(

@@ -1,4 +1,4 @@
-"""What a running Mint program stands on: its tasks, its waits, and the objects that its text calls `kN`."""
+"""The environment of a running Mint program: tasks, waits, and the objects `kN`."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _MILLISECOND = 1e-6
 
 
 def _mint_ways(controller: Controller) -> None:
-    """The settings of Mint's axes, and an axis with an error takes no motion."""
+    """Apply the settings of Mint's axes; an axis with an error accepts no motion."""
     from motionlang.controller.faults import ALL
 
     for axis in controller.axes:
@@ -46,65 +46,69 @@ def _mint_ways(controller: Controller) -> None:
 
 
 def mint_settings(controller: Controller, axis: int) -> None:
-    """What an axis has otherwise than the controller's: a new speed acts at once on a move (FEEDRATEMODE 0)."""
+    """Set Mint's differences from the controller: a new speed acts at once on a move.
+
+    This is FEEDRATEMODE 0.
+    """
     controller.configure(axis, "live_speed", True)
 
 
 class Environment(Waits):
-    """One program on one machine. `task` is the task that is running; each has its own TIME.
+    """One program on one machine.
 
-    `blocks` holds the tasks and event handlers by "task blink", "event timer"; `files` the places in the program of
-    the lines of each piece of generated code.
+    `task` is the running task; each has its own TIME. `blocks` holds the tasks and event handlers by "task
+    blink", "event timer". `files` holds the source offsets of the lines of each piece of generated code.
     """
 
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
         self.clock = machine.clock
         self._controller: Controller | None = None
-        # What the operator will type at INPUT; None until the first one.
+        # The operator's future answers to INPUT; None until the first one.
         self.answers: list[str] | None = None
         self.files: dict[str, Sequence[int]] = {}
-        # The line of a place, where there is a text to look it up in.
+        # Returns the line of a source offset, if the text is available.
         self.line_of: Callable[[int], int] | None = None
         self.blocks: dict[str, Make] = {}
         self.tasks: dict[str, MintTask] = {}
-        # Priorities given to tasks, also to those that do not run yet.
+        # Priorities set for tasks, including tasks that do not run yet.
         self.priorities: dict[str, int] = {}
         self.quanta: dict[str, int] = {}
         self.jogs: dict[int, float] = {}
-        # User units after which POS begins again, of the axes that wrap.
+        # The wrap of POS in user units, for the axes that wrap.
         self.wraps: dict[int, float] = {}
-        # What IDLE asks for beyond the end of the move, where a program asks for more.
+        # The condition of IDLE beyond the end of the move, if the program sets one.
         self.settled: Callable[[int], bool] | None = None
-        # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
+        # Called with the axis after each load into its buffer, if a program chooses what starts moves.
         self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
-        # When its statements are, and what it notes of its readings.
+        # The times of its statements, and the dependencies that its readings record.
         self.statements = machine.statements
         self.attention = Attention(machine.clock)
         self._waited = machine.log.waits.add
         self._ends = {}
         self._rests = None
-        # The moment from which the parent task's TIME counts; event handlers belong to the parent.
+        # The start of the parent task's TIME, which event handlers share.
         self.timer = [self.clock.now]
-        # How often the program has done something; a loop that polls does nothing.
+        # Counts the actions of the program. A polling loop performs none.
         self.acts = 0
-        # How often a sub that may wait was called with part of an expression worked out.
+        # Counts calls of subs that may wait, made with part of an expression evaluated.
         self.midways = 0
-        # What the variables hold that functions of the program share.
+        # The values of the variables that functions of the program share.
         self.variables: Callable[[], list[object]] = list
-        # How often a task has run after another one; which one ran last, and what the clock had counted by then.
+        # The number of times that a task has run after another one, the one that ran last, and the clock's
+        # counts then.
         self.resumed = 0
         self.ran: MintTask | None = None
         self.fired = self.leaps = 0
-        # What a WAIT waits for where it is more than time that passes.
+        # The wait of a WAIT or PAUSE that is more than time that passes.
         self.wait: Wait
-        # What the machine file has settings be at power-up, where it speaks of any.
+        # The machine file's power-up values of settings, if it has any.
         self.power_up: PowerUp | None = None
-        # The operation that the task which gives way has put off.
+        # The operation that was put off by the task giving way.
         self.put_off: PutOff | None = None
         self.operations = Operations(self)
-        # What its functions count in, and what writes that.
+        # The cells in which its functions count time, and the function that sets them.
         self.time_cells, self.set_time = self.operations.cells, self.operations.set_time
         self._parts: dict[type, object] = {Environment: self}
         self._events: Events | None = None
@@ -113,7 +117,7 @@ class Environment(Waits):
 
     @property
     def controller(self) -> Controller:
-        """The controller; a program that never asks for it runs without one."""
+        """The controller; it is created when the program first uses it."""
         found = self._controller
         if found is None:
             found = self._controller = self.machine.controller
@@ -130,7 +134,7 @@ class Environment(Waits):
                 self.power_up.set(axis)
 
     def part(self, kind: type[Part]) -> Part:
-        """What a group of keywords works on, made of this environment at its first use."""
+        """Return the environment's part for a group of keywords, created on first use."""
         found = self._parts.get(kind)
         if found is None:
             found = self._parts[kind] = kind(self)  # type: ignore[call-arg]
@@ -138,22 +142,22 @@ class Environment(Waits):
 
     @property
     def midway(self) -> None:
-        """A sub that may wait is about to be called with part of the expression around it worked out."""
+        """Count the call of a sub that may wait, with part of an expression evaluated."""
         self.midways += 1
 
     def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
-        """What tasks did to anything but variables, as counters, and what the variables hold that they share."""
+        """Return the shared state of all tasks: counters of actions, and shared variables."""
         from motionlang.mint.runtime.task_state import of_values
 
         return self.acts, self.midways, of_values(self.variables(), alive)
 
     def parts(self) -> list[object]:
-        """The parts that there are so far."""
+        """Return the parts created so far."""
         return list(self._parts.values())
 
     @property
     def events(self) -> Events:
-        """Events and their handlers, from the first use on."""
+        """The events and their handlers, created on first use."""
         if self._events is None:
             from motionlang.mint.runtime.events import Events
 
@@ -162,7 +166,7 @@ class Environment(Waits):
 
     @property
     def errors(self) -> Errors:
-        """What has gone wrong so far, from the first use on."""
+        """The errors so far, created on first use."""
         if self._errors is None:
             from motionlang.mint.runtime.errors import Errors
 
@@ -170,7 +174,7 @@ class Environment(Waits):
         return self._errors
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
-        """What each `kN` of the text stands for."""
+        """Return the object for each `kN` of the text."""
         return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
 
     def _operation(self, how: str, *details: object) -> object:
@@ -212,7 +216,10 @@ class Environment(Waits):
         return operation if how == "read" else self.operations.timed(operation)
 
     def _on_axes(self, how: str, row: Keyword, axis: object, repeated: bool) -> object:
-        """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
+        """Return the operation of a keyword on an axis.
+
+        For `EACH`, it returns the operations by axis, bound when the program names the axis.
+        """
         from motionlang.mint.runtime import binding
         from motionlang.mint.runtime.binding import with_first
 
@@ -239,7 +246,10 @@ class Environment(Waits):
     # ---------------------------------------------------------------------------------------------- time
 
     def elapsed(self, base: float, level: float | None = None) -> int:
-        """Whole milliseconds since a moment; `level` is what they are compared with, where that is known."""
+        """Return the whole milliseconds since a time.
+
+        `level` is the value with which they are compared, if that is known.
+        """
         attention = self.attention
         if attention.notes is not None:
             if level is None:
@@ -249,7 +259,10 @@ class Environment(Waits):
         return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
-        """When the milliseconds since a moment next pass `level`: they reach it, or are the first ones beyond it."""
+        """Return when the milliseconds since a time next cross `level`.
+
+        They cross it when they reach it, and when they first exceed it.
+        """
         if level == INFINITY:
             return self.clock.now  # they are more than ever before
         if not level > -INFINITY:
@@ -261,11 +274,11 @@ class Environment(Waits):
         return INFINITY
 
     def since(self, milliseconds: float) -> float:
-        """The moment from which so many milliseconds have passed."""
+        """Return the time before now by some milliseconds."""
         return self.clock.now - milliseconds / 1000.0
 
     def random(self) -> float:
-        """The next number of `Rnd`."""
+        """Return the next number of `Rnd`."""
         if self._random is None:
             from motionlang.mint.runtime.functions import Random
 
@@ -274,16 +287,19 @@ class Environment(Waits):
         return self._random()
 
     def copy(self, record: list[object]) -> list[object]:
-        """A copy of a value of a user type, with its arrays and its inner values."""
+        """Return a copy of a value of a user type, with its arrays and its inner values."""
         return [self.copy(each) if each.__class__ is list else each for each in record]
 
     def place(self, axis: int, counts: float) -> float:
-        """Where that is in user units, within the turn where the axis has one, as POS shows it."""
+        """Return a position in user units, within its wrap, as POS shows it."""
         place, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
         return place % wrap if wrap else place
 
     def turn(self, axis: int) -> float:
-        """Where the turn begins, in user units, in which a wrapped axis will be when its buffer is empty."""
+        """Return the start of the wrap in which the axis will be when its buffer is empty.
+
+        It is in user units, and 0 if the axis does not wrap.
+        """
         wrap = self.wraps.get(axis)
         if not wrap:
             return 0.0
@@ -293,32 +309,32 @@ class Environment(Waits):
         return a.scale.position_to_user(end(a)) // wrap * wrap
 
     def keep(self, name: str, place: list[object]) -> None:
-        """`Dim nv`: the variable has what the run before left in it."""
+        """`Dim nv`: set a variable to its value from the previous run."""
         self.machine.kept.keep(name, place)
 
     def row(self, number: int) -> str:
-        """What places the cursor at the begin of a row of the screen."""
+        """Return the text that puts the cursor at the beginning of a row of the screen."""
         return f"\x1b[{max(number, 1)};1H"
 
     def looped(self, t: float, begun: Begun, at: int, called: tuple[int, ...] = ()) -> None:
-        """A loop has ended at statement `t`, or a sub that was `called` at a place."""
+        """Log a loop that has ended at statement `t`, or a sub that was `called`."""
         looped(self.machine.log, self.statements, self.task, t, begun, at, called)
 
     def thrown(self, t: float, jump: Exception) -> None:
-        """A jump has left loops at statement `t`."""
+        """Log the loops that a jump has left at statement `t`."""
         thrown(self.machine.log, self.statements, self.task, jump, t)
 
     # --------------------------------------------------------------------------------------------- waits
 
     def input(self, t: float) -> Wait:
-        """`INPUT` waits for the operator's answer."""
+        """INPUT: return the wait for the operator's answer."""
         self.acts += 1
         from motionlang.mint.runtime.input_values import wait_for_answer
 
         return wait_for_answer(self, self.statements.leave(t))
 
     def typed(self, as_text: bool) -> object:
-        """The operator's answer."""
+        """Return the operator's answer."""
         from motionlang.mint.runtime.input_values import take
 
         return take(self, as_text)
@@ -326,27 +342,30 @@ class Environment(Waits):
     # ----------------------------------------------------------------------------------------- semaphores
 
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
-        """Take a semaphore, or give back what this task holds; false while another task holds it."""
+        """Take or release a semaphore; return False while another task holds it."""
         self.acts += 1
         return self.task.take(semaphore, wanted)
 
     def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
-        """Wait until nobody holds a semaphore."""
+        """Return the wait until no task holds a semaphore."""
         return until_free(self.statements.leave(t), semaphore)
 
     # ---------------------------------------------------------------------------------------------- axes
 
     def default_axes(self) -> tuple[int, ...]:
-        """The axes that keywords without brackets mean; AXES sets them, each task has its own."""
+        """Return the axes of keywords without brackets, which AXES sets for each task."""
         return self.task.axes
 
     def say(self, text: str) -> None:
-        """Print."""
+        """Print a text."""
         self.acts += 1
         self.machine.terminal.write(text)
 
     def pairs(self, values: tuple[object, ...], repeat: bool) -> list[tuple[int, object]]:
-        """Each default axis with its value; `repeat` gives the last value to all further axes."""
+        """Return each default axis with its value.
+
+        `repeat` gives the last value to all further axes.
+        """
         axes = self.task.axes
         if repeat:
             values += values[-1:] * (len(axes) - len(values))
@@ -362,7 +381,7 @@ class Environment(Waits):
     # --------------------------------------------------------------------------------------------- tasks
 
     def start_task(self, name: str, make: Make) -> None:
-        """`Run`: a task that is running goes on as it is."""
+        """`Run`: start a task; no-op if it is running."""
         task = self.tasks.get(name)
         if task is not None and not task.done:
             return
@@ -374,7 +393,7 @@ class Environment(Waits):
         scheduler.start(task)
 
     def end_task(self, name: str) -> None:
-        """`End name`."""
+        """`End name`: end a task."""
         task = self.tasks.get(name)
         if task is None or task.done:
             return
@@ -387,11 +406,11 @@ class Environment(Waits):
             scheduler.end(task)
 
     def end_this(self, t: float) -> None:
-        """The task that is running ends."""
+        """End the running task."""
         raise TaskEnd(self.statements.leave(t))
 
     def end_main(self, t: float) -> None:
-        """`End`: the parent task ends, and with it everything."""
+        """`End`: end the parent task, and with it the program."""
         scheduler = self.machine.scheduler
         if scheduler is not None:
             scheduler.parent.done = True
@@ -400,28 +419,28 @@ class Environment(Waits):
     # -------------------------------------------------------------------------------------------- events
 
     def listen(self) -> None:
-        """Enter the handlers of the program."""
+        """Register the handlers of the program."""
         from motionlang.mint.runtime.events import listen
 
         listen(self)
 
     @property
     def Jump(self) -> type[Exception]:  # noqa: N802 - a name of generated code
-        """How a Goto leaves loops."""
+        """The exception by which a Goto leaves loops."""
         return Jump
 
     @property
     def TROUBLE(self) -> tuple[type[Exception], ...]:  # noqa: N802 - a name of generated code
-        """What a guarded statement may fail with."""
+        """The exceptions that a guarded statement may raise."""
         from motionlang.mint.runtime.errors import TROUBLE
 
         return TROUBLE
 
     @property
     def stack(self) -> tuple[object, ...]:
-        """The room of a task: tuples within one another, one for itself and one for each call that may nest in it.
+        """The stack depth of a task: nested tuples, one for itself and one for each call.
 
-        What a call hands on is the tuple within its own, which costs less than a number that is counted down.
+        A call passes on the tuple inside its own, which is faster than counting down a number.
         """
         room: tuple[object, ...] = ()
         for _ in range(MAX_DEPTH + 1):
@@ -429,12 +448,15 @@ class Environment(Waits):
         return room
 
     def too_deep(self) -> tuple[object, ...]:
-        """A call finds no room on the stack."""
+        """Raise Refusal, because a call exceeds the stack depth."""
         words = f"calls are nested more than {MAX_DEPTH} deep"
         raise Refusal("recursion", words, "a sub or a Gosub calls itself without an end")
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
-        """A guarded statement has failed; answers with the statement at which the program goes on."""
+        """Handle the failure of a guarded statement.
+
+        Returns the statement at which the program continues.
+        """
         self.acts += 1
         self.errors.failed(trouble, line)
         if self.clock.now > self.statements.at(t):

@@ -1,4 +1,4 @@
-"""Mint's own errors: their numbers and texts, what has gone wrong so far, and the registers that tell of it."""
+"""Mint's own errors: numbers and texts, the list of errors, and its registers."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ if TYPE_CHECKING:
 
     from motionlang.mint.runtime.environment import Environment
 
-# Diagnostic code -> number of the synchronous error and its short text. Up to 999 they are MintMT's (their numbers are
-# positions in a table, see docs/fidelity.md); the virtual machine's errors have no number that could be read and are
-# counted from 1001 here, in the order of the manual's list.
+# Diagnostic code -> number of the synchronous error and its short text. Numbers up to 999 are MintMT's:
+# positions in a table, see docs/fidelity.md. Errors of the virtual machine have no number that could be read.
+# They are numbered from 1001 here, in the order of the manual's list.
 NUMBERS: dict[str, tuple[int, str]] = {
     "axis": (2, "axis number invalid"),
     "range": (3, "value invalid"),
@@ -48,23 +48,23 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "string-overflow": (1008, "string overflow"),
 }
 GENERIC = (1, "keyword error")
-FIRST_OWN = 1001  # from here on the numbers are this program's
-MISC_ERROR = 20000  # the asynchronous error of the controller itself; ERRDATA(1) are its bits
+FIRST_OWN = 1001  # numbers from here on are motionlang's
+MISC_ERROR = 20000  # the asynchronous error of the controller itself; ERRDATA(1) is its bits
 AXIS_ERROR = 10000  # the asynchronous error of an axis; ERRDATA(1) is the axis, ERRDATA(2) its error bits
 
-# The groups of ERRORPRESENT and its family.
+# The groups of ERRORPRESENT and related keywords.
 ALL, SYNCHRONOUS, AXIS, MISC = 0, 1, 2, 3
 
 _PYTHON: tuple[tuple[type[BaseException], str, str], ...] = (
     (ZeroDivisionError, "division-by-zero", "division by zero"),
     (OverflowError, "overflow", "the result is too large for a number"),
 )
-# What a handler of ONERROR can be told of.
+# The exceptions that an ONERROR handler can handle.
 TROUBLE = (Refusal, ZeroDivisionError, OverflowError)
 
 
 class Error:
-    """One error: `number`, the text, the line of the program, or the place where it stood, and what it is about."""
+    """One error: number, text, group, data, and its program line or source offset."""
 
     __slots__ = ("data", "group", "line", "number", "place", "text")
 
@@ -76,22 +76,28 @@ class Error:
 
 
 class Errors:
-    """The list of errors from the first use on, oldest first, and the one that the registers show."""
+    """The list of errors, oldest first, and the one in the registers.
+
+    It begins with the first use.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
         self.found: list[Error] = []
         self.shown: Error | None = None
-        self.calling: Error | None = None  # the first one of those for which ONERROR is yet to begin
-        # Whether an error calls no ONERROR, where a program says so.
+        self.calling: Error | None = None  # the first of the errors for which ONERROR has not begun
+        # True for an error that does not call ONERROR, if the program masks any.
         self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._heard, "error", "misc")
         environment.controller.take_mishaps(self._mishap)
 
-    # ----------------------------------------------------------------------------------------- noting
+    # -------------------------------------------------------------------------------------- recording
 
     def failed(self, trouble: BaseException, line: int) -> None:
-        """A statement has failed: note it and call ONERROR. A handler cannot repair what never ends."""
+        """Record the failure of a statement and call ONERROR.
+
+        A `never` error is raised again, because a handler cannot fix it.
+        """
         if isinstance(trouble, Refusal) and trouble.code == "never":
             raise trouble
         code, message = _said(trouble)
@@ -99,7 +105,10 @@ class Errors:
         self._note(Error(number, message, line, SYNCHRONOUS, ()))
 
     def _mishap(self, refusal: Refusal) -> bool:
-        """Something that the program asked for earlier cannot be done; without ONERROR the program ends with it."""
+        """Record an earlier command that cannot be carried out.
+
+        Returns False without ONERROR, and the program ends with it.
+        """
         if not self.environment.events.handles("onerror"):
             return False
         self.failed(refusal, refusal.line)
@@ -113,13 +122,16 @@ class Errors:
             self._note(Error(MISC_ERROR, text, 0, MISC, (axis,), self._place()))
 
     def axis_error(self, axis: int) -> None:
-        """Note an error of an axis that was not pending before."""
+        """Record an error of an axis that was not pending before."""
         bits = self.environment.controller.faults(axis)
         text = f"axis {axis} has an error: {names(bits)}"
         self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._place()))
 
     def _place(self) -> int:
-        """The statement that has brought the error about or, where time has, the one where the parent task stands."""
+        """Return the source offset of the statement that caused the error.
+
+        If time caused it, that is the statement at which the parent task is.
+        """
         scheduler = self.environment.machine.scheduler
         if scheduler is None:
             return 0
@@ -127,25 +139,25 @@ class Errors:
 
     def _note(self, error: Error) -> None:
         self.found.append(error)
-        del self.found[:-100]  # a controller's log does not grow for ever either
+        del self.found[:-100]  # a controller's log does not grow forever either
         if self.masked is None or not self.masked(error):
             self.calling = self.calling or error
             self.environment.events.raise_("onerror")
 
     def call(self) -> None:
-        """ONERROR begins: the registers tell of the error that has called it, which stays on the list."""
+        """Show the error that called ONERROR in the registers; it remains on the list."""
         if self.calling is not None:
             self._show(self.calling)
             self.calling = None
 
-    # ---------------------------------------------------------------------------------------- reading
+    # ------------------------------------------------------------------------------------------ reads
 
     def present(self, group: int, data: int) -> int:
-        """ERRORPRESENT."""
+        """ERRORPRESENT: return 1 if there is an error of the group."""
         return int(any(self._of(group, data)))
 
     def read_next(self, group: int, data: int) -> int:
-        """ERRORREADNEXT: show the oldest error of a group and take it off the list."""
+        """ERRORREADNEXT: show the oldest error of a group and remove it from the list."""
         for error in self._of(group, data):
             self.found.remove(error)
             self._show(error)
@@ -153,7 +165,7 @@ class Errors:
         return 0
 
     def read_code(self, code: int, data: int) -> int:
-        """ERRORREADCODE: show the newest error of a number."""
+        """ERRORREADCODE: show the newest error with a number."""
         for error in reversed(self.found):
             if error.number == code and (not error.data or data < 0 or error.data[0] == data):
                 self._show(error)
@@ -161,15 +173,16 @@ class Errors:
         return 0
 
     def _show(self, error: Error) -> None:
-        """The registers tell of an error from now on, which is something done by reading."""
+        """Show an error in the registers, which is an action although it is a read."""
         if error is not self.shown:
             self.environment.acts += 1
         self.shown = error
 
     def clear(self, group: int, data: int) -> None:
-        """ERRORCLEAR: forget the errors of a group; those of an axis or the controller are cleared there too.
+        """ERRORCLEAR: clear the errors of a group, also in the axes or the controller.
 
-        Also where the list tells of none: a handler has mostly read it to its end before it clears.
+        This also applies if the list has none of them, because a handler has usually read it to its end by
+        then.
         """
         controller, world = self.environment.controller, self.environment.machine.world
         for error in list(self._of(group, data)):
@@ -188,18 +201,18 @@ class Errors:
         ]
 
     def line(self) -> int:
-        """ERRLINE: the line of the error that the registers tell of; 0 for a line typed at a prompt."""
+        """ERRLINE: return the line of the error in the registers, 0 for a typed line."""
         return self.line_of(self.register())
 
     def line_of(self, error: Error) -> int:
-        """The line of an error, found when it is asked for."""
+        """Return the line of an error, looked up on demand."""
         line_of = self.environment.line_of
         if not error.line and error.place and line_of is not None:
             error.line = line_of(error.place)
         return error.line
 
     def register(self) -> Error:
-        """The error that ERRCODE, ERRLINE, ERRSTRING and ERRDATA tell of."""
+        """Return the error of ERRCODE, ERRLINE, ERRSTRING and ERRDATA."""
         if self.shown is None and self.found:
             self._show(self.found[-1])
         if self.shown is None:
@@ -219,7 +232,7 @@ def _said(trouble: BaseException) -> tuple[str, str]:
 
 
 def text_of(number: int) -> str:
-    """ERRORSTRING: the text of an error's number."""
+    """ERRORSTRING: return the text of an error number."""
     if number == 0:
         return "no error"
     if number == AXIS_ERROR:
@@ -230,7 +243,7 @@ def text_of(number: int) -> str:
 
 
 def with_number(refusal: Refusal) -> None:
-    """Add Mint's own number to the hint of what a program is ended with, where it is known."""
+    """Add Mint's own error number to the hint of a Refusal, if it is known."""
     number, text = NUMBERS.get(refusal.code, GENERIC)
     if GENERIC[0] < number < FIRST_OWN:
         known = f"Mint error {number}, {text}"

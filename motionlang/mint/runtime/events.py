@@ -1,8 +1,8 @@
-"""Events: what may happen, who handles it, and what must wait its turn.
+"""Events: their handlers, their priority, and the queue of pending events.
 
-An event that is handled interrupts every task between two statements; a more urgent one interrupts a less urgent
-handler; one that is already waiting is not queued twice. A handler that only ever raises events itself would leave no
-time to any task; the run ends with `never` then.
+A handled event interrupts every task between two statements. A more urgent one interrupts a less urgent
+handler. An event that is already pending is not queued twice. A handler that keeps raising events would leave
+no time to any task, so the run then ends with `never`.
 """
 
 from __future__ import annotations
@@ -19,15 +19,16 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment, Make
 
 
-# So many handlers may follow each other, each raised by a statement of a handler before it, until a task has to run.
+# The maximum number of handlers in a row, each raised by a statement of a handler before it, until a task
+# must run.
 MAX_ROUNDS = 10_000
 
 
 class Events:
-    """The handlers of one program, what is being handled (the innermost last) and what waits.
+    """The handlers of one program, active events (innermost last) and pending ones.
 
-    `_raised_here` are the pending events that a statement of a handler has raised, `_rounds` counts the handlers that
-    such events have begun since a task last ran.
+    `_raised_here` are the pending events that a statement of a handler has raised. `_rounds` counts the
+    handlers that such events have started since a task last ran.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -36,7 +37,7 @@ class Events:
         self.pending: list[tuple[int, int]] = []
         self.disabled = 0
         self.timer = 0
-        self.listening: set[str] = set()  # kinds of which the machine tells already
+        self.listening: set[str] = set()  # kinds that the machine already reports
         self._timer_event: ClockEvent | None = None
         self._raised_here: set[tuple[int, int]] = set()
         self._rounds = 0
@@ -47,11 +48,11 @@ class Events:
         self._handlers[kind, number] = make
 
     def handles(self, kind: str, number: int = 0) -> bool:
-        """Whether the program has a handler for an event."""
+        """True if the program has a handler for an event."""
         return (kind, number) in self._handlers or (kind, -1) in self._handlers
 
     def raise_(self, kind: str, number: int = 0) -> None:
-        """Something has happened; the handler, if there is one, runs before the next statement of any task."""
+        """Raise an event; its handler, if any, runs before the next statement of any task."""
         if not self.handles(kind, number):
             return
         entry = (KINDS.index(kind), number)
@@ -68,12 +69,12 @@ class Events:
         clock.at(clock.now, self.deliver)
 
     def _is_handler_running(self) -> bool:
-        """Whether what happens is done by a statement of a handler; a tick of the timer is not."""
+        """True if a statement of a handler is running; a tick of the timer is none."""
         scheduler = self.environment.machine.scheduler
         return scheduler is not None and bool(scheduler.interrupts) and scheduler.current.running
 
     def deliver(self) -> None:
-        """Start the most urgent handler, unless one that is as urgent is at work."""
+        """Start the most urgent handler, unless one at least as urgent is active."""
         for entry in self.pending:
             rank, number = entry
             if self.disabled >> rank & 1:
@@ -94,27 +95,27 @@ class Events:
             return
 
     def done(self) -> None:
-        """A handler has ended: what waited may go on."""
+        """End a handler and deliver pending events."""
         self.active.pop()
         self.deliver()
         if not self.active:
             self._rounds = 0
 
     def bits(self, entries: list[tuple[int, int]]) -> int:
-        """The kinds of some events as a bit pattern."""
+        """Return the kinds of some events as a bit pattern."""
         pattern = 0
         for rank, _ in entries:
             pattern |= 1 << rank
         return pattern
 
     def disable(self, pattern: int) -> None:
-        """Set which kinds must wait; those that no longer have to are handled."""
+        """Set the kinds that must wait; pending events of other kinds are handled."""
         self.disabled = pattern
         clock = self.environment.clock
         clock.at(clock.now, self.deliver)
 
     def set_timer(self, milliseconds: int) -> None:
-        """The period of the timer event; 0 switches it off."""
+        """Set the period of the timer event; 0 switches it off."""
         self.timer = milliseconds
         if self._timer_event is not None:
             self._timer_event.cancel()
@@ -124,7 +125,7 @@ class Events:
             self._next_tick(self.environment.clock.now, 0 if at_once else 1)
 
     def _next_tick(self, start: float, count: int) -> None:
-        """The n-th tick comes n periods after the start: no rounding adds up."""
+        """Schedule tick n at n periods after the start, so rounding does not accumulate."""
         period = self.timer / 1000.0
 
         def tick() -> None:
@@ -136,7 +137,7 @@ class Events:
 
 
 def _never_ends(entry: tuple[int, int]) -> Refusal:
-    """The error of handlers that raise themselves or each other forever."""
+    """Return the error of handlers that raise themselves or each other forever."""
     kind, number = KINDS[entry[0]], entry[1]
     name = kind.upper() if kind in SINGLE else f"{kind.upper()}{number}"
     message = (
@@ -146,7 +147,7 @@ def _never_ends(entry: tuple[int, int]) -> Refusal:
 
 
 class EventTask(MintTask):
-    """A handler at work."""
+    """An active handler."""
 
     __slots__ = ()
 
@@ -162,7 +163,7 @@ class EventTask(MintTask):
 
 
 def listen(environment: Environment) -> None:
-    """Enter the handlers of a program, and be told by the machine of what they handle."""
+    """Register the handlers of a program, and subscribe to their events."""
     events = environment.events
     kinds: set[str] = set()
     for key, make in environment.blocks.items():
@@ -177,7 +178,7 @@ def listen(environment: Environment) -> None:
     for kind in kinds & RAISED_BY.keys():
         environment.part(table().file(RAISED_BY[kind]).SOURCES[kind])
     if "onerror" in kinds:
-        _ = environment.errors  # from now on they are noted
+        _ = environment.errors  # from now on errors are recorded
     if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:
         events.listening.add("machine")
         controller.listeners.append(lambda what, axis: _heard(environment, what, axis), "idle", "buffer-low")

@@ -1,26 +1,33 @@
 """PRINT … USING: width and decimals.
 
-`USING width` and `USING width, decimals`. A negative width asks for the sign of positive numbers too; decimals below
-zero for the exponent form; a width that does not suffice is exceeded, never cut (docs/fidelity.md).
+`USING width` and `USING width, decimals`. A negative width prints the sign of positive numbers, too. Negative
+decimals select the exponent form. A number that is too long for its width is printed in full, never cut
+(docs/fidelity.md).
 """
 
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 
-# Wider than any terminal: a wild width is a mistake, not a request for a gigabyte of blanks.
+# Wider than any terminal: a wild width is an error, not a request for a gigabyte of blanks.
 WIDEST = 255
 
 
 def using_float(value: float, width: int, decimals: int = 0) -> str:
-    """A Float: `%w.df`, with a sign for a negative width, `%w.de` for negative decimals; 0 has no minus."""
+    """Format a Float: `%w.df`, with a sign for a negative width; 0 has no minus.
+
+    Negative decimals give `%w.de`.
+    """
     sign, width = _width(width)
     kind = "f" if decimals >= 0 else "e"
     return f"{value:{sign}z{width}.{_decimals(decimals)}{kind}}"
 
 
 def using_integer(value: float, width: int, decimals: int | None = None) -> str:
-    """An Integer: `%wd`, with a sign for a negative width; with decimals it is shown as a Float."""
+    """Format an Integer: `%wd`, with a sign for a negative width.
+
+    With decimals it is shown as a Float.
+    """
     if decimals is not None:
         return using_float(value, width, decimals)
     sign, width = _width(width)
@@ -28,7 +35,7 @@ def using_integer(value: float, width: int, decimals: int | None = None) -> str:
 
 
 def using_text(value: str, width: int, decimals: int = 0) -> str:
-    """A text: filled up with blanks on the right, on the left for a negative width."""
+    """Format a string, padded on the right, or on the left for a negative width."""
     _, size = _width(width)
     return value.rjust(size) if width < 0 else value.ljust(size)
 

@@ -1,6 +1,7 @@
-"""What generated code calls: Mint's functions, and the operators that Python does otherwise.
+"""Mint's functions, and operators that differ in Python, for generated code.
 
-Every function here is named by a row of the keyword table or written by the compiler. Trouble is a `Refusal`.
+Every function here is named by a row of the keyword table or written by the compiler. Errors are raised as
+`Refusal`.
 """
 
 from __future__ import annotations
@@ -24,19 +25,22 @@ _DEGREE = math.pi / 180.0
 
 
 def frozen(value: object) -> object:
-    """What a variable holds, with its arrays and its members, as what does not change with it."""
+    """Return the value of a variable, with arrays and members, as an immutable copy."""
     return tuple(map(frozen, value)) if isinstance(value, list) else value
 
 
 def overflow(value: float) -> int:
-    """Refuse an Integer result that does not fit 32 bits."""
+    """Raise Refusal for an Integer result that does not fit in 32 bits."""
     raise Refusal(
         "overflow", f"{value} does not fit an Integer", "an Integer holds -2147483648 to 2147483647"
     )
 
 
 def integer(value: float) -> int:
-    """A number as an Integer: the fraction is cut off (docs/fidelity.md), the range is checked."""
+    """Convert a number to an Integer: cut off the fraction and check the range.
+
+    For the fraction see docs/fidelity.md.
+    """
     try:
         whole = int(value)
     except (ValueError, OverflowError):
@@ -45,14 +49,14 @@ def integer(value: float) -> int:
 
 
 def divide(a: float, b: float) -> int:
-    """Whole division, toward zero."""
+    """Divide integers toward zero."""
     a, b = integer(a), integer(b)
     whole = abs(a) // abs(b)
     return integer(whole if (a < 0) is (b < 0) else -whole)
 
 
 def modulo(a: float, b: float) -> float:
-    """The remainder, with the sign of the dividend."""
+    """Return the remainder, with the sign of the dividend."""
     if b == 0:
         raise ZeroDivisionError
     if type(a) is int and type(b) is int:
@@ -62,20 +66,20 @@ def modulo(a: float, b: float) -> float:
 
 
 def power(a: float, b: float) -> float:
-    """a to the power of b, a Float."""
+    """Return a to the power of b as a Float."""
     if a == 0 and b < 0:
         raise ZeroDivisionError
     return _number("^", math.pow, a, b)
 
 
 def shift_left(a: float, b: float) -> int:
-    """The bits of an Integer moved up; those beyond 32 are lost."""
+    """Shift the bits of an Integer up; bits beyond 32 are lost."""
     bits = (integer(a) << _places(b)) & 0xFFFFFFFF
     return bits - (1 << 32) if bits >> 31 else bits
 
 
 def shift_right(a: float, b: float) -> int:
-    """The bits of an Integer moved down; the sign stays."""
+    """Shift the bits of an Integer down; the sign remains."""
     return integer(a) >> _places(b)
 
 
@@ -87,23 +91,23 @@ def _places(b: float) -> int:
 
 
 def index(value: int, size: int) -> int:
-    """Refuse a subscript outside 1 … size."""
+    """Raise Refusal for a subscript outside 1 … size."""
     raise Refusal("index", f"there is no element {value}: the subscript must be 1 to {size}",
                   "the first element of an array has the subscript 1")  # fmt: skip
 
 
 def subscript(value: float, size: int) -> int:
-    """A subscript, checked."""
+    """Return a subscript after checking it."""
     whole = value if type(value) is int else integer(value)
     return whole if 1 <= whole <= size else index(whole, size)
 
 
-# A String without a size holds this many characters: without a bound a loop could fill the computer's memory.
+# The length of a String without a size. Without a bound a loop could exhaust the computer's memory.
 LONGEST = 65_535
 
 
 def fit(text: str, size: int) -> str:
-    """A text for a String of `size` characters."""
+    """Fit a text into a String of `size` characters."""
     if len(text) > size:
         raise Refusal("string-overflow", f"a text of {len(text)} characters does not fit a String * {size}",
                       "make the String longer")  # fmt: skip
@@ -156,7 +160,7 @@ def logarithm(value: float) -> float:
 
 
 def sine(angle: float) -> float:
-    """Exact at the multiples of 30 degrees at which it is rational."""
+    """Return the sine, exact at the multiples of 30 degrees at which it is rational."""
     exact = _SINES.get(angle % 360.0)
     return _number("Sin", math.sin, angle * _DEGREE) if exact is None else exact
 
@@ -195,7 +199,7 @@ def length(text: str) -> int:
 
 
 def code(text: str) -> int:
-    """The code of the first character; 0 of an empty text."""
+    """Return the code of the first character, 0 for an empty text."""
     return ord(text[0]) if text else 0
 
 
@@ -211,13 +215,13 @@ def shown(value: float) -> str:
 
 
 def shown_by(machine: Machine) -> Callable[[float], str]:
-    """The same on a machine that shows a Float otherwise."""
+    """Return the `shown` of a machine that prints Floats differently."""
     show = shows_float(machine)
     return lambda value: show_integer(value) if type(value) is int else show(value)
 
 
 def value(text: str) -> float:
-    """The number at the beginning of a text, 0 where there is none."""
+    """Return the number at the beginning of a text, 0 if there is none."""
     text = text.lstrip()
     for end in range(len(text), 0, -1):
         head = text[:end]
@@ -253,7 +257,7 @@ def _count(count: float) -> int:
 
 
 class Random:
-    """The numbers of `Rnd`: the same sequence in every run (Lehmer's generator, 31 bits)."""
+    """The numbers of `Rnd`: the same in every run (Lehmer's generator, 31 bits)."""
 
     __slots__ = ("_state",)
 

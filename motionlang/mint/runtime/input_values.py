@@ -1,4 +1,4 @@
-"""What the operator types at INPUT."""
+"""The operator's input for INPUT."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 
 
 def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE) -> Wait:
-    """Wait for the next line; where no `[[answer]]` is left and nobody sits at the terminal, for ever."""
+    """Return the wait for the next line.
+
+    It never ends if no `[[answer]]` is left and there is no operator at the terminal.
+    """
     machine = environment.machine
     operator = machine.operator_at(terminal)
     if not operator.lines and terminal == CONSOLE and machine.ask is not None:
@@ -33,7 +36,10 @@ def _answered(operator: Operator) -> bool:
 
 
 def take(environment: Environment, as_text: bool, terminal: int = CONSOLE) -> float | str:
-    """The next answer, shown as the operator would have seen it; as a number, what it begins with."""
+    """Take the next answer and echo it as the operator would have seen it.
+
+    If a number is expected, return the number at its beginning.
+    """
     text = environment.machine.operator_at(terminal).lines.pop(0)
     environment.machine.terminal_at(terminal).write(f"{text}\n")
     if as_text:

@@ -1,4 +1,4 @@
-"""When the loops of a task ran, as its code notes it: into the log at their end, and out of frames before that."""
+"""Log the times of loops: at their end, or from frames before that."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from motionlang.log.log import Log
     from motionlang.mint.runtime.task import MintTask
 
-    # The statement with which a loop began, and the moment from which it was counted.
+    # The statement with which a loop began, and the time from which it was counted.
     Begun = tuple[float, float]
-    # The source offset of a loop, when it began, s, and the calls that led there.
+    # The source offset of a loop, its start in s, and the calls that led there.
     Open = tuple[int, float, tuple[int, ...]]
 
-# A loop of fewer statements leaves no record; it counts for what stands around it.
+# A loop of fewer statements leaves no record; it counts for the code around it.
 LEAST = 100.0
 
 
@@ -31,7 +31,10 @@ def looped(
     at: int,
     called: tuple[int, ...],
 ) -> None:
-    """A loop has ended at statement `t`, or a sub; called by what the code of a program calls."""
+    """Log a loop or a sub that has ended at statement `t`.
+
+    It is called from a function that the code of a program calls.
+    """
     count, base = begun
     since, until = base + count * statements.cost, statements.at(t)
     if until - since > LEAST * statements.cost:
@@ -40,7 +43,7 @@ def looped(
 
 
 def thrown(log: Log, statements: StatementTime, task: MintTask, jump: Exception, t: float) -> None:
-    """A jump has left loops at statement `t`: of each frame that it came through those that it was in."""
+    """Log the loops that a jump has left at statement `t`, in each frame on its path."""
     until = statements.at(t)
     for at, since, callers in task.loops_of(jump)[::-1]:
         if until - since > LEAST * statements.cost:
@@ -54,7 +57,10 @@ def open_loops(
     statements: StatementTime,
     kinds: str = "lr",
 ) -> list[Open]:
-    """The loops that frames of a task, the outermost first, are in; `kinds` are the first letters of variables."""
+    """Return the loops that the frames of a task are in; outermost frame first.
+
+    `kinds` are the first letters of variables.
+    """
     found: list[Open] = []
     callers: tuple[int, ...] = ()
     for frame in frames:

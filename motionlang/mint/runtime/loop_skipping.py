@@ -1,12 +1,13 @@
-"""Loops that only poll, as the program runs: many turns at once where all are the same.
+"""Skip iterations of polling loops at run time, many at once if all are the same.
 
-A turn that did nothing and left every variable as it was will be repeated until something happens: the next event, or
-the moment at which something that it read changes by itself. So many whole turns as fit before it are paid for at
-once. While other tasks can run that ends with the task's time slice. Where none can, and none could since the turn
-began, it goes on to the moment at which the first of them may go on.
+An iteration that did nothing and left every variable unchanged repeats until something happens: the next
+event, or the time at which something that it read changes by itself. All whole iterations that fit before
+that are paid for at once. While other tasks can run, the skip ends with the task's time slice. If no other
+task can run, and none could since the iteration began, it extends to the time at which the first of them may
+continue.
 
-A loop whose turns are looked at in vain is left alone for one turn, for two, for four and so on; its readings take no
-notes meanwhile.
+Exponential back-off: after a failed check the loop runs unchecked for 1, 2, 4, … iterations. Its readings
+record no dependencies in that time.
 """
 
 from __future__ import annotations
@@ -21,26 +22,28 @@ if TYPE_CHECKING:
 
     State = tuple[object, ...]
     Counters = tuple[float, ...]
-    # What a turn began with: how the one before it left things, where counters stood; its statement, the moment from
-    # which those count, its time; how often others had run; the notes, and how many there were.
+    # The start of an iteration: the state left by the one before, the counters, its statement, the base of
+    # these, its time, the number of times that others had run, the dependencies, and how many of them there
+    # were.
     Look = tuple[State | None, Counters, float, float, float, int, list[Note], int]
-    # Its statement and horizon as it goes on, what that turn begins with, how many pass unlooked at or up to which
-    # statement they do, and the counters.
+    # The statement and horizon at which the loop continues, the start of that iteration, the number of
+    # unchecked iterations (or the statement up to which they run), and the counters.
     Turned = tuple[float, float, Look | None, float, Counters]
 
-# So many turns pass unlooked at, and more where arrays are to be compared. They are counted in floats, as Python has
-# no whole number of that size ready.
+# The maximum number of unchecked iterations, more if arrays must be compared. They are counted in floats
+# because Python caches no integers of that size.
 MOST_ALONE = 4096.0
-# So many statements stand for a turn where turns are not counted.
+# The number of statements assumed for an iteration if iterations are not counted.
 STATEMENTS = 4.0
 
 
 class Site:
-    """A loop of the text: `asks` whether it looks at anything, `carries` whether its last turn has to be carried out.
+    """A loop of the text.
 
-    `alters`: a turn may give a variable that others wait for another value, and give it back its own. `looks_at` names
-    what it reads.
-    `left` is for how many turns it is left alone, or up to statement `due`, in one that counts no turns.
+    `asks`: it reads something. `carries`: its last iteration must be executed. `alters`: an iteration may
+    change a variable that others wait for, and restore it. `looks_at` names what it reads. `left` is the
+    number of iterations that run unchecked, or `due` the statement up to which they do, in a loop that does
+    not count iterations.
     """
 
     __slots__ = (
@@ -66,21 +69,22 @@ class Site:
 
     @property
     def due(self) -> float:
-        """The statement from which on it is to be looked at; at once, where these count from another moment by now."""
+        """The statement of the next check, 0 if statements now count from another time."""
         return self._due if self._statements.base is self._base else 0.0
 
     def turn_at(
         self, t: float, horizon: float, look: Look | None, state: State, counters: Counters
     ) -> Turned:
-        """The same as `turn`, with the statement up to which turns pass unlooked at in the place of their number."""
+        """Check an iteration like `turn`, but return the statement of the next check."""
         t, horizon, look, left, counters = self.turn(t, horizon, look, state, counters)
         self._due, self._base = t + STATEMENTS * left, self._statements.base
         return t, horizon, look, self._due, counters
 
     def turn(self, t: float, horizon: float, look: Look | None, state: State, counters: Counters) -> Turned:
-        """The end of a turn at statement `t`: the loop goes on at the end of the last one that can be no different.
+        """Check an iteration that ends at statement `t`, and skip identical ones.
 
-        `state` is what every turn leaves behind, after the count of what the program did. What `counters` count decides
+        The loop continues at the end of the last iteration that must be identical. `state` is what every
+        iteration leaves behind, after the count of the program's actions. The variables in `counters` decide
         nothing.
         """
         attention, statements = self._environment.attention, self._environment.statements
@@ -102,9 +106,10 @@ class Site:
     def skip(
         self, t: float, horizon: float, look: Look, state: State, counters: Counters
     ) -> tuple[float, float, Counters] | None:
-        """A turn that ends at `t` was as the one before: the end of the last that can be no different.
+        """Skip iterations after one, ending at `t`, that was the same as the one before.
 
-        None where it was not in everything that it read. A turn in which other tasks ran is no more than remembered.
+        Returns the end of the last identical iteration, None if this one differed in anything that it read.
+        An iteration in which other tasks ran is only remembered.
         """
         environment = self._environment
         statements, task = environment.statements, environment.task
@@ -115,14 +120,14 @@ class Site:
         if level <= now:
             return None
         several = len(scheduler.tasks) > 1
-        # Periods of several tasks know nothing of counters.
+        # Periods of several tasks do not support counters.
         task.look = None if several and self.carries else (environment.acts, self.asks)
         task.looks_at = self.looks_at
         if environment.resumed != others:
             return t, horizon, counters
         until = statements.until
         if began <= scheduler.began and now < until and not (several and self.alters):
-            # It has done nothing since the others were asked.
+            # This task has done nothing since the others were last checked.
             environment.clock.now = now
             until = max(until, scheduler.reach())
         until = min(until, level)
@@ -137,7 +142,7 @@ class Site:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
         if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
             task.in_vain = began if level == scheduler.next_change() == INFINITY else None
-        environment.task = task  # what others wait for may have been looked at with their eyes
+        environment.task = task  # the conditions of other tasks may have set another running task
         turns = max(0, int(min(statements.periods(base, since, t, until) - self.carries, most)))
         if turns:
             statements.leave(t)

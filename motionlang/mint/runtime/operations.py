@@ -3,7 +3,7 @@
     if k0(2.0, 10.0): yield
 
 An operation pays for the statements before its own, runs at the machine time that this gives, and returns False. If
-something else is due by then, or a move finds no room, it is put off and returns True. The task gives way and, when it
+something else is due by then, or a move finds no space, it is put off and returns True. The task gives way and, when it
 is resumed, carries the operation out first (`MintTask`).
 
 `t`, the statement, and `H`, the first one at which something else may happen, are cells that the functions of a program
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
     Operation = Callable[..., bool]
-    # An operation that was put off, what it is given, and where it is for room the axes that have none.
+    # An operation that was put off, its arguments, and the axes without space if it waits for that.
     PutOff = tuple[Operation, tuple[Any, ...], tuple[int, ...] | None]
 
 
 class Operations:
-    """Makes operations of what words do; all of them share one time.
+    """Makes timed operations from the operations of keywords; all share one time.
 
-    `timed` is for what is done at a statement. `repeated` is for what a loop that polls may write or do; it is given
-    what reads `held`, and if that does not change, nothing was done. `loading` is for moves, which are refused while
-    there is no room for them; it is given what loads a plain move, by axis, where there is such, and the axis or the
-    axes of all of them where these are known. `now` does nothing, at a statement that reads.
+    `timed` is for operations at a statement. `repeated` is for those that a polling loop may repeat; it gets
+    a function that reads the `held` value, and if that does not change, the operation was a no-op. `loading`
+    is for moves, which are put off while there is no space for them; it gets the fast-path loaders by axis,
+    if any, and the axis or axes, if these are known. `now` does nothing, at a statement that reads.
     """
 
     __slots__ = ("cells", "loading", "now", "repeated", "set_time", "timed")
@@ -46,7 +46,7 @@ class Operations:
             t, horizon = place
 
         def now(paid: float) -> bool:
-            """`T`: the clock is told the time of a statement that reads it, unless something else is due by then."""
+            """`T`: set the clock for a statement that reads it, unless something else is due."""
             nonlocal t
             t += paid
             if t >= horizon:
@@ -55,7 +55,10 @@ class Operations:
             return False
 
         def nearer() -> bool:
-            """An event is nearer now. It comes before the next statement, and after what else this one does."""
+            """Shorten the horizon after an operation has scheduled an earlier event.
+
+            The event comes before the next statement and after the rest of this one.
+            """
             nonlocal horizon
             horizon = statements.limit(clock.horizon)
             if horizon <= t:
@@ -71,7 +74,7 @@ class Operations:
                     return True
                 clock.now = statements.base + t * cost
                 environment.acts += 1
-                if act(*arguments) and loads:  # there is no room
+                if act(*arguments) and loads:  # there is no space
                     full = arguments[0] if axes is None else axes
                     environment.put_off = at, arguments, full if isinstance(full, tuple) else (full,)
                     return True
@@ -82,7 +85,7 @@ class Operations:
         def repeated(act: Callable[..., object], held: Callable[..., object]) -> Operation:
             def write(*arguments: object) -> None:
                 acts = environment.acts
-                if attention.notes is None:  # nobody looks at this turn
+                if attention.notes is None:  # this iteration is unchecked
                     act(*arguments)
                     return
                 before, made = held(*arguments), clock.made
@@ -123,6 +126,6 @@ class Operations:
 
 
 def cells_of(function: Callable[..., object], *names: str) -> Any:
-    """The cells in which a function has these names."""
+    """Return the cells of a function's free variables with these names."""
     found = dict(zip(function.__code__.co_freevars, function.__closure__ or (), strict=True))
     return tuple(found[name] for name in names)

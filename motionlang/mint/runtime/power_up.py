@@ -1,4 +1,7 @@
-"""What settings are at power-up where the machine file's `[readings]` say so: written as a program would."""
+"""Power-up values of settings from the machine file, written as a program would.
+
+They are in its section `[readings]`.
+"""
 
 from __future__ import annotations
 
@@ -16,19 +19,25 @@ if TYPE_CHECKING:
 
 
 class PowerUp:
-    """The settings whose default is another one here; `set` gives them to an axis, at the start and after DEFAULT."""
+    """The settings with another default value.
+
+    `set` writes them to an axis, at the start and after DEFAULT.
+    """
 
     def __init__(self, environment: Environment, readings: Mapping[str, object]) -> None:
         self._writers: list[tuple[str, Callable[..., object], tuple[object, ...]]] = []
         for name, value in readings.items():
             row = table().get(word_of(name))
             if row is not None:
-                # A word of the group "motion" is given the number of its line, too.
+                # A keyword of the group "motion" also gets the number of its line.
                 given = (value, 0) if row.group == "motion" else (value,)
                 self._writers.append((name, bind(environment, "write", row), given))
 
     def set(self, axis: int) -> None:
-        """Write them all; ProgramError where one cannot be, as when another one forbids it."""
+        """Write all settings of an axis.
+
+        Raises ProgramError if one cannot be written, for example because another one forbids it.
+        """
         for name, write, given in self._writers:
             try:
                 write(axis, *given)

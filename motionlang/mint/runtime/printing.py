@@ -1,7 +1,7 @@
-"""How Mint prints values.
+"""Format values as Mint prints them.
 
-A Float has four decimals, C's `%.4f`, and from a billion on or below a ten-thousandth C's `%e`; the thresholds are
-not documented (docs/fidelity.md). Values are joined without spaces.
+A Float has four decimals, C's `%.4f`. From a billion on, or below a ten-thousandth, it has C's `%e`; the
+thresholds are not documented (docs/fidelity.md). Values are joined without spaces.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PLACES = 4
 
 
 def show_float(value: float) -> str:
-    """A Float as PRINT writes it; `-0` is 0, as Mint does not tell them apart."""
+    """Format a Float for PRINT; `-0` is 0, because Mint does not distinguish them."""
     if SMALL <= value < LARGE or -LARGE < value <= -SMALL:
         return f"{value:.4f}"
     if value == 0:
@@ -32,18 +32,21 @@ def show_float(value: float) -> str:
 
 
 def show_older(value: float) -> str:
-    """A Float as a controller with Mint v4 writes it: without the zeros at its end."""
+    """Format a Float like a controller with Mint v4, without trailing zeros."""
     text = show_float(value)
     return text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
 
 
 def show_integer(value: float) -> str:
-    """An Integer as PRINT writes it."""
+    """Format an Integer for PRINT."""
     return f"{value:d}"  # type: ignore[str-format,unused-ignore]
 
 
 def shows_float(machine: Machine) -> Callable[[float], str]:
-    """How PRINT writes a Float: as a controller of v4 where it is one, and as the machine file's `[readings]` say."""
+    """Return the format of Floats for PRINT on a machine.
+
+    It depends on the controller, which may have v4, and on the machine file's `[readings]`.
+    """
     readings, older = machine.readings, machine.model != "" and _is_older(machine.model)
     if not readings:
         return show_older if older else show_float

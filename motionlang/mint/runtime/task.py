@@ -1,4 +1,4 @@
-"""A task of a Mint program: a generator that knows its axes, its TIME, and whether it is suspended."""
+"""A task of a Mint program: a generator with axes, TIME and suspension."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
 
 
 class TaskEnd(Exception):
-    """The running task ends here."""
+    """Raised to end the running task."""
 
     def __init__(self, time: float) -> None:
         super().__init__()
         self.time = time
 
 
-# What the parent task is called; no other is, as the names of tasks are kept in small letters.
+# The name of the parent task. No other task has it, because names of tasks are stored in lower case.
 PARENT = "ParentTask"
 
 
 class MintTask(GeneratorTask):
-    """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
+    """A task of a Mint program; `timer` holds the start of its TIME."""
 
     __slots__ = (
         "_acts",
@@ -52,28 +52,28 @@ class MintTask(GeneratorTask):
         file = make.__code__.co_filename
         super().__init__(name, make, file, environment.files[file])  # type: ignore[arg-type]
         self.environment = environment
-        # Its innermost code where no sub is called.
+        # Its innermost code when no sub is called.
         self.frame: FrameType | None = None
-        # The wait of its WAIT statements, one of which it is in at a time.
+        # The wait of its WAIT statements; one at a time is active.
         self.delay: Delay | None = None
         self.timer = [environment.clock.now]
         self.axes: tuple[int, ...] = (0,)
-        # What it has read of late that changes by itself, while somebody asks.
+        # Its recent readings that change by themselves, while dependencies are recorded.
         self.notes: list[Note] | None = None
         self.suspended = False
         self.held: Wait | None = None
-        # The operation before which it gave way, and which is carried out when it goes on.
+        # The operation that it put off when it gave way, carried out when it resumes.
         self._put_off: PutOff | None = None
-        self._acts = False  # whether that is being done
+        self._acts = False  # True while that operation is carried out
         self._count = environment.time_cells[0]
         self.set_turn()
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """As every task; what others did meanwhile is noticed."""
+        """Resume like any task, and notice what others did in the meantime."""
         environment, generator = self.environment, self._generator
         environment.task = self
         clock, attention, statements = environment.clock, environment.attention, environment.statements
-        if environment.fired != clock.fired:  # as `noticed` has it
+        if environment.fired != clock.fired:  # as in `noticed`
             environment.fired = clock.fired
             environment.acts += 1
             self.look = self.in_vain = None
@@ -129,7 +129,7 @@ class MintTask(GeneratorTask):
                 time, wait = out.since, out
         self.notes = attention.notes
         environment.ran = self
-        if environment.acts != acts:  # it has done something, if not since it last looked
+        if environment.acts != acts:  # it has acted, unless that was before its last check
             if self.look is None or self.look[0] != environment.acts:
                 self.in_vain = None
             self.look = None
@@ -138,12 +138,15 @@ class MintTask(GeneratorTask):
         return time, wait
 
     def _carry_out(self, count: float, horizon: float) -> object:
-        """Do what was put off, then go on. What fails, fails at its statement; a move may find no room again."""
+        """Carry out the operation that was put off, then continue.
+
+        A failure is raised at its statement. A move may find no space again.
+        """
         environment, generator = self.environment, self._generator
         assert self._put_off is not None
         assert generator is not None
         (operation, arguments, _), self._put_off = self._put_off, None
-        if horizon <= count:  # what is due now has had its chance
+        if horizon <= count:  # everything due now has had its chance
             environment.set_time((count, count + 0.5))
         self._acts = True
         try:
@@ -177,7 +180,10 @@ class MintTask(GeneratorTask):
         return open_loops(frames, self._file, self._places, self.environment.statements)
 
     def loops_of(self, error: Exception, kinds: str = "l") -> list[Open]:
-        """The loops of the frames that an exception came through, the outermost first; `kinds` as `open_loops`."""
+        """Return the loops of the frames that an exception came through, outermost first.
+
+        For `kinds` see `open_loops`.
+        """
         frames, traceback = [], error.__traceback__
         while traceback is not None:
             frames.append(traceback.tb_frame)
@@ -185,23 +191,26 @@ class MintTask(GeneratorTask):
         return open_loops(frames, self._file, self._places, self.environment.statements, kinds)
 
     def set_turn(self) -> None:
-        """TASKQUANTUM; less half a statement, so that rounding does not decide whether the last one still fits."""
+        """Apply TASKQUANTUM, less half a statement.
+
+        So rounding does not decide whether the last statement still fits.
+        """
         environment = self.environment
         quantum = environment.quanta.get(self.name)
         if quantum is not None:
             self.turn = (quantum - 0.5) * environment.machine.instruction_time
 
     def noticed(self, environment: Waits) -> None:
-        """Events have fired since the program last looked: whatever it polled may be another now."""
+        """Note that events have fired, so anything the program polled may have changed."""
         environment.fired = environment.clock.fired
         environment.acts += 1
         self.look = self.in_vain = None
 
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
-        """Take a semaphore, or give back what this task holds; false while another task holds it."""
+        """Take or release a semaphore; return False while another task holds it."""
         holder = semaphore[0]
         if holder is not None and holder.done:
-            holder = None  # what a task holds is free when it ends
+            holder = None  # a semaphore is released when its task ends
         if not wanted:
             semaphore[0] = None if holder is self else holder
             return True
@@ -215,13 +224,13 @@ class MintTask(GeneratorTask):
         return self.environment.statements.at(reached) if reached else 0.0
 
     def never(self) -> Wait:
-        """The wait of a suspended task."""
+        """Return the wait of a suspended task."""
         now = self.environment.clock.now
         return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})", "task")
 
 
 def until_free(since: float, semaphore: list[MintTask | None]) -> Wait:
-    """The wait until nobody holds a semaphore."""
+    """Return the wait until no task holds a semaphore."""
     return Wait(
         since,
         lambda: (holder := semaphore[0]) is None or holder.done,

@@ -1,8 +1,8 @@
-"""What a suspended task and the variables of its program hold, as bytes that are equal where the state is.
+"""The state of a suspended task, and of shared variables, as comparable bytes.
 
-The state of a task is that of the generators that it is suspended in: where each stands in its code, and its local
-variables. Values on the stack of a generator are no part of it. An expression that would leave some there while a sub
-waits counts itself (`Environment.midway`), and counts are compared, too.
+The state of a task is that of the generators in which it is suspended: the position of each in its code, and
+its local variables. Values on the stack of a generator are not included. An expression that would leave some
+there while a sub waits counts itself (`Environment.midway`), and counts are compared, too.
 """
 
 from __future__ import annotations
@@ -18,16 +18,17 @@ if TYPE_CHECKING:
 
     from motionlang.mint.runtime.operations import PutOff
 
-# Equal values are equal bytes: later versions of marshal also write which of them are one object.
+# In this version equal values give equal bytes. Later versions of marshal also encode which of them are one
+# object.
 _VERSION = 2
-# Names of generated code that hold nothing across a `yield`.
+# Names of generated code whose values do not survive a `yield`.
 _PASSING = frozenset((*TIME, "z", "x", "jump"))
-# Parameters are named so. A list among them may be a variable of somebody else.
+# The prefix of parameters. A list among them may be a variable of the caller.
 _PARAMETER = "p_"
 
 
 class Names:
-    """The names of the local variables of some code, and which of them are parameters."""
+    """The names of the local variables of some code, and its parameters among them."""
 
     __slots__ = ("all", "parameters")
 
@@ -41,9 +42,10 @@ _names_of: dict[CodeType, Names] = {}
 
 
 def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) -> bytes | None:
-    """The state of a task that is suspended in `generator`; None where something else than Mint's code is.
+    """Return the state of a task that is suspended in `generator`.
 
-    Objects whose identity is part of it are added to `alive`, so that no other object gets it.
+    Returns None if it is suspended in code other than Mint's. Objects whose identity is part of the state are
+    added to `alive`, so that no other object gets the same identity.
     """
     state: list[object] = []
     if put_off is not None:
@@ -68,7 +70,7 @@ def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) ->
 
 
 def of_values(values: list[Any], alive: dict[int, object]) -> bytes:
-    """Values as bytes."""
+    """Return values as bytes."""
     try:
         return dumps(values, _VERSION)
     except ValueError:  # a task that holds a semaphore
@@ -84,6 +86,6 @@ def _named(value: Any, alive: dict[int, object]) -> Any:
 
 
 def _identity(value: object, alive: dict[int, object]) -> int:
-    """What tells an object from all others."""
+    """Return the identity of an object."""
     alive[id(value)] = value
     return id(value)

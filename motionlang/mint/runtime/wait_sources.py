@@ -1,4 +1,4 @@
-"""What of the machine file can end a wait: the section for the words that a condition looks at."""
+"""Find the machine file section that can end a wait."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ _WORD = re.compile(r"([a-z_]\w*)(\s*[(.[])?", re.IGNORECASE)
 
 
 def what_ends(why: str) -> str:
-    """A hint for a wait that nothing ends, from the words that say what it waits for; "" where none is of the world."""
+    """Return a hint for a wait that nothing ends, "" if no section could end it.
+
+    It is derived from the text that says what the wait is for.
+    """
     found = dict.fromkeys(filter(None, (_section(word, bracket) for word, bracket in _WORD.findall(why))))
     if not found:
         return ""
@@ -21,7 +24,10 @@ def what_ends(why: str) -> str:
 
 
 def _section(word: str, bracket: str) -> str:
-    """The section that drives a word; "" for one that lacks its brackets, which is a word of the sentence around it."""
+    """Return the section that drives a keyword.
+
+    Returns "" if the word has no brackets: it is then an ordinary word of the text.
+    """
     row = table().get(word)
     if row is None or (row.index != "none" and not bracket and word != row.name):
         return ""

@@ -1,4 +1,7 @@
-"""The waits of a Mint program: where nobody else acts meanwhile they pass under their statement."""
+"""The waits of a Mint program; alone, a task waits without giving way.
+
+If no other task acts in the meantime, the time passes within the statement.
+"""
 
 from __future__ import annotations
 
@@ -22,26 +25,27 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.task import MintTask
 
-    # The statement after a wait that is over, and its horizon; nothing where the task gives way.
+    # The statement after a wait that is over, and its horizon, or None if the task gives way.
     Gone = tuple[float, float] | None
     Resting = Callable[..., Gone]
-    # What all records of a place have: task, place, callers, and what a statement costs.
+    # The common data of all records of a source offset: task, offset, callers, and the time of a statement.
     Site = tuple[str, int, tuple[int, ...], float]
 
 INFINITY = float("inf")
-# Seconds that are more than rounding.
+# More seconds than rounding can cause.
 SHORTEST = 1e-9
-# After so many waits it is looked whether some are to be packed; Python has whole numbers of that size ready.
+# After this many waits, check if some can be packed. Python caches integers of that size.
 MANY = 256
-# The statement after a wait, and its horizon, where nothing else will happen.
+# The statement after a wait, and its horizon, if nothing else will happen.
 UNBOUNDED = 0.0, INFINITY
 NAN = INFINITY - INFINITY
-# A wait of more milliseconds is not reckoned in whole units: its seconds may be rounded to another one.
+# The milliseconds of the longest wait that is computed in whole units. The seconds of a longer one may round
+# to another unit.
 LONGEST = 1e6
 
 
 class Waits:
-    """What `Environment` offers statements that wait; a statement stands at a place `at` of the program."""
+    """The waits that `Environment` offers; `at` is the source offset of a statement."""
 
     acts: int
     attention: Attention
@@ -54,7 +58,7 @@ class Waits:
     wait: Wait
     _ends: dict[tuple[int, ...], Callable[[], float]]
     _rests: Callable[[int, float | None, bool], Resting] | None
-    # Where the program notes what goes wrong, as it has a handler for it or asks: that is no statement's that waits.
+    # The errors, if the program has a handler or reads them: they belong to no waiting statement.
     _errors: Errors | None
     _waited: Callable[[tuple[object, ...]], None]
 
@@ -64,23 +68,24 @@ class Waits:
         def controller(self) -> Controller: ...
 
     def rest_at(self, at: int, milliseconds: float | None, own: bool) -> Resting:
-        """`WAIT` at a place: the statement after it, and its horizon; where the task gives way None, and `wait`.
+        """Return the function for a WAIT at a source offset.
 
-        The length is given here where it is a number, else when it is called. `own`: the place is in the body of a task
-        itself, and so has no callers.
+        It returns the statement after the wait and its horizon, or None, and sets `wait`, if the task gives
+        way. The length is given here if it is a number, else when the function is called. `own`: the
+        statement is in the body of a task itself, and so has no callers.
         """
         if self._rests is None:
             self._rests = _rests(self)
         return self._rests(at, milliseconds, own)
 
     def tick(self, t: float) -> Wait:
-        """Wait for the next tick of the profiler."""
+        """Return the wait for the next tick of the profiler."""
         self.acts += 1
         now = self.statements.leave(t)
         return Delay(self.clock, now, next_tick(now))
 
     def room(self, t: float, axes: tuple[int, ...]) -> Wait:
-        """A move waits for room in the buffers of all its axes."""
+        """Return the wait of a move for space in the buffers of all its axes."""
         room = self.controller.room
         names = ", ".join(map(str, axes))
         buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
@@ -96,14 +101,18 @@ class Waits:
 
     @property
     def pause(self) -> Callable[..., tuple[float, float] | None]:
-        """`PAUSE` at a place: as `rest`; nothing where another task acts meanwhile: `wait`."""
+        """The function for PAUSE.
+
+        It returns the statement after the wait and its horizon, or None, and sets `wait`, if another task
+        acts in the meantime.
+        """
         environment, machine, statements, ends = self, self.machine, self.statements, self._ends
         cost, waited = statements.cost, self._waited
 
         def pause(
             t: float, ready: Callable[[], object], why: str, at: int, axes: tuple[int, ...] = ()
         ) -> tuple[float, float] | None:
-            """`axes` are those of a condition that asks for nothing but that they are at rest."""
+            """Wait for a condition; `axes` are given if it only tests that these are at rest."""
             environment.acts += 1
             task, scheduler = environment.task, machine.scheduler
             statements.count = t
@@ -132,16 +141,16 @@ class Waits:
         return pause
 
     def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
-        """The reader of when axes will be at rest, which is kept."""
+        """Return the cached function that computes when axes will be at rest."""
         found = self._ends[axes] = self.controller.end_of_moves(axes)
         return found
 
     def _condition(self, ready: Callable[[], object], since: float, why: str) -> Wait:
-        """The wait of the running task for a condition."""
+        """Return the wait of the running task for a condition."""
         task = self.task
 
         def test() -> object:
-            self.task = task  # whose TIME the condition may read
+            self.task = task  # the condition may read the TIME of this task
             return ready()
 
         return Condition(self.attention, test, since, why)
@@ -149,7 +158,10 @@ class Waits:
     def _gone_on(
         self, since: float, cause: str, why: str, at: int, callers: tuple[int, ...]
     ) -> tuple[float, float]:
-        """A wait is over that passed under the statement at a place: the next one, and its horizon."""
+        """Log a wait that passed within its statement.
+
+        Returns the next statement and its horizon.
+        """
         clock, statements, task, scheduler = self.clock, self.statements, self.task, self.machine.scheduler
         assert scheduler is not None
         now, horizon = clock.now, clock.horizon
@@ -164,16 +176,16 @@ class Waits:
 
 
 def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
-    """What makes `rest_at` of an environment.
+    """Return the `rest_at` of an environment.
 
-    Where nothing can happen meanwhile the time is added and the wait written down, which is all there is to it.
+    If nothing can happen in the meantime, the time is added and the wait is logged, and no more.
     """
     machine, clock, statements = environment.machine, environment.clock, environment.statements
     waits, cost = machine.log.waits, statements.cost
     tail: list[Any] = waits.tail
     cost_units = _whole(cost * UNITS)
-    # The end of the last wait, and what that is in whole units; how many more whose length is no number of the text
-    # are written until some are packed.
+    # The end of the last wait in seconds and in whole units, and the number of waits of computed length until
+    # some are packed.
     known, known_units, left = -1.0, 0.0, MANY
 
     def rest_at(at: int, milliseconds: float | None, own: bool) -> Resting:
@@ -184,10 +196,13 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
         return anywhere(at, milliseconds, own)
 
     def here(at: int, cost_units: float, wait_units: float) -> Resting:
-        """Of a number: all of it is whole units, and exact as a float."""
+        """Handle a WAIT with a literal length.
+
+        All its times are whole units, which are exact as floats.
+        """
         site: Site | None = None
         units_here = NAN  # until its task is known
-        # When it is looked again whether some are to be packed: no sooner than so many of these waits have passed.
+        # The time of the next check if some can be packed, at the earliest after this many of these waits.
         look_at, seldom = 0.0, MANY * wait_units / UNITS
 
         def rest(t: float) -> Gone:
@@ -224,7 +239,7 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
             if base is not known:
                 known, known_units = base, _units(base)
             seconds = milliseconds / 1000.0
-            # As a float is rounded where it has no places left behind the point.
+            # Rounded as a float is when it has no digits left after the point.
             end_units = known_units + ((t * cost + seconds) * UNITS + EXACT - EXACT)
             task = environment.task
             callers = () if own or _getframe(1) is task.frame else task.callers()
@@ -246,13 +261,13 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
                     return in_turn(t, site, end, end_units)
             if not 0 <= milliseconds < INFINITY:
                 raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
-            # So late that whole units are no floats of their own, or so short.
+            # Too late for whole units to be distinct floats, or too short.
             return give_way(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
 
         return rest
 
     def in_turn(t: float, site: Site, end: float, end_units: float) -> Gone:
-        """Others act meanwhile: the task goes on where it stands if it is the next one to do so."""
+        """Let others act; continue within the statement if this task is the next to act."""
         nonlocal known, known_units
         task, scheduler = environment.task, machine.scheduler
         if scheduler is not None and end < scheduler.next_turn and task.look is None and task.in_vain is None:
@@ -265,7 +280,7 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
         return give_way(t, site, end)
 
     def give_way(t: float, site: Site, end: float) -> Gone:
-        """Something may happen meanwhile: it passes where it stands if that is nothing but events."""
+        """Pass events within the statement, or give way to other tasks."""
         since = statements.base + t * cost
         statements.count, statements.reached = t, since
         task, (_, at, callers, _) = environment.task, site
@@ -284,19 +299,22 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
 
 
 def _units(moment: float) -> float:
-    """A moment in whole units, as a float that is exact up to `EXACT`."""
+    """Return a time in whole units, as a float that is exact up to `EXACT`."""
     nearest = moment * UNITS + EXACT - EXACT
     return nearest if nearest / UNITS == moment else float(units(moment))
 
 
 def _whole(amount: float) -> float:
-    """An amount of units that is a whole number but for rounding; else 0."""
+    """Return an amount of units if it is an integer up to rounding, else 0."""
     nearest = float(round(amount))
     return nearest if abs(amount - nearest) < 1e-6 else 0.0
 
 
 class Rest(Wait):
-    """The wait until axes are at rest, of which events tell; where the program wants them settled, too, it is asked."""
+    """The wait until axes are at rest, which events report.
+
+    If the program also requires settled axes, the condition is tested instead.
+    """
 
     __slots__ = ("_asked", "_end", "_environment", "_test", "place")
 
