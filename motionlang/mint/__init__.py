@@ -1,4 +1,4 @@
-"""Mint, the motion language of Baldor and ABB controllers; `DIALECT` is its face to everything above."""
+"""Mint, the motion language of Baldor and ABB controllers; exports `DIALECT`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 
 class Mint(Dialect):
-    """Axes count from 0; every method imports what it needs, so that a cached run brings in no compiler."""
+    """The Mint dialect.
+
+    Axes count from 0. Every method imports what it needs, so that a cached run loads no compiler.
+    """
 
     name, title = "mint", "Mint"
     suffixes = (".mnt", ".mntx", ".prg")
@@ -53,7 +56,10 @@ class Mint(Dialect):
         overrides: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Listing:
-        """The Python text of the program, compiled again: the cache has no text of compiled units."""
+        """Return the Python text of the program.
+
+        It is compiled again, because the cache has no text of compiled units.
+        """
         from motionlang.mint.compile.listing import listing
         from motionlang.mint.program import compile_source
 
@@ -126,7 +132,10 @@ class Mint(Dialect):
         return MintInteractive(machine)
 
     def has_code(self, line: str) -> bool:
-        """`REM x`, `rem` and `REMConfigure` are comments as `' x` is; `remaining` and `REMOTEOUT` are names."""
+        """True if a line has code.
+
+        `REM x`, `rem` and `REMConfigure` are comments, as `' x` is. `remaining` and `REMOTEOUT` are names.
+        """
         code = line.strip()
         if code[:3].lower() != "rem":
             return bool(code) and code[0] != "'"

@@ -1,7 +1,7 @@
-"""Mint at a prompt: every line is compiled for itself, names stay.
+"""Mint at a prompt: every line is compiled separately, names persist.
 
-All variables are globals of one namespace; the time is in cells, as in a program. Types, subs and tasks that a line
-declares are known to the next; a name that is declared again takes its new meaning from then on.
+All variables are globals of one namespace. The time is in cells, as in a program. Types, subs and tasks
+declared in one line are known in the next. A name that is declared again has its new meaning from then on.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class MintInteractive(Interactive):
-    """One session's names on one machine."""
+    """The names of one session on one machine."""
 
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
@@ -46,7 +46,10 @@ class MintInteractive(Interactive):
         return is_complete(text)
 
     def task(self, source: Source) -> Task:
-        """Compile a line, in which the names of earlier ones hold. ProgramError: it declares nothing."""
+        """Compile a line that may use the names of earlier ones.
+
+        Raises ProgramError for a line with errors, which then declares nothing.
+        """
         module = parse(source)
         override_if_there(module, self.machine.overrides)
         before = dict(self._scope.names)
@@ -54,7 +57,7 @@ class MintInteractive(Interactive):
         try:
             compiled = compile_line(module, self.machine.settings, self._scope, f"_{self._inputs}", file)
         except ProgramError:
-            self._scope.names = before  # a line with mistakes declares nothing
+            self._scope.names = before  # a line with errors declares nothing
             raise
         self._inputs += 1
         names = self._namespace
@@ -68,5 +71,5 @@ class MintInteractive(Interactive):
         task = MintTask(PARENT, names["main"], self.environment)  # type: ignore[arg-type]
         task.priority = self.environment.priorities.get(PARENT, 0)
         self.environment.tasks[PARENT] = task
-        task.timer = self.environment.timer  # TIME goes on from one line to the next
+        task.timer = self.environment.timer  # TIME continues from one line to the next
         return task

@@ -1,8 +1,8 @@
-"""The controllers that speak Mint, by their names, and its two ages: v4 with dots and labels, MintMT with brackets and
-tasks.
+"""The controllers that run Mint, by name, and its two generations.
 
-The names are those of the host library; which of them speak which is remembered (docs/fidelity.md). What else is known
-of a product is in MN1270, which is of v4, and AN00198, which is of the shared memory.
+v4 has dots and labels, MintMT has brackets and tasks. The names are those of the host library. The generation
+of each is from memory (docs/fidelity.md). Further facts about products come from MN1270, which covers v4, and
+AN00198, which covers the shared memory.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 V4, MINTMT = "Mint v4", "MintMT"
 
-# How they are called on the command line.
+# Their names on the command line.
 NAMES = ("mint4", "mintmt")
 _V4 = (
     "EuroSystem", "ServoNode 34", "ServoNode 50", "ServoNode 51", "NextMove PC", "NextMove PC2", "NextMove RK",
@@ -26,15 +26,15 @@ _MINTMT = (
     "Virtual Controller",
 )  # fmt: skip
 PRODUCTS: dict[str, str] = {**dict.fromkeys(_V4, V4), **dict.fromkeys(_MINTMT, MINTMT)}
-# Words that name an age, or a family whose controllers are mostly of one.
+# Words that name a generation, or a family whose controllers are mostly of one.
 _AGES = {
     "mint4": V4, "mintv4": V4, "mintmt": MINTMT, "servonode": V4, "nextmove": MINTMT, "motiflex": MINTMT,
 }  # fmt: skip
-# What a product's name may be said without, where it says enough all the same: ESB-2, e150.
+# Prefixes that may be left out of a product's name if the rest is unambiguous: ESB-2, e150.
 _FAMILIES = ("nextmove", "microflex", "motiflex")
 
-# Families of words that MN1270 gives to some v4 products only, and the largest value that it gives to some (p. 85, 111,
-# 120).
+# Families of keywords that MN1270 gives only to some v4 products, and the largest value that it gives for
+# some (p. 85, 111, 120).
 _PROGRAMMED = ("MintDrive", "ServoNode 51")
 _NOT_NEXTMOVE = tuple(name for name in _V4 if not name.startswith("NextMove"))
 ABSENT: dict[str, tuple[str, ...]] = {
@@ -45,7 +45,10 @@ LARGEST: dict[str, tuple[float, tuple[str, ...]]] = {"gearing": (20000.0, _PROGR
 
 
 def named(model: str) -> str | None:
-    """The product that a name means, in any case, with or without blanks and signs; None where it means none."""
+    """Return the product that a name means, None if it means none.
+
+    Case, blanks and signs do not count.
+    """
     wanted = _plain(model)
     for product in PRODUCTS:
         if wanted in _spellings(_plain(product)):
@@ -54,13 +57,13 @@ def named(model: str) -> str | None:
 
 
 def age(model: str) -> str | None:
-    """`V4` or `MINTMT` for the name of a controller, None where there is no such controller."""
+    """Return `V4` or `MINTMT` for the name of a controller, None if it is unknown."""
     product = named(model)
     return _AGES.get(_plain(model)) if product is None else PRODUCTS[product]
 
 
 def _spellings(plain: str) -> Iterator[str]:
-    """A product's name, and what remains of it without its family, where no other product is called so."""
+    """Yield a product's name, and its rest without the family if that is unambiguous."""
     yield plain
     for family in _FAMILIES:
         rest = plain.removeprefix(family)

@@ -1,4 +1,4 @@
-"""A compiled Mint program: started on a machine, or kept as bytes for the next run."""
+"""A compiled Mint program, started on a machine or stored as bytes for later runs."""
 
 from __future__ import annotations
 
@@ -22,16 +22,17 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 
-# Programs with other values written into them that are kept for further runs.
+# The maximum number of programs with other values that are cached for further runs.
 MOST_KEPT = 64
-# Numbers beyond this are written into the program: the code counts on those that it is given being finite.
+# Larger numbers are written into the program, because the code assumes that given values are finite.
 LARGEST = 1e300
 
 
 class MintProgram(Program):
-    """The source stays with the program: `--set` changes constants, which are written into the code.
+    """A program with its source: `--set` changes constants, which are in the code.
 
-    Not so those of `given`: their values are bound when the program starts. It says which are texts.
+    The values of `given` are bound when the program starts instead. It maps each name to True if its value is
+    a string.
     """
 
     def __init__(
@@ -44,7 +45,7 @@ class MintProgram(Program):
         given: Mapping[str, bool] | None = None,
         outline: bytes = b"",
     ) -> None:
-        self._outline = outline  # packed: few look at it
+        self._outline = outline  # packed, because it is rarely needed
         self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
         self.given = given or {}
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
@@ -53,18 +54,18 @@ class MintProgram(Program):
 
     @property
     def size(self) -> int:
-        """How much of it is compiled; it grows as it runs."""
+        """The amount of compiled code, which grows as the program runs."""
         return self.code.size
 
     @property
     def warnings(self) -> list[Diagnostic]:
-        """Where the run may end before the program does: at words that are not simulated."""
+        """Warnings about keywords that are not simulated and may end the run early."""
         if not self._warnings:
             return []
         return [_warning(*each) for each in self._warnings]
 
     def payload(self) -> bytes:
-        """The program as bytes, for `load`."""
+        """Return the program as bytes, for `load`."""
         from marshal import dumps
 
         everything: Any = (
@@ -79,7 +80,7 @@ class MintProgram(Program):
 
     @property
     def outline(self) -> Outline | None:
-        """Its blocks, and the lines of the places in its code."""
+        """Return its blocks, and the lines of the source offsets in its code."""
         if not self._outline:
             return None
         from marshal import loads
@@ -88,7 +89,10 @@ class MintProgram(Program):
         return blocks, dict(zip(self.code.places, lines, strict=True))
 
     def start(self, machine: Machine) -> Task:
-        """The parent task, bound to `machine`; ProgramError when an override names nothing."""
+        """Return the parent task, bound to `machine`.
+
+        Raises ProgramError if an override names nothing.
+        """
         overrides = machine.overrides
         if self.given:
             values = {
@@ -108,7 +112,7 @@ class MintProgram(Program):
         return self.run(machine)
 
     def _with(self, values: Mapping[str, float | str], ranges: Ranges | None) -> MintProgram:
-        """The program with values written into it; the last few are kept."""
+        """Return the program with values written into it; the last few are cached."""
         key = tuple(sorted(values.items()))
         found = self._others.get(key)
         if found is None:
@@ -125,7 +129,10 @@ class MintProgram(Program):
         return Source(self.name, self.text)
 
     def _line_of(self, place: int) -> int:
-        """The line of a place in the code; only for one that stands nowhere in it the text is parsed again."""
+        """Return the line of a source offset.
+
+        The text is parsed again only for an offset that is not in the code.
+        """
         outline = self.outline
         line = outline[1].get(place) if outline is not None else None
         if line is not None:
@@ -135,7 +142,10 @@ class MintProgram(Program):
         return parse(self._source).line(place)
 
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
-        """The parent task of the program as it stands, with `values` for the names that it is given."""
+        """Return the parent task of the unchanged program.
+
+        `values` are those of its given names.
+        """
         environment = Environment(machine)
         environment.prepare()
         code = self.code
@@ -163,7 +173,10 @@ def compile_source(
     given: Mapping[str, bool] | None = None,
     ranges: Ranges | None = None,
 ) -> MintProgram:
-    """The program of a text, `overrides` in the place of its own values. ProgramError with every mistake."""
+    """Compile the program of a text, with `overrides` in place of its own values.
+
+    Raises ProgramError with all errors.
+    """
     from motionlang.mint.compile.compiler import compile_text
 
     compiled = compile_text(source, settings, overrides, given, ranges)
@@ -177,10 +190,10 @@ def compile_given(
     values: Mapping[str, float | str],
     ranges: Ranges | None = None,
 ) -> MintProgram:
-    """The program of a text that is to be run with many values of some names, such as `values`.
+    """Compile a text to be run with many values of some names, such as `values`.
 
-    Names whose value decides how the program is made, such as the size of an array, are not among what it is `given`:
-    it is compiled anew for each of their values. ProgramError with every mistake of the text with `values`.
+    Names whose value affects the code, such as the size of an array, are not part of `given`: the text is
+    compiled again for each of their values. Raises ProgramError with all errors of the text with `values`.
     """
     compile_source(source, settings, values, None, ranges)
     given = {name: isinstance(value, str) for name, value in values.items()}
@@ -203,7 +216,7 @@ def compile_given(
 
 
 def load(payload: bytes) -> MintProgram:
-    """The program that `MintProgram.payload` was made of."""
+    """Return the program from which `MintProgram.payload` was made."""
     from marshal import loads
 
     code, name, text, settings, warnings, outline = loads(payload)
