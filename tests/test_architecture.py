@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 from tests.cases import cases
+from tests.trees import text_of, tree_of
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
@@ -24,7 +25,7 @@ LEVELS: dict[str, int] = {
     "views": 12,
     "analysis.diff": 11,
     "analysis.sweeps": 11,
-    "scenarios": 11,
+    "analysis.scenarios": 11,
     "execution": 10,
     "analysis.cycle": 9,
     "analysis.compare": 8,
@@ -127,16 +128,6 @@ WHOLE_SUMS = {"mint/compile/for_loops.py", "mint/lint/brackets.py", "mint/lint/b
 # A function with fewer lines needs no sentence about it.
 SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
-
-
-@cache
-def text_of(path: Path) -> str:
-    return path.read_text(encoding="utf-8")
-
-
-@cache
-def tree_of(path: Path) -> ast.Module:
-    return ast.parse(text_of(path))
 
 
 @cache
@@ -359,7 +350,7 @@ def test_no_dialect_reaches_into_the_controller() -> None:
         f"{path.relative_to(PACKAGE).as_posix()}:{each}"
         for package in ("mint", "mccl", "copley", "lang", "serve", "repl")
         for path in sorted((PACKAGE / package).rglob("*.py"))
-        for each in reaches_into_the_controller(ast.parse(path.read_text(encoding="utf-8")))
+        for each in reaches_into_the_controller(tree_of(path))
         if not each.endswith("clock.now")
     }
     assert found == set()

@@ -17,6 +17,7 @@ import pytest
 import motionlang
 from motionlang import files
 from motionlang.files import InUse, Lock, replacing, same_file, unwritable
+from tests.trees import tree_of
 
 PACKAGE = Path(motionlang.__file__).parent
 # What is no file of the user's: the null device, a history that prompt_toolkit appends to, a build.
@@ -125,7 +126,7 @@ def test_nothing_else_opens_a_file_for_writing() -> None:
     found = {
         path.relative_to(PACKAGE).as_posix()
         for path in PACKAGE.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in ast.walk(tree_of(path))
         if isinstance(node, ast.Call) and writes(node)
     }
     assert found == ELSEWHERE

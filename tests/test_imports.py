@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 import motionlang
+from tests.trees import tree_of
 
 PACKAGE = Path(motionlang.__file__).parent
 # Libraries that take longer to import than most programs run, or may be missing where a module stays at the top.
@@ -82,9 +83,7 @@ def is_for_types(node: ast.stmt) -> bool:
 def on_top(path: Path) -> frozenset[str]:
     """The modules and libraries that importing a file imports."""
     found: set[str] = set()
-    left: list[ast.AST] = [
-        node for node in ast.parse(path.read_text(encoding="utf-8")).body if not is_for_types(node)
-    ]
+    left: list[ast.AST] = [node for node in tree_of(path).body if not is_for_types(node)]
     while left:
         node = left.pop()
         if isinstance(node, ast.Import):
@@ -117,9 +116,7 @@ def brought_in(path: Path) -> set[str]:
     package = ".".join(("motionlang", *parts[: 2 if parts[0] == "analysis" else 1], ""))
     already = heavy(".".join(("motionlang", *parts)).removesuffix(".__init__"))
     functions = (
-        node
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        node for node in ast.walk(tree_of(path)) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
     )
     modules = {
         module_of(node, alias.name)

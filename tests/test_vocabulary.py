@@ -13,6 +13,7 @@ from motionlang.mccl.models import MODELS
 from motionlang.mint.keywords import table
 from motionlang.mint.models import ABSENT, LARGEST
 from motionlang.servo import gains
+from tests.trees import tree_of
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}
@@ -47,7 +48,7 @@ def named() -> dict[str, set[str]]:
         if "keywords" in place.parts:
             continue
         words = {"mint": MINT, "mccl": MCCL}.get(place.parts[0], MINT | MCCL)
-        tree = ast.parse(path.read_text(encoding="utf-8"))
+        tree = tree_of(path)
         # Placeholders of options.
         apart = {
             each.value for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "metavar"
@@ -68,9 +69,10 @@ def test_no_code_compares_the_name_of_a_row() -> None:
     compared = [
         f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}"
         for path in PACKAGE.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.Compare) and ast.unparse(node.left).endswith("row.name")
-        if isinstance(node.comparators[0], ast.Constant | ast.Tuple | ast.Set)
+        for node in ast.walk(tree_of(path))
+        if isinstance(node, ast.Compare)
+        and isinstance(node.comparators[0], ast.Constant | ast.Tuple | ast.Set)
+        if ast.unparse(node.left).endswith("row.name")
     ]
     assert compared == []
 

@@ -115,6 +115,7 @@ def held_apart(text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, ob
 
 
 @cases("seed", range(60))
+@pytest.mark.slow
 def test_looks_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     for machine in (None, MACHINE):
         plain, ordinary = held_apart(looked_at(seed), monkeypatch, machine)

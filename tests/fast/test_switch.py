@@ -63,6 +63,7 @@ def test_a_compiled_program_is_cached_for_each_setting(
     assert len(list(tmp_path.iterdir())) == 2
 
 
+@pytest.mark.slow
 def test_the_engine_runs_the_gallery_without_the_folder(tmp_path: Path) -> None:
     root = tmp_path / "motionlang"
     shutil.copytree(PACKAGE, root, ignore=shutil.ignore_patterns("__pycache__", "fast"))

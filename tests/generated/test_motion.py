@@ -10,9 +10,10 @@ from tests.generated.checks import findings
 from tests.generated.motion import UNTIL, Generated, generate
 
 # Seeds of the slice in CI, and of a long run in batches.
-FIRST, SLICE, BATCHES, BATCH = 1, 300, 20, 1000
+FIRST, SLICE, BATCHES, BATCH = 1, 200, 20, 1000
 
 
+@pytest.mark.slow
 def test_programs_of_a_slice_of_seeds_have_no_finding() -> None:
     for seed in range(FIRST, FIRST + SLICE):
         assert findings(generate(seed)) == [], f"python -m tests.generated --show {seed}"

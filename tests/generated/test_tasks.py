@@ -11,6 +11,7 @@ from tests.generated.tasks import document, is_equal, program
 SLICE, BATCHES, BATCH = 60, 20, 100
 
 
+@pytest.mark.slow
 def test_a_slice_of_programs_does_the_same_with_loops_skipped() -> None:
     assert [seed for seed in range(SLICE) if not is_equal(seed)] == []
 

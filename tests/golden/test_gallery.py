@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
+from motionlang.analysis.scenarios import scenario_files
 from motionlang.cli.golden import differences, golden_files, programs, update
 from motionlang.cli.verify_besides import besides, sweep_golden
-from motionlang.scenarios import scenario_files
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]

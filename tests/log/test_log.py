@@ -104,6 +104,7 @@ def figures(result: Run) -> tuple[str, object]:
     return report.text(result), [column.tolist() for column in rows]
 
 
+@pytest.mark.slow
 def test_packed_or_not_a_run_reads_the_same(request: pytest.FixtureRequest) -> None:
     whole = {name: figures(run(name)) for name in gallery()}
     request.getfixturevalue("small")

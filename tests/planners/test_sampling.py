@@ -89,6 +89,7 @@ def test_nothing_to_sample() -> None:
 
 @settings(quick, max_examples=40)
 @given(st.lists(moves(), min_size=24, max_size=40))
+@pytest.mark.slow
 def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> None:
     profiles = [move.planned() for move in many]
     starts = [3.0 * i for i in range(len(profiles))]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from motionlang import Run, run
 from motionlang.lang.machine.machine import Machine
 from motionlang.source import Source
@@ -9,7 +11,7 @@ from tests.cases import cases
 
 
 def ran(name: str, text: str) -> Run:
-    return run(Source(name, text), cache=False, until=0.2)
+    return run(Source(name, text), cache=False, until=0.1)
 
 
 @cases(
@@ -41,14 +43,20 @@ def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
     assert found.message.startswith("MOVEA sends its axis again and again to where it stands: ")
 
 
-def test_who_wants_to_know_at_once_is_told_once_of_each() -> None:
+@pytest.mark.slow
+def test_who_wants_to_know_at_once_is_told_once_of_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The log is checked at 1024 profiles and whenever it is full: at 4096, and after 4096 - 512 more, at 7680.
+
+    A motion every 30 us makes 10 000 in 0.3 s.
+    """
+    monkeypatch.setattr("motionlang.log.log.MOST_PROFILES", 4096)
     told: list[tuple[float, int]] = []
 
     def begun(machine: Machine) -> None:
         machine.warn = lambda diagnostic: told.append((machine.clock.now, diagnostic.line))
 
     text = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
-    result = run(Source("a.mnt", text), cache=False, until=3.0, begun=begun)
+    result = run(Source("a.mnt", text), cache=False, until=0.3, begun=begun)
     ((time, line),) = told
     (found,) = result.diagnostics
     assert (line, time, found.count) == (4, found.first, 3)

@@ -59,6 +59,7 @@ def compare(monkeypatch: pytest.MonkeyPatch, motion: str, until: int) -> None:
     assert {row.name: outcome(row, motion, until) for row in WORDS} == skipped
 
 
+@pytest.mark.slow
 def test_while_an_axis_moves(monkeypatch: pytest.MonkeyPatch) -> None:
     compare(monkeypatch, MOTIONS["a move"], 15)
 
