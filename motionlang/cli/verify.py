@@ -8,6 +8,7 @@ import sys
 from functools import partial
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.scenarios import Scenario, unmet
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
 from motionlang.cli.findings_options import add_form
@@ -19,7 +20,6 @@ from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_besides import besides, expectations
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
-from motionlang.scenarios import Scenario, unmet
 from motionlang.source import Source
 from motionlang.views.findings import Found, written
 

@@ -7,6 +7,7 @@ import io
 import os
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.scenarios import Scenario, scenario_files, unmet
 from motionlang.analysis.sweeps import KEEP, Sweep
 from motionlang.analysis.sweeps.description import SUFFIX as SWEEP_SUFFIX
 from motionlang.analysis.sweeps.description import read_description
@@ -14,7 +15,6 @@ from motionlang.cli.complaints import unreadable, unwritten
 from motionlang.cli.golden import differences, golden_files, same, update
 from motionlang.cli.verdict import Verdict
 from motionlang.errors import ProgramError
-from motionlang.scenarios import Scenario, scenario_files, unmet
 from motionlang.source import Source
 
 if TYPE_CHECKING:
