@@ -136,31 +136,8 @@ def run(
     if nv is not None and compiled is not None and not open_kept(result, nv):
         compiled = None
     if compiled is not None:
-        if prove:
-            from motionlang.log.orders import Orders
-
-            result.orders = Orders(result.controller)
-        if begun is not None:
-            begun(result.machine)
-        size = compiled.size
-        result.diagnostics += compiled.warnings
-        try:
-            with Room():
-                _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
-        except Exception as error:
-            if not keep_crash:
-                raise
-            result.crash, result.status = error, "fault"
-        result.diagnostics[:0] = result.machine.diagnostics
-        if result.machine.has_motors:
-            from motionlang.log.history import notes
-
-            result.not_counted += notes(result.controller)
-        result.not_counted += result.machine.notes
-        if result.machine.without_effect or result.machine.assumed:
-            tell_words(result)
-        if result.machine.nv is not None:
-            save_kept(result)
+        size, last = compiled.size, end_of(settings) if until is None else until
+        _perform(result, compiled, last, pace, outside, begun, prove, keep_crash)
         if compiled.size > size:
             _keep(compiled, entry)
     if result.machine.nv is not None:
@@ -172,6 +149,43 @@ def run(
 
         result.diagnostics += over_budget(result, settings)
     return result
+
+
+def _perform(
+    result: Run,
+    compiled: Program,
+    until: float,
+    pace: Callable[[float], None] | None,
+    outside: Outside | None,
+    begun: Callable[[Machine], None] | None,
+    prove: bool,
+    keep_crash: bool,
+) -> None:
+    """Execute a compiled program and collect the remarks on its run."""
+    if prove:
+        from motionlang.log.orders import Orders
+
+        result.orders = Orders(result.controller)
+    if begun is not None:
+        begun(result.machine)
+    result.diagnostics += compiled.warnings
+    try:
+        with Room():
+            _execute(result, compiled, until, pace, outside)
+    except Exception as error:
+        if not keep_crash:
+            raise
+        result.crash, result.status = error, "fault"
+    result.diagnostics[:0] = result.machine.diagnostics
+    if result.machine.has_motors:
+        from motionlang.log.history import notes
+
+        result.not_counted += notes(result.controller)
+    result.not_counted += result.machine.notes
+    if result.machine.without_effect or result.machine.assumed:
+        tell_words(result)
+    if result.machine.nv is not None:
+        save_kept(result)
 
 
 def end_of(settings: Mapping[str, object]) -> float:

@@ -3,7 +3,7 @@
 * Lines of each package by kind. *Data* are assignments of a module that take several lines, such as rows of keywords.
   *Logic* is what is left without data, docstrings, comments, blank lines and imports. Generated files count apart.
 * Fields of `Axis` and `Scheduler` with their base classes, and with the objects of the package that only they make.
-* Functions of more than `LONG` lines.
+* Functions of more than `LONG` lines, generated ones aside.
 * Files of the package that a run of one statement enters, imports aside: from the start of its task, and as it runs.
 """
 
@@ -86,10 +86,14 @@ def kinds(text: str) -> Counter[str]:
         for number in range(node.lineno, (node.end_lineno or node.lineno) + 1):
             if kind[number] != "blank" or name == "docstring":
                 kind[number] = name
-    head = ast.get_docstring(tree) or ""
-    if any(sign in head for sign in GENERATED):
+    if _is_generated(tree):
         return Counter(generated=len(kind))
     return Counter(kind.values())
+
+
+def _is_generated(tree: ast.Module) -> bool:
+    head = ast.get_docstring(tree) or ""
+    return any(sign in head for sign in GENERATED)
 
 
 def _not_logic(node: ast.AST) -> Iterator[tuple[ast.stmt, str]]:
@@ -192,7 +196,7 @@ def sizes(root: Path) -> Sizes:
     for name, tree in trees.items():
         folder = name.partition("/")[0] if "/" in name else "top"
         lines.setdefault(folder, Counter()).update(kinds(texts[name]))
-        for node in ast.walk(tree):
+        for node in ast.walk(tree) if not _is_generated(tree) else ():
             if isinstance(node, ast.FunctionDef) and (node.end_lineno or 0) - node.lineno >= LONG:
                 long[f"{name} {node.name}"] = (node.end_lineno or 0) - node.lineno + 1
     classes = Classes(trees)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from motionlang.fast.recurrence import Recurrence
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.scheduler import Outside
-    from motionlang.lang.task import Task, Wait
+    from motionlang.lang.task import Task
 
 _WAIT_OF: Callable[[Task], Any] = attrgetter("wait")
 
@@ -51,7 +51,7 @@ class TimeSlices(Scheduler):
         self._recurrence: Recurrence | None = None
         # The waits of all tasks, None for the one that runs; when each goes on at the latest, and when if nothing but
         # what is expected happens; the places of those that wait for motion to end; and what they are called.
-        self._known: list[Wait | None] = []
+        self._known: list[Any] = []
         self._surely: list[float] = []
         self._ends: list[float] = []
         self._resting: set[int] = set()
@@ -77,14 +77,10 @@ class TimeSlices(Scheduler):
         try:
             while not interrupts:
                 if known is not self._known:
-                    self._known = known = list(map(_WAIT_OF, tasks))
-                    if None in known or len(known) == 1:
+                    if not self._list_waits():
                         break
-                    self._names = names = [(task.name,) for task in tasks]
-                    self._surely = surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
-                    self._ends = ends = surely[:]
-                    self._resting = resting = {k for k, wait in enumerate(known) if wait.ends is None}
-                    last = (self._turn - 1) % len(tasks)
+                    known, names, last = self._known, self._names, (self._turn - 1) % len(tasks)
+                    surely, ends, resting = self._surely, self._ends, self._resting
                 for k in resting:
                     ends[k] = known[k].expected()
                 first = min(ends)
@@ -106,13 +102,7 @@ class TimeSlices(Scheduler):
                 self.began = first
                 self.current, self._alone, last = found, place == last, place
                 self._turn, self._place, found.wait, known[place] = place + 1, place, None, None
-                stands = wait.place
-                if stands is None:
-                    waits(found.waited(wait, first))
-                else:  # the same without a call
-                    cause = wait.cause
-                    why = "" if cause == "time" else wait.why
-                    waits((found.name, stands[0], wait.since, first, cause, wait.what, why, stands[1]))
+                waits(found.waited(wait, first))
                 # Where a statement meets the moment at which another goes on, rounding does not decide who comes first.
                 due = (min(surely) if resting else second) - 0.5 * ROUNDING
                 self.next_turn = second
@@ -121,11 +111,7 @@ class TimeSlices(Scheduler):
                 found.wait = after
                 began = self.began
                 if after is None or found.look is not None or not began <= time < clock.horizon:
-                    if went + self._went > 1:
-                        self._calm = 0
-                    self._stalls = 0
-                    self._waiting[:] = [task for task in tasks if task is not found]
-                    self._leave(found, self._event, time, True)
+                    self._end_round(found, time, went)
                     return True
                 if clock.now < time:
                     clock.now = time
@@ -143,6 +129,26 @@ class TimeSlices(Scheduler):
         if went:
             self._end, self._calm, self._stalls = 0.0, 0, 0
         return went > 0
+
+    def _list_waits(self) -> bool:
+        """List the waits of all tasks and their ends; False if a task does not wait, or is alone."""
+        known: list[Any] = list(map(_WAIT_OF, self.tasks))
+        self._known = known
+        if None in known or len(known) == 1:
+            return False
+        self._names = [(task.name,) for task in self.tasks]
+        self._surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
+        self._ends = self._surely[:]
+        self._resting = {k for k, wait in enumerate(known) if wait.ends is None}
+        return True
+
+    def _end_round(self, task: Task, time: float, went: int) -> None:
+        """Leave a round to the scheduler after the slice of a task that does more than wait again."""
+        if went + self._went > 1:
+            self._calm = 0
+        self._stalls = 0
+        self._waiting[:] = [each for each in self.tasks if each is not task]
+        self._leave(task, self._event, time, True)
 
     def slice_over(self, task: Task) -> None:
         """If all tasks only poll or wait and their joint state recurs, skip to what may change it."""
@@ -192,7 +198,7 @@ class TimeSlices(Scheduler):
         if self.interrupts:
             return 0.0
         for k in self._resting:
-            ends[k] = known[k].expected()  # type: ignore[union-attr]
+            ends[k] = known[k].expected()
         self.next_turn = second = min(ends)
         began, until = self.began, self.until
         if (

@@ -34,10 +34,10 @@ class Operations:
     if any, and the axis or axes, if these are known. `now` does nothing, at a statement that reads.
     """
 
-    __slots__ = ("cells", "loading", "now", "repeated", "set_time", "timed")
+    __slots__ = ("_environment", "cells", "now", "set_time", "timed")
 
     def __init__(self, environment: Environment) -> None:
-        clock, attention, statements = environment.clock, environment.attention, environment.statements
+        clock, statements = environment.clock, environment.statements
         cost = statements.cost
         t = horizon = 0.0
 
@@ -82,47 +82,48 @@ class Operations:
 
             return at
 
-        def repeated(act: Callable[..., object], held: Callable[..., object]) -> Operation:
-            def write(*arguments: object) -> None:
-                acts = environment.acts
-                if attention.notes is None:  # this iteration is unchecked
-                    act(*arguments)
-                    return
-                before, made = held(*arguments), clock.made
-                act(*arguments)
-                if clock.made == made and held(*arguments) == before:
-                    environment.acts = acts - 1
-
-            return timed(write)
-
-        def loading(load: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
-            if plain is None:
-                return timed(load, True, axes)
-            wraps = environment.wraps
-            if axes is None:
-
-                def load_each(axis: int, value: float, line: int) -> object:
-                    usual = wraps or environment.loaded is not None or not plain[axis](value, line)
-                    return usual and load(axis, value, line)
-
-                return timed(load_each, True)
-            load_plain = plain[axes]
-
-            def load_one(value: float, line: int) -> object:
-                usual = wraps or environment.loaded is not None or not load_plain(value, line)
-                return usual and load(value, line)
-
-            return timed(load_one, True, axes)
-
-        self.now, self.timed, self.repeated, self.loading, self.set_time = (
-            now,
-            timed,
-            repeated,
-            loading,
-            set_time,
-        )
+        self.now, self.timed, self.set_time = now, timed, set_time
         # The cells of `t` and `H`.
         self.cells: tuple[CellType, CellType] = cells_of(set_time, "t", "horizon")
+        self._environment = environment
+
+    def repeated(self, act: Callable[..., object], held: Callable[..., object]) -> Operation:
+        """Return the operation of a write that a polling loop may repeat."""
+        environment = self._environment
+        attention, clock = environment.attention, environment.clock
+
+        def write(*arguments: object) -> None:
+            acts = environment.acts
+            if attention.notes is None:  # this iteration is unchecked
+                act(*arguments)
+                return
+            before, made = held(*arguments), clock.made
+            act(*arguments)
+            if clock.made == made and held(*arguments) == before:
+                environment.acts = acts - 1
+
+        return self.timed(write)
+
+    def loading(self, load: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
+        """Return the operation that loads a move, with the fast-path loaders by axis, if any."""
+        if plain is None:
+            return self.timed(load, True, axes)
+        environment = self._environment
+        wraps = environment.wraps
+        if axes is None:
+
+            def load_each(axis: int, value: float, line: int) -> object:
+                usual = wraps or environment.loaded is not None or not plain[axis](value, line)
+                return usual and load(axis, value, line)
+
+            return self.timed(load_each, True)
+        load_plain = plain[axes]
+
+        def load_one(value: float, line: int) -> object:
+            usual = wraps or environment.loaded is not None or not load_plain(value, line)
+            return usual and load(value, line)
+
+        return self.timed(load_one, True, axes)
 
 
 def cells_of(function: Callable[..., object], *names: str) -> Any:

@@ -57,7 +57,7 @@ class Waits:
     task: MintTask
     wait: Wait
     _ends: dict[tuple[int, ...], Callable[[], float]]
-    _rests: Callable[[int, float | None, bool], Resting] | None
+    _rests: Rests | None
     # The errors, if the program has a handler or reads them: they belong to no waiting statement.
     _errors: Errors | None
     _waited: Callable[[tuple[object, ...]], None]
@@ -75,8 +75,8 @@ class Waits:
         statement is in the body of a task itself, and so has no callers.
         """
         if self._rests is None:
-            self._rests = _rests(self)
-        return self._rests(at, milliseconds, own)
+            self._rests = Rests(self)
+        return self._rests.rest_at(at, milliseconds, own)
 
     def tick(self, t: float) -> Wait:
         """Return the wait for the next tick of the profiler."""
@@ -175,47 +175,58 @@ class Waits:
         return t, statements.limit(horizon if horizon < scheduler.until else scheduler.until)
 
 
-def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
-    """Return the `rest_at` of an environment.
+class Rests:
+    """Makes the functions of WAIT statements.
 
-    If nothing can happen in the meantime, the time is added and the wait is logged, and no more.
+    If nothing can happen in the meantime, such a function adds the time and logs the wait, and no more. All of
+    them share the end of the last wait, in seconds (`known`) and in whole units (`known_units`).
     """
-    machine, clock, statements = environment.machine, environment.clock, environment.statements
-    waits, cost = machine.log.waits, statements.cost
-    tail: list[Any] = waits.tail
-    cost_units = _whole(cost * UNITS)
-    # The end of the last wait in seconds and in whole units, and the number of waits of computed length until
-    # some are packed.
-    known, known_units, left = -1.0, 0.0, MANY
 
-    def rest_at(at: int, milliseconds: float | None, own: bool) -> Resting:
+    __slots__ = ("_cost_units", "_environment", "_left", "_tail", "known", "known_units")
+
+    def __init__(self, environment: Waits) -> None:
+        self._environment = environment
+        self._tail: list[Any] = environment.machine.log.waits.tail
+        self._cost_units = _whole(environment.statements.cost * UNITS)
+        self.known, self.known_units = -1.0, 0.0
+        # The number of waits of computed length until some are packed.
+        self._left = MANY
+
+    def rest_at(self, at: int, milliseconds: float | None, own: bool) -> Resting:
+        """Return the function for a WAIT, as `Waits.rest_at` describes it."""
         if own and milliseconds is not None and milliseconds / 1000.0 >= SHORTEST and milliseconds <= LONGEST:
             wait_units = _whole(milliseconds * (UNITS / 1000.0))
-            if wait_units and cost_units:
-                return here(at, cost_units, wait_units)
-        return anywhere(at, milliseconds, own)
+            if wait_units and self._cost_units:
+                return self._literal(at, self._cost_units, wait_units)
+        return self._computed(at, milliseconds, own)
 
-    def here(at: int, cost_units: float, wait_units: float) -> Resting:
-        """Handle a WAIT with a literal length.
+    def _literal(self, at: int, cost_units: float, wait_units: float) -> Resting:
+        """Return the function for a WAIT with a literal length.
 
         All its times are whole units, which are exact as floats.
         """
+        environment, clock, statements = (
+            self._environment,
+            self._environment.clock,
+            self._environment.statements,
+        )
+        waits, tail, cost = environment.machine.log.waits, self._tail, statements.cost
         site: Site | None = None
         units_here = NAN  # until its task is known
         # The time of the next check if some can be packed, at the earliest after this many of these waits.
         look_at, seldom = 0.0, MANY * wait_units / UNITS
 
         def rest(t: float) -> Gone:
-            nonlocal known, known_units, look_at, site, units_here
+            nonlocal look_at, site, units_here
             base = statements.base
-            if base is not known:
-                known, known_units = base, _units(base)
-            end_units = known_units + t * cost_units + units_here
+            if base is not self.known:
+                self.known, self.known_units = base, _units(base)
+            end_units = self.known_units + t * cost_units + units_here
             end = end_units / UNITS
             if end < statements.free:
                 tail.append((site, base, t, end))
-                statements.base = known = clock.now = end
-                known_units = end_units
+                statements.base = self.known = clock.now = end
+                self.known_units = end_units
                 if end > look_at:
                     look_at = end + seldom
                     waits.trim()
@@ -225,22 +236,29 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
                 site, units_here = (environment.task.name, at, (), cost), wait_units
                 return rest(t)
             if end_units < EXACT:
-                return in_turn(t, site, end, end_units)
-            return give_way(t, site, (units(base) + int(t * cost_units + wait_units)) / UNITS)
+                return self._in_turn(t, site, end, end_units)
+            return self._give_way(t, site, (units(base) + int(t * cost_units + wait_units)) / UNITS)
 
         return rest
 
-    def anywhere(at: int, given: float | None, own: bool) -> Resting:
+    def _computed(self, at: int, given: float | None, own: bool) -> Resting:
+        """Return the function for a WAIT of any length, anywhere."""
+        environment, clock, statements = (
+            self._environment,
+            self._environment.clock,
+            self._environment.statements,
+        )
+        waits, tail, cost = environment.machine.log.waits, self._tail, statements.cost
         site: Site | None = None
 
         def rest(t: float, milliseconds: float = given or 0.0) -> Gone:
-            nonlocal known, known_units, left, site
+            nonlocal site
             base = statements.base
-            if base is not known:
-                known, known_units = base, _units(base)
+            if base is not self.known:
+                self.known, self.known_units = base, _units(base)
             seconds = milliseconds / 1000.0
             # Rounded as a float is when it has no digits left after the point.
-            end_units = known_units + ((t * cost + seconds) * UNITS + EXACT - EXACT)
+            end_units = self.known_units + ((t * cost + seconds) * UNITS + EXACT - EXACT)
             task = environment.task
             callers = () if own or _getframe(1) is task.frame else task.callers()
             if site is None or site[2] != callers or site[0] is not task.name:
@@ -249,39 +267,45 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
                 end = end_units / UNITS
                 if end < statements.free:
                     tail.append((site, base, t, end))
-                    statements.base = known = clock.now = end
-                    known_units = end_units
-                    left -= 1
-                    if not left:
-                        left = MANY
+                    statements.base = self.known = clock.now = end
+                    self.known_units = end_units
+                    self._left -= 1
+                    if not self._left:
+                        self._left = MANY
                         waits.trim()
                     until = statements.until
                     return UNBOUNDED if until == INFINITY else (0.0, (until - end) / cost - 1.0)
                 if end_units < EXACT:
-                    return in_turn(t, site, end, end_units)
+                    return self._in_turn(t, site, end, end_units)
             if not 0 <= milliseconds < INFINITY:
                 raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
             # Too late for whole units to be distinct floats, or too short.
-            return give_way(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
+            return self._give_way(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
 
         return rest
 
-    def in_turn(t: float, site: Site, end: float, end_units: float) -> Gone:
+    def _in_turn(self, t: float, site: Site, end: float, end_units: float) -> Gone:
         """Let others act; continue within the statement if this task is the next to act."""
-        nonlocal known, known_units
-        task, scheduler = environment.task, machine.scheduler
+        environment = self._environment
+        statements, task, scheduler = environment.statements, environment.task, environment.machine.scheduler
         if scheduler is not None and end < scheduler.next_turn and task.look is None and task.in_vain is None:
             base = statements.base
-            reach = scheduler.passes_in_turn(base + t * cost, end, False)
+            reach = scheduler.passes_in_turn(base + t * statements.cost, end, False)
             if reach:
-                waits.add((site, base, t, end))
-                known, known_units = end, end_units
+                environment.machine.log.waits.add((site, base, t, end))
+                self.known, self.known_units = end, end_units
                 return statements.go_on(end, reach)
-        return give_way(t, site, end)
+        return self._give_way(t, site, end)
 
-    def give_way(t: float, site: Site, end: float) -> Gone:
+    def _give_way(self, t: float, site: Site, end: float) -> Gone:
         """Pass events within the statement, or give way to other tasks."""
-        since = statements.base + t * cost
+        environment = self._environment
+        statements, clock, scheduler = (
+            environment.statements,
+            environment.clock,
+            environment.machine.scheduler,
+        )
+        since = statements.base + t * statements.cost
         statements.count, statements.reached = t, since
         task, (_, at, callers, _) = environment.task, site
         wait = task.delay
@@ -290,12 +314,9 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
         else:
             wait.since, wait.ends, wait.place = since, end, (at, callers)
         environment.wait = wait
-        scheduler = machine.scheduler
         if scheduler is None or not statements.alone or environment._errors is not None:
             return None
         return environment._gone_on(wait.since, "time", "", at, callers) if scheduler.passes(wait) else None
-
-    return rest_at
 
 
 def _units(moment: float) -> float:
