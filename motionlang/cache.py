@@ -24,7 +24,14 @@ OFF = "MOTIONLANG_NO_CACHE"
 ENTRIES = 512
 # What compiling takes besides a language's own package; a test holds it to what a compilation imports. The files of
 # keywords import the controller, but only for what the keywords do in a run.
-SHARED = ("lang" + os.sep, "fast" + os.sep, "errors.py", "source.py", os.path.join("controller", "faults.py"))
+SHARED = (
+    "lang" + os.sep,
+    "fast" + os.sep,
+    "errors.py",
+    "record.py",
+    "source.py",
+    os.path.join("controller", "faults.py"),
+)
 # What of that package no compilation takes: what looks programs over, what rows rest on.
 ASIDE = ("lint", "evidence")
 # Bytes of the checksum at the beginning of an entry.
