@@ -116,17 +116,14 @@ def run(
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
     settings = _checked(machine) if machine is not None else settings_beside(program)
-    result = Run(
-        source,
-        language,
-        Machine(
-            settings,
-            first_axis=language.first_axis,
-            show=show,
-            overrides=overrides,
-            accelerators=accelerators(fast),
-        ),
+    virtual = Machine(
+        settings,
+        first_axis=language.first_axis,
+        show=show,
+        overrides=overrides,
+        accelerators=accelerators(fast),
     )
+    result = Run(source, language, virtual)
     entry = _entry(source, language, result.machine) if cache and compiled is None else None
     if compiled is None:
         compiled = _compile(source, language, settings, result, entry)
