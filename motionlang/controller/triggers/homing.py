@@ -10,7 +10,13 @@ from __future__ import annotations
 
 import math
 
-from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
+from motionlang.controller.faults import (
+    LIMIT_FORWARD,
+    LIMIT_REVERSE,
+    SOFT_LIMIT_FORWARD,
+    SOFT_LIMIT_REVERSE,
+    Refusal,
+)
 from motionlang.controller.triggers.watch import place
 from motionlang.planners import plan
 
@@ -101,10 +107,14 @@ class Homing:
         controller.homings[axis] = self
         controller.listeners.put_first(self._heard)
         self._allow_limit(False)
-        if switch == INDEX:
-            self._seek_index(direction, speed)
-        else:
-            self._search()
+        try:
+            if switch == INDEX:
+                self._seek_index(direction, speed)
+            else:
+                self._search()
+        except Refusal:
+            self._release()
+            raise
 
     @property
     def _axis(self) -> Axis:
@@ -115,12 +125,16 @@ class Homing:
         self.state = "done"
         if self._heard not in self._controller.listeners:
             return
+        self._release()
+        if self._ended is not None:
+            self._ended(self)
+
+    def _release(self) -> None:
+        """Give the axis and its limits back."""
         self._controller.listeners.remove(self._heard)
         self._controller.homings.pop(self.axis, None)
         self._allow_limit(True)
         self._unwatch()
-        if self._ended is not None:
-            self._ended(self)
 
     @property
     def in_vain(self) -> str:

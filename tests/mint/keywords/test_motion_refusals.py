@@ -66,3 +66,22 @@ def test_a_running_program_is_told_in_the_line_at_fault(program: str, message: s
 @pytest.mark.parametrize(("program", "message"), CHECKED.items(), ids=lambda text: text.split("\n")[-1])
 def test_what_can_be_known_is_told_beforehand(program: str, message: str) -> None:
     assert message in [each.message for each in DIALECT.check(Source("a.mnt", program))]
+
+
+def test_a_rejected_home_leaves_the_axis_free() -> None:
+    """The brake holds the axis. Once it is released the axis moves, and its soft limit stops it at 15 of 20."""
+    program = (
+        "SOFTLIMITFORWARD(0) = 15 : SOFTLIMITREVERSE(0) = -15\n"
+        "MOTORBRAKE(0) = 1\nHOME(0) = 3\nMOTORBRAKE(0) = 0\n"
+        "MOVER(0) = 20 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
+        "Event ONERROR\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n"
+    )
+    result = run(Source("brake.mnt", program), until=1.0, cache=False)
+    assert [float(line) for line in result.output] == [15.0]
+    assert [event.kind for event in result.controller.log.events] == [
+        "handler",
+        "soft limit",
+        "velocity jump",
+        "handler",
+        "cleared",
+    ]
