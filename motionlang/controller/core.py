@@ -251,11 +251,21 @@ class Core(Readings):
                     self._begin_waiting(self.axes[each.axis])
 
     def _begin_waiting(self, a: Axis) -> None:
-        """Start what the buffer of an axis at rest then holds, once all is done that happens at this moment."""
+        """Start what is first in the buffer of an axis now, once all is done that happens at this moment.
+
+        A path in progress may run or blend into it.
+        """
+        if self.orders is not None:
+            self.orders.prompt(a, "drop")
 
         def begin() -> None:
-            if a.move is None and a.index not in self.homings and a.buffer and not a.suspended:
-                self.go_on(a)
+            if a.index in self.homings or not a.buffer:
+                return
+            if a.move is None:
+                if not a.suspended:
+                    self.go_on(a)
+            elif a.move.action is not None:
+                a.move.action.more(self, a)
 
         self.clock.at(self.clock.now, begin)
 

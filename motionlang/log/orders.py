@@ -316,7 +316,7 @@ class Orders:
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
 
     def prompt(self, a: Axis, word: str) -> None:
-        """What may begin a blend: a release, BLEND, a setting of blends, the end of a suspension."""
+        """What may begin a blend: a release, BLEND, a setting of blends, a dropped entry, the end of a suspension."""
         self.prompts[a.index].append((self._controller.clock.now, word))
 
     def prompted(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:

@@ -117,6 +117,30 @@ def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
     assert result.output[2] == "650"
 
 
+@pytest.mark.parametrize(
+    ("mode", "cancelled", "begins"),
+    [
+        ("BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 10", 2000, 3.05),
+        ("BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 10", 3600, 3.6),
+        ("CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 0", 2000, 4.05),
+    ],
+)
+def test_a_path_follows_on_when_the_one_between_is_cancelled(
+    mode: str, cancelled: int, begins: float
+) -> None:
+    """The first of 40 is at 30 after 0.1 s for 0.5 and 2.95 s for 29.5, and at its end 1 s later at full speed."""
+    result = proved(
+        f"SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : MOVEBUFFERSIZE(1) = 3 : {mode}\n"
+        "VECTORR(0, 1) = 40, 0\nCIRCLER(1, 2) = -8, 3, 92\nVECTORR(0, 1) = 40, 0\nGO(0)\n"
+        f"WAIT = {cancelled}\nCANCEL(2)\nPAUSE IDLE(0)\n"
+    )
+    moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
+    assert [move["start_time"] for move in moves if move["axis"] == 0] == pytest.approx(
+        [0.0, begins], abs=1e-6
+    )
+    assert result.time == pytest.approx(begins + 4.1 - 0.05 * ("CONTOURMODE" in mode), abs=1e-6)
+
+
 def consistent(seed: int) -> None:
     """A random program is proved, at most two of its paths overlap, and its report and its axes agree."""
     result = proved(program(seed), until=30.0)
