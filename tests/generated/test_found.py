@@ -676,3 +676,11 @@ def test_a_slave_stays_where_the_demand_of_its_master_is_taken_to_the_motor(tie:
     result = with_motor(f"{table}{tie}\n{drive}", "mnt", 0)
     assert abs(float(result.output[0]) - 10.0) > 0.1
     assert places(result, 2) == pytest.approx([1.25])
+
+
+def test_a_path_away_from_zero_is_resumed_before_it_rests() -> None:
+    """It brakes from 20 to 15 and back in 0.05 s each, 0.25 behind a path that is not suspended, which takes 0.7 s."""
+    suspend = "WAIT = 300\nSUSPEND(0) = 1\nWAIT = 50\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(f"{RATES}POS(0) = 500\nVECTORR(0, 1) = 6, 8 : GO(0)\n{suspend}")
+    assert places(result, 0, 1) == [506.0, 8.0]
+    assert result.time == pytest.approx(0.7 + 0.25 / 20.0)

@@ -34,7 +34,8 @@ class Way:
 
     `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per way along the path
     and `begin` its direction at first; `flat` is the part of the way that its plane has, `climbs` those of the further
-    axes. `stretch` is the way in space per unit of the length that the path counts as.
+    axes. `stretch` is the way in space per unit of the length that the path counts as. `origin` is how far a line
+    begins from where all axes are at 0, along its direction.
     """
 
     def __init__(self, path: PathOrder, starts: Sequence[float]) -> None:
@@ -49,6 +50,9 @@ class Way:
             self.length = space if path.length is None else path.length
             self.unit = [way / space for way in ways] if space else ways
             self.stretch = space / self.length if self.length else 1.0
+            self.origin = (
+                fsum(u * place for u, place in zip(self.unit, self.first, strict=True)) / self.stretch
+            )
             return
         i, j = path.plane
         self.centre = _centre(path, starts)
@@ -414,7 +418,8 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
     due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
     if way.unit is not None and not last[1] > SLACK * speed and not shaped:
         left = last[0] - first[0]
-        due = min(due, move_times(first[1], bent, left, speed, by, rounding(left, first[0], last[0]))[1])
+        rounded = rounding(left, way.origin + first[0], way.origin + last[0])
+        due = min(due, move_times(first[1], bent, left, speed, by, rounded)[1])
     took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
     if took > due * (1.0 + SLACK) + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
@@ -499,7 +504,8 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
     ]
     if not moving or len({len(row) for row, _ in moving}) != 1:
         return None
-    return [combined([row[n] for row, _ in moving], [w for _, w in moving]) for n in range(len(moving[0][0]))]
+    weights = [w for _, w in moving]
+    return [combined([row[n] for row, _ in moving], weights, way.origin) for n in range(len(moving[0][0]))]
 
 
 # --------------------------------------------------------------------------------------------------- the end

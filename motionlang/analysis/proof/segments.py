@@ -83,9 +83,10 @@ def spans(profile: Profile, begin: float, length: float) -> list[Span]:
     return found
 
 
-def combined(parts: Sequence[Span], weights: Sequence[float]) -> Span:
-    """The weighted sum of spans of one time, of which no two wave differently."""
+def combined(parts: Sequence[Span], weights: Sequence[float], origin: float) -> Span:
+    """The weighted sum of spans of one time, of which no two wave differently, counted from an origin."""
     sums = [fsum(w * s.piece[k] for w, s in zip(weights, parts, strict=True)) for k in range(5)]
+    sums[0] -= origin
     waving = next((s for s in parts if s.piece[4]), parts[0])
     return Span(parts[0].begin, parts[0].length, (*sums, *waving.piece[5:]))  # type: ignore[arg-type]
 
