@@ -354,11 +354,16 @@ def _judge_along(
     if reached > due + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
         words = f"it does not slow down: {reached:g} after {took:g} s, due are {due:g}"
         proof.breaks(order.line, f"{where}: {words}")
-    names = ("speed", "acceleration")[: 2 if smooth else 1]
+    _judge_joins(proof, order, along, slow.came, where)
+
+
+def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, where: str) -> None:
+    """Check that the speed along a path is continuous, and its acceleration if its jerk is limited."""
+    names = ("speed", "acceleration")[: 2 if order.jerks[0] < inf else 1]
     for before, after in pairwise(along):
         for which, name in enumerate(names, 1):
             gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
-            if gap > SLACK * max(1.0, slow.came, *(r for r in (order.speed, *order.rates) if r < inf)):
+            if gap > SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf)):
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
 
 
