@@ -1,8 +1,8 @@
 """Motion mathematics: planners, and the `Profile` that each of them returns.
 
-A `Profile` is position as an exact function of time. Planners are imported at their first use, so a program that moves
-nothing does not wait for them. `sample` and `verify` need NumPy, and the modules of `pvt` serve drives. These are
-imported by name, never from here.
+A `Profile` is position as an exact function of time. Planners are imported on first use, so a program without
+motion does not load them. `sample` and `verify` need NumPy, and the modules of `pvt` serve drives. Import
+these by name, never from here.
 
 Units. The unit of length, L, is the caller's: counts for an axis, user units along a path.
 
@@ -11,7 +11,7 @@ Units. The unit of length, L, is the caller's: counts for an axis, user units al
     acceleration, a0                               L/s², signed
     speed, accel, decel                            L/s, L/s², magnitudes
     jerk, accel_jerk, decel_jerk                   L/s³; as limits magnitudes
-    time, duration, knots                          s; moments count from the start of the profile
+    time, duration, knots                          s; times count from the start of the profile
     ramp, ratio                                    a fraction of the duration of a ramp, 0 to 0.5
     omega, phase of a sine piece                   rad/s, rad
 
@@ -22,8 +22,8 @@ Names:
     per_speed, per_square           distance per unit of a speed, and of its square
     x                               time since the knot at which a piece begins
 
-Where a profile is a curve over a length (a path, a cam), its "time" is that length: user units of path, or counts of
-the master. `pvt/` is in counts and seconds; the segments of `fit` last whole milliseconds.
+Where a profile is a curve over a length (a path, a cam), its "time" is that length: user units of path, or
+counts of the master. `pvt/` is in counts and seconds; the segments of `fit` last whole milliseconds.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def __getattr__(name: str) -> object:
     home = _HOMES.get(name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    # As `import_module` does, whose package takes longer to import than most of these modules.
+    # Like `import_module`, whose package takes longer to import than most of these modules.
     return getattr(__import__(f"{__name__}.{home}", fromlist=[name]), name)
 
 

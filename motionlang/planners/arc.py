@@ -1,4 +1,4 @@
-"""Curves of one axis over the distance along a path: straight lines and arcs, as profiles over that distance."""
+"""Lines and arcs of one axis, as profiles over the distance along a path."""
 
 from __future__ import annotations
 
@@ -10,12 +10,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
-# The rotations that are exact: degrees to cosine and sine.
+# Exact rotations: degrees to cosine and sine.
 _RIGHT = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0), 180.0: (-1.0, 0.0), 270.0: (0.0, -1.0)}
 
 
 def line_over(length: float, start: float, end: float) -> Profile:
-    """One axis of a straight line (or of a helix's rise): from `start` to `end` over `length`."""
+    """Return one axis of a straight line, or the rise of a helix.
+
+    The position goes from `start` to `end` over `length`.
+    """
     slope = (end - start) / length
     piece = (start, slope, 0.0, 0.0, 0.0, 0.0, 0.0)
     return from_curve("line", start, end, ((0.0, length), (piece,), (("line", 0),)), slope, slope)
@@ -24,9 +27,10 @@ def line_over(length: float, start: float, end: float) -> Profile:
 def arc_over(
     length: float, centre: float, radius: float, angle: float, sweep: float, end: float, cosine: bool
 ) -> Profile:
-    """One axis of an arc: centre + radius cos(angle + sweep s / length), or the sine; angles in radians.
+    """Return one axis of an arc: centre + radius cos(angle + sweep s / length).
 
-    Lengths along the path are in one unit, centre, radius and `end` in that of the axis. The pieces are half waves.
+    It is the sine if `cosine` is false. Angles are in radians. Lengths along the path are in one unit,
+    centre, radius and `end` in that of the axis. The pieces are half waves.
     """
     phase = angle + (0.5 * pi if cosine else 0.0)
     if sweep < 0.0:  # sin(x) = sin(pi - x)
@@ -48,12 +52,12 @@ def arc_over(
 
 
 def rotated(x: float, y: float, degrees: float) -> tuple[float, float]:
-    """A vector turned by an angle; quarter turns are exact."""
+    """Rotate a vector by an angle in degrees; multiples of 90 are exact."""
     exact = _RIGHT.get(degrees % 360.0)
     c, s = exact or (cos(radians(degrees)), sin(radians(degrees)))
     return x * c - y * s, x * s + y * c
 
 
 def direction(x: float, y: float) -> float:
-    """The angle of a vector, radians from -pi to pi."""
+    """Return the angle of a vector, radians from -pi to pi."""
     return atan2(y, x)

@@ -1,4 +1,7 @@
-"""Counts per user unit from what a machine is built of: an encoder, a gear and a screw, or a linear scale (AN00115)."""
+"""Counts per user unit, from the encoder and the mechanics of a machine (AN00115).
+
+The mechanics are a gear and a screw, or a linear scale.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,10 @@ from math import isfinite
 
 
 def rotary_scale(lines: float, per_turn: float, gear: float = 1.0, quadrature: int = 4) -> float:
-    """Counts per unit of an encoder of so many lines on a motor that turns `gear` times for `per_turn` units."""
+    """Return the counts per unit of a rotary encoder with `lines` lines.
+
+    The motor makes `gear` revolutions for `per_turn` units.
+    """
     _positive(lines=lines, per_turn=per_turn, gear=gear)
     if quadrature not in (1, 2, 4):
         raise ValueError(f"a line gives 1, 2 or 4 counts, not {quadrature}")
@@ -14,7 +20,10 @@ def rotary_scale(lines: float, per_turn: float, gear: float = 1.0, quadrature: i
 
 
 def linear_scale(resolution: float) -> float:
-    """Counts per unit of a linear encoder whose counts are `resolution` units apart; no quadrature comes on top."""
+    """The counts per unit of a linear encoder with this distance between counts.
+
+    Quadrature is not applied.
+    """
     _positive(resolution=resolution)
     return 1.0 / resolution
 

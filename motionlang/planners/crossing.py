@@ -1,4 +1,7 @@
-"""When a profile reaches a position or a velocity: each piece is cut where it turns, then solved."""
+"""The time at which a profile reaches a position or a velocity.
+
+Each piece is cut at its extrema, then solved.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,10 @@ if TYPE_CHECKING:
 
 
 def position_crossing(profile: Profile, position: float, after: float) -> float | None:
-    """The first time >= after at `position`; beyond the end the profile rests or runs on."""
+    """Return the first time >= after at `position`.
+
+    Beyond its end the profile rests or runs on.
+    """
     after = max(after, 0.0)
     found = _first(profile, position, after, (position_in, velocity_in, still_points), profile.end)
     if found is not None:
@@ -34,7 +40,10 @@ def position_crossing(profile: Profile, position: float, after: float) -> float 
 
 
 def velocity_crossing(profile: Profile, velocity: float, after: float) -> float | None:
-    """The first time >= after at `velocity`; a jump of velocity (PVT, linear) crosses nothing."""
+    """Return the first time >= after at `velocity`.
+
+    A jump of velocity (PVT, linear) crosses nothing.
+    """
     after = max(after, 0.0)
     last = profile.end_velocity
     found = _first(profile, velocity, after, (velocity_in, acceleration_in, even_points), last)
@@ -74,9 +83,9 @@ def _first(
 
 
 def _joined(beginning: float, ending: float, following: float) -> float:
-    """A piece ends at the value the next one begins with, so that no rounding gap hides a crossing.
+    """Return the value at the end of a piece: the one the next piece begins with.
 
-    A gap too large for rounding is a jump and stays.
+    So no rounding gap hides a crossing. A gap too large for rounding is a jump, and `ending` is returned.
     """
     gap, size = abs(following - ending), abs(beginning) + abs(ending) + abs(following)
     return following if gap <= 1e-7 * size else ending
@@ -89,7 +98,7 @@ def _first_in(
     low, finish = span
     if finish == inf:
         return _on_a_line(piece, wanted, low, value, slope)
-    # A piece without length still leads from where the one before it ended to where the next begins.
+    # A piece without length still connects the end of the piece before it to the start of the next.
     a, y_a = low, value(piece, low) if low < finish or not finish else ending
     for b in (*(x for x in turns(piece, finish) if x > low), finish):
         y_b = value(piece, b) if b < finish else ending

@@ -1,4 +1,4 @@
-"""A formula as cubic pieces, close enough to draw: bisected until every piece fits."""
+"""Cubic approximation of a formula for drawing, bisected until every piece fits."""
 
 from __future__ import annotations
 
@@ -41,7 +41,10 @@ def cubics(profile: Profile) -> Curve:
 
 
 def _beside(profile: Profile, knot: float, inwards: float) -> State:
-    """The state at a knot as seen from one side: where the velocity jumps, rounding decides which side `knot` is on."""
+    """Return the state at a knot as seen from one side.
+
+    If the velocity jumps there, rounding decides on which side `knot` itself is.
+    """
     inside = profile.at(knot + inwards)
     velocity = inside.velocity - inwards * (inside.acceleration - 0.5 * inwards * inside.jerk)
     return State(profile.at(knot).position, velocity, inside.acceleration, inside.jerk)
@@ -72,7 +75,7 @@ def _fit(
 
 
 def _hermite(first: State, last: State, h: float) -> Piece:
-    """The cubic with these positions and velocities at its ends."""
+    """Return the cubic with these positions and velocities at its ends."""
     mean = (last.position - first.position) / h
     c2 = (3.0 * mean - 2.0 * first.velocity - last.velocity) / h
     c3 = (first.velocity + last.velocity - 2.0 * mean) / (h * h)

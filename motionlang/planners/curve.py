@@ -1,4 +1,4 @@
-"""A profile: position as a function of time, known exactly and sampled only on request."""
+"""A profile: position as an exact function of time, sampled only on request."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ if TYPE_CHECKING:
     _Turns = Callable[[Piece, float], tuple[float, ...]]
 
 
-# The recipe of standing still: a profile that has it makes its one piece when somebody asks, as those of ramps do.
+# The recipe of standstill. Such a profile makes its one piece on demand, as those of ramps do.
 _AT_REST = (0.0, 0.0)
 
 
 @record
 class State:
-    """Position, velocity, acceleration and jerk at one moment (the profile's length unit, seconds)."""
+    """Position, velocity, acceleration and jerk at one time (length unit, seconds)."""
 
     position: float
     velocity: float
@@ -49,7 +49,10 @@ class State:
 
 @record
 class Phase:
-    """A stretch of a profile that an engineer has a word for: accel, slew, decel, stop, hold or segment."""
+    """A section of a profile with a common name.
+
+    The names are accel, slew, decel, stop, hold and segment.
+    """
 
     name: str
     duration: float
@@ -62,20 +65,20 @@ class Phase:
 
 
 class Profile:
-    """Position over time from `start` to `end` in `duration` seconds; the length unit is the caller's.
+    """Position from `start` to `end` over `duration` seconds, in the caller's unit.
 
     `shape` names the planner: trapezoid, sinusoidal, scurve, parabolic, pvt, jog or hold. Planners give a
-    recipe of velocity ramps (see `ramps`); the pieces are made from it when first asked for. `duration` is
-    infinite for a jog or a hold. A profile never changes.
+    recipe of velocity ramps (see `ramps`); the pieces are made from it on first use. `duration` is infinite
+    for a jog or a hold. A profile is immutable.
     """
 
     __slots__ = ("_curve", "_recipe", "duration", "end", "shape", "start")
 
     _curve: Curve
-    # False for a `Formula`, whose pieces are only good for drawing.
+    # False for a `Formula`, whose pieces are good for drawing only.
     pieced = True
 
-    # Called in the running program for every move: five stores, nothing computed. `_curve` stays unset.
+    # The running program calls this for every move: five stores, nothing computed. `_curve` stays unset.
     def __init__(self, shape: str, start: float, end: float, duration: float, recipe: Recipe) -> None:
         self.shape = shape
         self.start = start
@@ -123,7 +126,7 @@ class Profile:
 
     @property
     def speed_bound(self) -> float:
-        """What its largest absolute velocity does not exceed, found without a search."""
+        """An upper bound of the absolute velocity, found without a search."""
         return self.peak_speed
 
     @property
@@ -159,7 +162,10 @@ class Profile:
     # -- at a time
 
     def at(self, time: float) -> State:
-        """The state at `time`; at rest before 0 and after the end, or running on at the end velocity."""
+        """Return the state at `time`.
+
+        Before 0 it is at rest; after the end it is at rest or runs on at the end velocity.
+        """
         if time >= self.duration:
             return State(self._beyond(time), self.end_velocity, 0.0, 0.0)
         if time < 0.0:
@@ -177,7 +183,10 @@ class Profile:
         return position_in(*self._locate(time)) if time > 0.0 else self.start
 
     def positions(self, times: Iterable[float]) -> list[float]:
-        """What `position` answers at rising times, to the last bit and in a third of the time."""
+        """Return `position` at each of the rising `times`.
+
+        The results are the same to the last bit, in a third of the time.
+        """
         if not self.pieced:
             return [self.position(time) for time in times]
         knots, pieces, _ = self.curve
@@ -204,9 +213,9 @@ class Profile:
         return velocity_in(*self._locate(time)) if time > 0.0 else self.start_velocity
 
     def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
-        """From when to when the cubic holds that the profile is on at `time`, and its coefficients from its begin on.
+        """The cubic at `time`: its begin, its end, and its coefficients from the begin.
 
-        None where it is none: outside the profile, in a half wave of a sine, and of a `Formula`.
+        None outside the profile, in a half wave of a sine, and for a `Formula`.
         """
         if not self.pieced or not 0.0 <= time < self.duration:
             return None
@@ -217,23 +226,26 @@ class Profile:
         return None if amplitude else (knots[i], until, (c0, c1, c2, c3))
 
     def acceleration(self, time: float) -> float:
-        """Acceleration at `time`; at a knot that of the piece that begins there, 0 after the end."""
+        """Return the acceleration at `time`.
+
+        At a knot it is that of the piece that begins there; after the end it is 0.
+        """
         if time >= self.duration or time < 0.0:
             return 0.0
         return acceleration_in(*self._locate(time))
 
-    # -- the time of something
+    # -- times of events
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        """Return the first time >= `after` at `position`, or None if there is none."""
         return _crossing.position_crossing(self, position, after)
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
+        """Return the first time >= `after` at `velocity`, or None if there is none."""
         return _crossing.velocity_crossing(self, velocity, after)
 
     def extrema(self) -> tuple[float, float]:
-        """The smallest and the largest position of the profile, turning points included."""
+        """Return the smallest and the largest position, including extrema inside pieces."""
         knots, pieces, _ = self.curve
         seen = [self.start, self.end]
         for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
@@ -244,7 +256,7 @@ class Profile:
     # -- other profiles made from this one
 
     def cut(self, time: float) -> Profile:
-        """The first `time` seconds, exactly as they were; a phase cut in the middle is shortened."""
+        """The first `time` seconds, exactly; a phase cut in the middle is shortened."""
         if time >= self.duration:
             return self
         if time <= 0.0:
@@ -259,13 +271,13 @@ class Profile:
         )
 
     def ending_at(self, end: float) -> Profile:
-        """The same motion, the end of which is known exactly."""
+        """Return the same motion with an end that is known exactly."""
         if end == self.end or not self.pieced:
             return self
         return from_curve(self.shape, self.start, end, self.curve, self.start_velocity, self.end_velocity)
 
     def after(self, time: float) -> Profile:
-        """What remains after `time` seconds, its clock starting at 0."""
+        """Return the rest after `time` seconds, with its clock starting at 0."""
         if time <= 0.0:
             return self
         if time >= self.duration:
@@ -281,7 +293,7 @@ class Profile:
         )
 
     def then(self, other: Profile) -> Profile:
-        """This profile followed by `other`, which must begin where this one ends."""
+        """Return this profile followed by `other`, which must begin where this one ends."""
         if not (self.pieced and other.pieced):
             from motionlang.planners.sequence import chained
 
@@ -302,11 +314,14 @@ class Profile:
         return from_curve(self.shape, self.start, other.end, curve, self.start_velocity, other.end_velocity)
 
     def shifted(self, offset: float) -> Profile:
-        """The same motion `offset` further along."""
+        """Return the same motion displaced by `offset`."""
         return self.scaled(self.start + offset, 1.0)
 
     def scaled(self, start: float, factor: float) -> Profile:
-        """The same motion from `start`, every distance times `factor` (negative: the other way)."""
+        """Return the same motion from `start`, with every distance times `factor`.
+
+        A negative factor reverses it.
+        """
         end = start + self.distance * factor if self.distance and factor else start
         recipe = self._recipe
         if len(recipe) > 2:
@@ -352,7 +367,7 @@ class Profile:
 
 
 def state_in(piece: Piece, x: float) -> State:
-    """The state at local time x of a piece."""
+    """Return the state at local time x of a piece."""
     return State(position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x))
 
 
@@ -366,12 +381,15 @@ def from_curve(
 
 
 def hold(position: float, duration: float = inf) -> Profile:
-    """Standing still at `position`."""
+    """Return a standstill at `position`."""
     return Profile("hold", position, position, duration, _AT_REST)
 
 
 def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
-    """The same motion under another shape name, and if `name` is given one phase of that name."""
+    """Return the same motion with another shape name.
+
+    If `name` is given, the motion becomes one phase of that name.
+    """
     if not profile.pieced:
         from copy import copy
 
@@ -386,14 +404,14 @@ def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
 
 
 def far_end(position: float, velocity: float) -> float:
-    """Where a profile that runs on for ever at `velocity` ends."""
+    """Return the end of a profile that runs on for ever at `velocity`."""
     return copysign(inf, velocity) if velocity else position
 
 
 def _joined_marks(
     marks: tuple[tuple[str, int], ...], more: tuple[tuple[str, int], ...], count: int
 ) -> tuple[tuple[str, int], ...]:
-    """Phase marks of two profiles in a row; a phase that simply goes on stays one phase."""
+    """Join the phase marks of two profiles; a phase that continues stays one phase."""
     goes_on = marks[-1][0] == more[0][0] != "segment"
     return marks + tuple((name, first + count) for name, first in (more[1:] if goes_on else more))
 
@@ -403,7 +421,7 @@ def _standing(shape: str, position: float, velocity: float) -> Profile:
 
 
 def _ending_at(curve: Curve, start: float, duration: float) -> Curve:
-    # The planner's total and the sum of the ramps may differ in the last bit; the planner's is the truth.
+    # The planner's total and the sum of the ramps may differ in the last bit; the planner's takes precedence.
     knots, pieces, marks = curve
     if pieces:
         last = duration if duration > knots[-2] else knots[-1]

@@ -1,4 +1,4 @@
-"""Which way a profile goes, and when it turns: the first moment from which on it runs in a direction."""
+"""Direction of a profile: the first time from which it moves either way."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ if TYPE_CHECKING:
 
     from motionlang.planners.curve import Profile
 
-# What is gone in one direction, in length units, before it counts as going there: rounding goes no further.
+# The travel in one direction, in length units, that counts as motion; rounding is smaller.
 _GONE = 1e-6
 
 
 def sets_off(profile: Profile, sign: int, after: float) -> float | None:
-    """The first time >= `after` from which on the profile runs forward (`sign` +1) or in reverse (-1); None: never.
+    """Return the first time >= `after` from which the profile moves in a direction.
 
-    To stand is no direction: a profile that rests first sets off when it leaves its place.
+    The direction is forward (`sign` +1) or reverse (-1). Standstill has no direction: a profile that rests
+    first sets off when it leaves its position. None if it never moves that way.
     """
     after = max(after, 0.0)
     begun, gone = after, 0.0
@@ -35,7 +36,10 @@ def sets_off(profile: Profile, sign: int, after: float) -> float | None:
 
 
 def _stretches(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
-    """When each stretch without a turn begins, from `after` on, and how far it goes; the last may have no end."""
+    """The beginning and the signed travel of each monotone section from `after` on.
+
+    The last one may have no end.
+    """
     yield from _spans(profile, after) if profile.pieced else profile.stretches(after)  # type: ignore[attr-defined]
     velocity = profile.end_velocity
     if velocity and profile.duration < inf:

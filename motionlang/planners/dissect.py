@@ -1,7 +1,8 @@
-"""The formulas of "Dissecting a Move Profile" (chapter 12): move times, slip, DAC steps and the time they take.
+"""Formulas of "Dissecting a Move Profile" (chapter 12).
 
-Any consistent units; the chapter's own figures are in feet, minutes and seconds. Where its scan and the physics
-disagree the physics is here and `ERRATA` says so.
+They give move times, slip, DAC steps and the time these take. Any consistent units will do; the chapter's own
+figures are in feet, minutes and seconds. Where its scan and the physics disagree, the physics is here and
+`ERRATA` records it.
 """
 
 from __future__ import annotations
@@ -19,7 +20,10 @@ WEIGHT_LB = 5.0
 SPEED_FT_MIN = 100.0
 BITS = 12
 ELECTRICAL_SHARE = 2.0 / 3.0
-"""The motor's electrical time constant must not be below this share of the time that one DAC step may take."""
+"""Minimum of the motor's electrical time constant, as a share of a step's time.
+
+One step is the shortest time that a DAC step may take.
+"""
 HOLD_TIME_CONSTANTS = 5.0
 """Electrical time constants for which a DAC step is to be held."""
 
@@ -47,17 +51,23 @@ class MoveTimes:
 
 
 def trapezoid_times(distance: float, speed: float, accel: float) -> MoveTimes:
-    """Trapezoid: T_a = V/A, D_a = V²/(2A), T_s = D/V - V/A, T_move = D/V + V/A (figure 12.9)."""
+    """Return the times of a trapezoid (figure 12.9).
+
+    T_a = V/A, D_a = V²/(2A), T_s = D/V - V/A, T_move = D/V + V/A.
+    """
     return _times(distance, speed, speed / accel, 0.5 * speed * speed / accel)
 
 
 def s_curve_times(distance: float, speed: float, accel: float) -> MoveTimes:
-    """S-curve of two linear ramps of the acceleration: T_a = 2V/A, D_a = V²/A, T_s = D/V - 2V/A (figure 12.9)."""
+    """Return the times of an S-curve of two linear acceleration ramps (figure 12.9).
+
+    T_a = 2V/A, D_a = V²/A, T_s = D/V - 2V/A.
+    """
     return _times(distance, speed, 2.0 * speed / accel, speed * speed / accel)
 
 
 def equal_time_accel(accel: float) -> float:
-    """The peak acceleration of the S-curve that is as quick as a trapezoid with `accel`: A_s = 2A."""
+    """Return the peak acceleration of the S-curve as quick as a trapezoid: A_s = 2A."""
     return 2.0 * accel
 
 
@@ -70,10 +80,11 @@ def _times(distance: float, speed: float, accel_time: float, accel_distance: flo
 
 
 def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[tuple[int, int]]:
-    """The chapter's progression, every update: velocity += accel; position += velocity (figure 12.7).
+    """Return the (velocity, position) after each update of the chapter's progression.
 
-    Counts, counts per update, counts per update². Gives (velocity, position) after each update. It decelerates from
-    the update at which the rest would no longer suffice to stop, and takes what is left over at a constant creep.
+    Each update does velocity += accel; position += velocity (figure 12.7). Units are counts, counts per
+    update and counts per update². It decelerates from the update at which the remaining distance would no
+    longer suffice to stop, and covers the remainder at a constant creep.
     """
     check_positive(distance=distance, speed=speed, accel=accel)
     velocity = position = 0
@@ -100,7 +111,10 @@ def _stopping(velocity: int, accel: int) -> int:
 
 
 def slip_acceleration(friction: float, gravity: float) -> float:
-    """The acceleration beyond which a load held by friction alone slips: a = mu g, whatever its mass."""
+    """The acceleration from which a load held by friction alone slips: a = mu g.
+
+    It does not depend on the mass.
+    """
     check_positive(friction=friction, gravity=gravity)
     return friction * gravity
 
@@ -122,7 +136,7 @@ def fastest_time(speed: float, acceleration: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class DacTiming:
-    """What one step of a DAC asks of the motor: velocity of a step, and the times that follow from the limit."""
+    """The velocity of one DAC step, and the times that follow from the limit."""
 
     bits: int
     steps: int
@@ -133,9 +147,10 @@ class DacTiming:
 
 
 def dac_timing(full_speed: float, acceleration: float, bits: int = BITS) -> DacTiming:
-    """One DAC step at `full_speed` for the whole range, and how fast it may be taken at `acceleration`.
+    """Return the timing of DAC steps of a range of `full_speed`.
 
-    The electrical time constant is 2/3 of the time of one step, the hold time five of those.
+    A step may be taken as fast as `acceleration` allows. The electrical time constant is 2/3 of the time of
+    one step, the hold time five time constants.
     """
     check_positive(full_speed=full_speed, acceleration=acceleration)
     if not 2 <= bits <= 32:
@@ -149,7 +164,10 @@ def dac_timing(full_speed: float, acceleration: float, bits: int = BITS) -> DacT
 
 @dataclass(frozen=True, slots=True)
 class StepSegment:
-    """One update of figure 12.6: velocities in DAC steps, accelerations as a share of the limit."""
+    """One update of figure 12.6.
+
+    Velocities are in DAC steps, accelerations a fraction of the limit.
+    """
 
     steps: float
     time_constant: float
@@ -160,10 +178,11 @@ class StepSegment:
 
 
 def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSegment]:
-    """The motor's answer to DAC changes one update apart (figures 12.5 and 12.6).
+    """The motor's response to DAC changes one update apart (figures 12.5, 12.6).
 
-    The update is the time in which one step may be taken; `time_constant` is in updates. The velocity goes to the
-    DAC's as an RL circuit's current does; `onset` is the acceleration just after the change, `mean` that of the update.
+    The update is the time in which one step may be taken; `time_constant` is in updates. The velocity
+    approaches that of the DAC like the current of an RL circuit. `onset` is the acceleration just after the
+    change, `mean` that of the update.
     """
     check_positive(time_constant=time_constant)
     made, dac, velocity = [], 0.0, 0.0
@@ -179,14 +198,15 @@ def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSe
 
 
 def buildup(time: float, time_constant: float) -> float:
-    """Share of a step that the motor has taken after `time`: 63 % in one time constant."""
+    """Return the fraction of a step response after `time`: 63 % in one time constant."""
     return 1.0 - exp(-time / time_constant) if time < inf else 1.0
 
 
 def pid_dac(kp: int, ki: int, kd: int, error: int, total: int, last_error: int, bits: int = BITS) -> int:
-    """The chapter's formula: (Kp E + (Ki/256) E_T + Kd (E - E_L))/16, held inside the DAC's range.
+    """Return the chapter's PID output, clamped to the DAC's range.
 
-    Divisions as C does them, towards zero; 16 bits less the DAC's give the last divisor.
+    It is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16. Divisions truncate towards zero, like those of C; 16 bits
+    less the DAC's bits give the last divisor.
     """
     value = _divided(kp * error + _divided(ki * total, 256) + kd * (error - last_error), 1 << (16 - bits))
     top = 1 << (bits - 1)

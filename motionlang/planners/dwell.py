@@ -1,4 +1,4 @@
-"""Standing still on purpose: for a time, or until something goes on."""
+"""Commanded standstill: for a time, or until another motion resumes."""
 
 from __future__ import annotations
 
@@ -6,10 +6,13 @@ from motionlang.planners.curve import Profile, hold, relabelled
 
 
 def rest(shape: str, position: float, duration: float) -> Profile:
-    """Standing at `position` for `duration` seconds; `shape` says why."""
+    """Return a rest of `duration` seconds at `position`; `shape` names its cause."""
     return relabelled(hold(position).cut(duration), shape)
 
 
 def halted(profile: Profile, shape: str) -> Profile:
-    """A profile that ends at rest, and then stands there for ever; `shape` says why."""
+    """Return a profile that comes to rest, followed by a rest without end.
+
+    `shape` names its cause.
+    """
     return relabelled(profile.then(hold(profile.end)), shape)

@@ -1,4 +1,4 @@
-"""Any profile, or a column of pieces, at many times at once, as NumPy arrays."""
+"""Evaluation of a profile, or a column of pieces, at many times, in NumPy arrays."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def evaluate(profile: Profile, times: Array, order: int) -> Array:
-    """Derivative `order` (0 the position, up to 3) at `times`, which may lie beyond the end."""
+    """Evaluate derivative `order` (0 to 3) at `times`, which may lie beyond the end."""
     inside = (times >= 0.0) & (times < profile.duration)
     out = _outside(profile, times, order)
     if inside.any():
@@ -30,9 +30,10 @@ def evaluate(profile: Profile, times: Array, order: int) -> Array:
 
 
 def positions(profile: Profile, times: Array) -> Array:
-    """What `Profile.positions` answers at rising times, to the last bit: the same operations in the same order.
+    """Return `Profile.positions` at rising times, equal to the last bit.
 
-    Sines are asked for one by one: those of NumPy depend on the processor.
+    The operations and their order are equal. Sines are computed one by one, because those of NumPy depend on
+    the processor.
     """
     if not profile.pieced:
         return np.array(profile.positions(times.tolist()))
@@ -97,7 +98,10 @@ def _pieces(profile: Profile, times: Array, order: int) -> Array:
 
 
 def piece_values(columns: Array, x: Array, order: int) -> Array:
-    """Derivative `order` of p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f), a column of `columns` an x."""
+    """Evaluate derivative `order` of pieces, one column of `columns` for each x.
+
+    A piece is p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f).
+    """
     c0, c1, c2, c3, amplitude, omega, phase = columns
     cubic = [
         lambda: ((c3 * x + c2) * x + c1) * x + c0,
@@ -110,7 +114,7 @@ def piece_values(columns: Array, x: Array, order: int) -> Array:
 
 
 def _composed(profile: Composed, times: Array, order: int) -> Array:
-    """The chain rule, up to the third derivative."""
+    """Apply the chain rule, up to the third derivative."""
     s = evaluate(profile.along, times, 0)
     if order == 0:
         return _curve(profile.path, s, 0)
@@ -126,7 +130,11 @@ def _composed(profile: Composed, times: Array, order: int) -> Array:
 
 
 def _curve(path: Profile, places: Array, order: int) -> Array:
-    """A curve at places, a straight line before its beginning and beyond its end; as bent as before it at an end."""
+    """Evaluate a curve at distances along it.
+
+    Before its beginning and beyond its end it is a straight line. At an end itself it has the curvature of
+    the curve inside.
+    """
     length = path.duration
     if order == 2 and length < np.inf:
         near = (places >= -AT_END * length) & (places <= length * (1.0 + AT_END))

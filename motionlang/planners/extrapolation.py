@@ -1,4 +1,4 @@
-"""Where a profile would be some time later if it kept its velocity: what compensates for a known delay."""
+"""Extrapolation of a profile at its velocity, to compensate for a known delay."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from motionlang.planners.formula import Formula
 
 
 class Ahead(Formula):
-    """Position plus `lead` seconds of velocity, p(t) + lead v(t): a switch with that delay acts in time by it.
+    """Position plus `lead` seconds of velocity: p(t) + lead v(t).
 
-    At constant velocity this is the position `lead` seconds later. A jump of the velocity is a jump here.
+    A switch with that delay acts on time when it is driven by this. At constant velocity this is the position
+    `lead` seconds later. A jump of the velocity is a jump here.
     """
 
     __slots__ = ("lead", "profile")
@@ -29,7 +30,7 @@ class Ahead(Formula):
         )
 
     def state(self, time: float) -> State:
-        """Position, velocity, acceleration and jerk, each with `lead` seconds of its own rate added."""
+        """Return the state with `lead` seconds of its own rate added to each derivative."""
         now, lead = self.profile.at(time), self.lead
         return State(
             now.position + lead * now.velocity,
@@ -40,5 +41,5 @@ class Ahead(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Those of the profile."""
+        """The knots of the profile."""
         return self.profile.knots

@@ -1,4 +1,4 @@
-"""A move to a target from any velocity, written once for every shape of ramp.
+"""A move to a target from any velocity, independent of the shape of its ramps.
 
 A shape answers three questions about speeds >= 0: how it speeds up, how it slows down (each as duration and
 ramp kind), and the peak speed of a move too short for its slew speed.
@@ -25,16 +25,17 @@ if TYPE_CHECKING:
     Peak = Callable[[float, float], float]
 
 
-# A part of a distance that is no rounding of the sums that make it up.
+# The fraction of a distance that is too large to be the rounding of its sum.
 _COARSE = 1e-11
 
 
 @record
 class Ramps:
-    """One shape with its limits: `up` and `down` from speed to speed, `peak` from (speed, distance).
+    """One shape with its limits: `up` and `down` between speeds, and its `peak` speed.
 
-    `squares` belongs to shapes whose ramps cover k/2 times the difference of the squares of both speeds: the k of
-    speeding up and of slowing down. `bounds` belongs to ramps whose acceleration is bounded in its slope as well.
+    `peak` takes the speed and the distance. `squares` belongs to shapes whose ramps cover k/2 times the
+    difference of the squares of both speeds: the k of speeding up and of slowing down. `bounds` belongs to
+    ramps with limited jerk.
     """
 
     shape: str
@@ -46,7 +47,10 @@ class Ramps:
 
 
 def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:
-    """Symmetrical ramps that take `stretch` times the trapezoid's: T = stretch |dv|/A, S = T (v1 + v2)/2."""
+    """Return symmetrical ramps that take `stretch` times as long as the trapezoid's.
+
+    T = stretch |dv|/A, S = T (v1 + v2)/2.
+    """
     up = stretch / accel
     down = stretch / decel
 
@@ -59,10 +63,10 @@ def stretched(shape: str, accel: float, decel: float, kind: float, stretch: floa
 
 
 def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float) -> Profile:
-    """The move from `start` at velocity `v0` to rest at `target`.
+    """Return the move from `start` at velocity `v0` to rest at `target`.
 
-    Running the wrong way: stop first. Too fast for `speed`: brake to it first. Too fast to stop at the
-    target: stop beyond it and come back.
+    If it moves away from the target, it stops first. If it is faster than `speed`, it brakes to `speed`
+    first. If it is too fast to stop at the target, it stops beyond it and returns.
     """
     if -STILL < v0 < STILL:
         v0 = 0.0
@@ -86,7 +90,7 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float)
 
 
 def is_rounding(beyond: float, stopping: float, start: float, target: float) -> bool:
-    """Whether a stop of length `stopping` misses its target by no more than its figures are rounded."""
+    """True if a stop of length `stopping` misses its target by rounding only."""
     return abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)) < inf
 
 
@@ -99,10 +103,10 @@ def from_rest(
     down: tuple[float, float],
     mean: float,
 ) -> Profile:
-    """The move from rest for ramps that take a time proportional to the speed; up and down: (T/V, kind).
+    """Return the move from rest for ramps whose time is proportional to the speed.
 
-    A ramp's distance is `mean` V T. Apart from `approach` because planning from rest runs inside the program,
-    for nearly every move.
+    `up` and `down` are (T/V, kind). A ramp's distance is `mean` V T. This is apart from `approach` because
+    the running program plans nearly every move from rest.
     """
     distance = target - start
     size = distance if distance >= 0.0 else -distance
@@ -129,7 +133,10 @@ def from_rest(
 
 
 def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:
-    """The profile of a recipe that ends at rest at `target`; ValueError if its duration is not finite."""
+    """Return the profile of a recipe that ends at rest at `target`.
+
+    Raises ValueError if its duration is not finite.
+    """
     duration = total(recipe[1::3])
     if not duration < inf:
         check_finite(position=start, target=target, start_velocity=recipe[0])
@@ -138,7 +145,7 @@ def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:
 
 
 def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> Recipe:
-    """Ramps that cover `size` from speed u >= 0 in the direction of `sign` and end at rest."""
+    """Return ramps that cover `size` in direction `sign`, from speed u >= 0 to rest."""
     if u > speed:
         v, slewing = _braked(ramps, size, speed, u)
         first, kind = ramps.down(u, v)
@@ -150,7 +157,8 @@ def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> R
     last, last_kind = ramps.down(v, 0.0)
     left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
     if not slewing and abs(left) > _COARSE * size:
-        # Where jerk hardly bends a long ramp, the last bit of the peak is worth a distance: go below it, and slew.
+        # If jerk hardly affects a long ramp, the last bit of the peak is worth a distance. Go below it, and
+        # slew.
         while left < 0.0 and v > u:
             v = nextafter(v, 0.0)
             first, kind = ramps.up(u, v)
@@ -163,10 +171,10 @@ def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> R
 
 
 def _braked(ramps: Ramps, size: float, speed: float, u: float) -> tuple[float, bool]:
-    """The speed to brake to, and whether it is held.
+    """Return the speed to brake to, and whether a section at that speed follows.
 
-    With limited jerk two brakings need more room than one. When that room is not there the slew speed is
-    raised above `speed` until it just is (own arithmetic).
+    With limited jerk two ramps down need more distance than one. If that distance is missing, the slew speed
+    is raised above `speed` until it suffices (own arithmetic).
     """
     if _braking(ramps, u, speed) <= size:
         return speed, True

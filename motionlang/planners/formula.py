@@ -1,7 +1,8 @@
-"""Profiles that are formulas rather than pieces: exact at any time, their crossings found in brackets.
+"""Profiles that are formulas, not pieces.
 
-What a path, a cam or an offset on a geared axis makes of other profiles cannot always be written as cubics. A subclass
-says where it is smooth (`knots`) and gives position, velocity and acceleration; all else is done here.
+They are exact at any time; their crossings are found by bracketing. Not every profile that a path, a cam or
+an offset on a geared axis makes of other profiles is a sequence of cubics. A subclass states where it is
+smooth (`knots`) and gives position, velocity and acceleration; the base class does the rest.
 """
 
 from __future__ import annotations
@@ -20,17 +21,17 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Curve
 
 STEPS = 24
-"""Brackets between two knots: two turning points inside one of them would not be seen."""
+"""Brackets between two knots; two extrema inside one bracket would be missed."""
 
 PEAK_STEPS = 8
-"""The same where a peak is looked for: it is broad, and improved afterwards."""
+"""Brackets for a peak, which is broad and is refined afterwards."""
 
 PEAK_SHARE = 0.9
-"""The part of the highest value on the grid that a summit beside it must have to be the highest after all."""
+"""Share of the highest grid value from which a neighbouring peak is refined."""
 
 
 class Formula(Profile):
-    """A profile without pieces of its own; beyond its last finite knot it is a straight line."""
+    """A profile without pieces of its own, linear beyond its last finite knot."""
 
     __slots__ = ()
 
@@ -47,7 +48,7 @@ class Formula(Profile):
     ) -> None:
         super().__init__(shape, start, end, duration, (start_velocity, end_velocity))
 
-    # -- what a subclass gives
+    # -- provided by a subclass
 
     def state(self, time: float) -> State:
         """The state at a time from 0 up to the duration."""
@@ -62,7 +63,7 @@ class Formula(Profile):
 
     @property
     def curve(self) -> Curve:
-        """Cubic pieces close enough to draw; nothing that must be exact asks for them."""
+        """Cubic pieces close enough to draw; no exact result uses them."""
         try:
             return self._curve
         except AttributeError:
@@ -71,7 +72,7 @@ class Formula(Profile):
 
     @property
     def phases(self) -> tuple[Phase, ...]:
-        """The whole as one phase."""
+        """The complete profile as one phase."""
         if self.duration == 0.0:
             return ()
         return (Phase(self.shape, self.duration, self.distance, self.start_velocity, self.end_velocity),)
@@ -83,7 +84,7 @@ class Formula(Profile):
 
     @property
     def speed_bound(self) -> float:
-        """What its largest absolute velocity does not exceed, found without a search."""
+        """An upper bound of the absolute velocity, found without a search."""
         return inf
 
     @property
@@ -106,18 +107,18 @@ class Formula(Profile):
         return self.state(time).velocity if time > 0.0 else self.start_velocity
 
     def acceleration(self, time: float) -> float:
-        """Acceleration at `time`; 0 before the beginning and after the end."""
+        """Return the acceleration at `time`; 0 before the beginning and after the end."""
         return self.state(time).acceleration if 0.0 <= time < self.duration else 0.0
 
-    # -- the time of something
+    # -- times of events
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        """Return the first time >= `after` at `position`, or None if there is none."""
         found = self._first(self.position, self.velocity, position, max(after, 0.0))
         return found if found is not None else self._line_crossing(position, max(after, 0.0))
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
+        """Return the first time >= `after` at `velocity`, or None if there is none."""
         after = max(after, 0.0)
         found = self._first(self.velocity, self.acceleration, velocity, after)
         if found is None and velocity == self.end_velocity and self.duration != inf:
@@ -125,7 +126,7 @@ class Formula(Profile):
         return found
 
     def extrema(self) -> tuple[float, float]:
-        """The smallest and the largest position of the profile, turning points included."""
+        """Return the smallest and the largest position, including extrema inside."""
         seen = [self.start, self.end]
         for begin, finish in self._brackets(0.0):
             seen += [self.position(begin), self.position(finish)]
@@ -135,7 +136,10 @@ class Formula(Profile):
         return min(seen), max(seen)
 
     def stretches(self, after: float) -> Iterator[tuple[float, float]]:
-        """When each stretch without a turn begins, from `after` on, and how far it goes; the last may have no end."""
+        """The beginning and the signed travel of each monotone section from `after` on.
+
+        The last one may have no end.
+        """
         for begin, finish in self._brackets(after):
             turn = self._turn(self.velocity, self.acceleration, begin, finish)
             for low, high in ((begin, finish),) if turn is None else ((begin, turn), (turn, finish)):
@@ -146,7 +150,7 @@ class Formula(Profile):
     # -- inside
 
     def _brackets(self, after: float) -> Iterator[tuple[float, float]]:
-        """Stretches of time from `after` on, up to the last finite knot."""
+        """Yield intervals of time from `after` to the last finite knot."""
         knots = self.knots
         for begin, finish in pairwise(knots):
             if finish <= after or finish == inf:
@@ -160,7 +164,7 @@ class Formula(Profile):
     def _turn(
         self, slope: Callable[[float], float], bend: Callable[[float], float], begin: float, finish: float
     ) -> float | None:
-        """The time inside a bracket at which `slope` changes its sign."""
+        """Return the time inside a bracket at which `slope` changes its sign."""
         first, last = slope(begin), slope(finish)
         if first * last >= 0.0:
             return None
@@ -186,7 +190,7 @@ class Formula(Profile):
         return None
 
     def _line_crossing(self, position: float, after: float) -> float | None:
-        """Where the straight line beyond the last finite knot, or the end, is at `position`."""
+        """Return the time at which the line beyond the last finite knot is at `position`."""
         begin = self.knots[-2] if self.duration == inf else self.duration
         begin = max(begin, after)
         here, velocity = self.position(begin), self.end_velocity
@@ -197,7 +201,10 @@ class Formula(Profile):
         return begin + (position - here) / velocity
 
     def _peak_of(self, value: Callable[[float], float]) -> float:
-        """The largest absolute value: the summits of a grid between every two knots, improved between neighbours."""
+        """Return the largest absolute value.
+
+        The peaks of a grid between each two knots are refined between their neighbours.
+        """
         peak = abs(self.end_velocity) if value == self.velocity else 0.0
         summits: list[tuple[float, float, float]] = []
         for begin, finish in pairwise(self.knots):
@@ -222,12 +229,15 @@ class Formula(Profile):
 
 
 def _best(value: Callable[[float], float], low: float, high: float) -> float:
-    """The largest value of a function with one summit."""
+    """Return the largest value of a function with one maximum."""
     return value(summit(value, low, high))
 
 
 def summit(value: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function with one summit is largest, by golden section."""
+    """Return the argument at which a function with one maximum is largest.
+
+    The search is by golden section.
+    """
     share = 0.6180339887498949
     a, b = high - share * (high - low), low + share * (high - low)
     y_a, y_b = value(a), value(b)

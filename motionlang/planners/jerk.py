@@ -60,11 +60,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.transition import Steps
 
-# How near to its target a plan comes by itself, as a part of the way, to be taken without a search.
+# How near to its target, as a fraction of the distance, a plan must end by itself to be accepted without a
+# search.
 _CLOSE = 1e-11
-# The part of a speed, or of a way, that must be left where an acceleration is gone to plan on from there.
+# The fraction of a speed, or of a distance, that must remain once an acceleration is ramped down, to plan on
+# from there.
 _MUCH = 1e-6
-# Rates as far apart as this may lose the target to rounding; what is planned with them is looked at again.
+# Rates as far apart as this may miss the target by rounding; their plans are checked.
 _FAR_APART = 1e9
 
 
@@ -79,12 +81,12 @@ def plan_jerk(
     v0: float = 0.0,
     a0: float = 0.0,
 ) -> Profile:
-    """Plan a move of up to seven sections under limits on speed, acceleration and jerk.
+    """Plan a move of up to seven sections within limits on speed, rates and jerk.
 
-    Ramp to V: V/A + A/J if V >= A^2/J, else 2 sqrt(V/J); distance V T/2 (own arithmetic, as AN00118
-    defines the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An initial
-    acceleration `a0` goes on where it serves the move, and is taken back where it does not (`fade`). Raises ValueError
-    as `plan_trapezoid`.
+    Ramp to V: V/A + A/J if V >= A^2/J, else 2 sqrt(V/J); distance V T/2 (own arithmetic, from AN00118's
+    definition of the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An
+    initial acceleration `a0` continues where it serves the move, and is ramped down where it does not
+    (`fade`). Raises ValueError like `plan_trapezoid`.
     """
     smooth = SMALLEST <= accel_jerk <= LARGEST and SMALLEST <= decel_jerk <= LARGEST
     steady = speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST
@@ -97,7 +99,7 @@ def plan_jerk(
             deceleration_jerk=decel_jerk,
         )
         raise too_large()
-    # Written out because planning runs inside the program, for nearly every move from rest, and again in motion.
+    # Inlined because the running program plans nearly every move from rest, and replans in motion.
     distance = target - start
     size, u = (distance, v0) if distance >= 0.0 else (-distance, -v0)
     rise, fall = accel / accel_jerk, decel / decel_jerk
@@ -122,7 +124,7 @@ def plan_jerk(
             v = speed if distance >= 0.0 else -speed
             recipe = (v0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
             return Profile("scurve", start, target, duration, recipe)
-    if not abs(start) + abs(target) + abs(v0) + abs(a0) <= LARGEST:  # nor numbers at all
+    if not abs(start) + abs(target) + abs(v0) + abs(a0) <= LARGEST:  # also NaN
         check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
     return _in_motion(start, target, speed, (accel, decel, accel_jerk, decel_jerk), v0, a0)
 
@@ -135,14 +137,14 @@ def _in_motion(
     v0: float,
     a0: float,
 ) -> Profile:
-    """The plan where two ramps and a slew do not do; `rates` are the four rates of `plan_jerk`."""
+    """Plan if two ramps and a slew do not suffice; `rates` are those of `plan_jerk`."""
     far_apart = max(rates) > _FAR_APART * min(rates)
     direct = None if far_apart or not (v0 or a0) else _directly(start, target, speed, rates, v0, a0)
     if direct is not None:
         return direct
     ramps = jerk_ramps(*rates)
     if a0 == 0.0:
-        # also where a move from rest with figures too large ends: `approach` says so
+        # also reached from rest with figures too large: `approach` raises the error
         return approach(ramps, start, target, speed, v0)
 
     def straight(here: float, velocity: float) -> Profile:
@@ -166,12 +168,12 @@ def _directly(
     v0: float,
     a0: float,
 ) -> Profile | None:
-    """The plan from motion where it needs no more than one closed form.
+    """Return the plan from motion if it needs no more than one closed form.
 
-    Planning in motion is nearly always that. Where the target lies ahead, an acceleration that speeds up is the middle
-    of a ramp that began earlier, and one that slows down is taken back before a ramp up begins; where it does not, the
-    move stops first and begins anew (`_back`). None where it is something else, which the search of `bent_approach`
-    decides.
+    Planning in motion nearly always does. If the target lies ahead, an acceleration that speeds up is the
+    middle of a ramp that began earlier, and one that slows down is ramped down before a ramp up begins. If it
+    does not, the move stops first and starts again (`_back`). None if it is another case, which the search of
+    `bent_approach` decides.
     """
     accel, decel, accel_jerk, decel_jerk = rates
     sign = 1.0 if v0 > 0.0 or (v0 == 0.0 and a0 > 0.0) else -1.0
@@ -187,20 +189,21 @@ def _directly(
             return _back(start, target, speed, rates, (u, b, sign))
     else:
         time = -b / decel_jerk
-        eased = rest = u + 0.5 * b * time  # where the acceleration is gone
+        eased = rest = u + 0.5 * b * time  # where the acceleration reaches zero
         before = -(rest + decel_jerk * time * time / 6.0) * time
-        if not _MUCH * u < rest < speed or size + before <= _MUCH * size:  # it comes to rest, rather
+        if not _MUCH * u < rest < speed or size + before <= _MUCH * size:  # it comes to rest instead
             return _back(start, target, speed, rates, (u, b, sign))
     room = size + before
     rise, fall = accel / accel_jerk, decel / decel_jerk
-    # A plan that comes to its speed asks for no peak.
+    # A plan that reaches its speed needs no peak.
     gain = speed - rest
     first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
     last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
     top = speed
     slew = (room - 0.5 * (rest + speed) * first - 0.5 * speed * last) / speed
     if slew < 0.0:
-        # Whether a stop from where the acceleration is gone has the room that it needs: else there is no ramp up.
+        # True if a stop has the distance that it needs once the acceleration is zero. If not, there is no
+        # ramp up.
         stop = eased / decel + fall if eased >= decel * fall else 2.0 * sqrt(eased / decel_jerk)
         if 0.5 * eased * stop + (u + b * time / 3.0) * time > size:
             return _back(start, target, speed, rates, (u, b, sign))
@@ -236,9 +239,10 @@ def _back(
     rates: tuple[float, float, float, float],
     state: tuple[float, float, float],
 ) -> Profile | None:
-    """The plan that stops first, since it runs the wrong way or cannot stop at its target; None where it can.
+    """Return the plan that stops first, or None if no stop is needed.
 
-    `state` is the velocity, the acceleration in its direction, and that direction.
+    It stops because it moves away from the target or cannot stop there. `state` is the velocity, the
+    acceleration in its direction, and that direction.
     """
     _, decel, accel_jerk, decel_jerk = rates
     u, b, sign = state
@@ -256,7 +260,7 @@ def _back(
             steps = ((decel_jerk, time),)
         elif -b > decel:
             return None
-        else:  # it goes on braking: the ramp is the rest of one that began earlier
+        else:  # it continues braking: the ramp is the rest of one that began earlier
             whole = u - 0.5 * b * time
             peak = max(-b, min(decel, sqrt(decel_jerk * whole)))
             flank, held = peak / decel_jerk, max(0.0, (whole - peak * peak / decel_jerk) / peak)
@@ -266,7 +270,7 @@ def _back(
     elif u < STILL:
         return None
     size = (target - start) * sign
-    if after < 0.0:  # it turns round before the acceleration is gone
+    if after < 0.0:  # it reverses before the acceleration reaches zero
         rest = plan_jerk(0.0, (size - way) * sign, speed, *rates, after * sign)
         recipe, duration = rest._recipe, time + rest.duration
     else:
@@ -291,7 +295,7 @@ def _back(
 
 
 def _is_astray(made: Profile) -> bool:
-    """Whether the last piece of a profile ends elsewhere than the profile, by more than a ten-millionth of its way."""
+    """True if the last piece misses the profile's end by over 1e-7 of the distance."""
     if not made.pieces:
         return False
     reached = position_in(made.pieces[-1], made.knots[-1] - made.knots[-2])
@@ -299,13 +303,16 @@ def _is_astray(made: Profile) -> bool:
 
 
 def _stops_within(size: float, u: float, decel: float, jerk: float, fall: float) -> bool:
-    """Whether a stop from speed u ends before `size` by more than rounding."""
+    """True if a stop from speed u ends before `size` by more than rounding."""
     time = u / decel + fall if u >= decel * fall else 2.0 * sqrt(u / jerk)
     return 0.5 * u * time < size * (1.0 - 1e-9)
 
 
 def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
-    """Bring an acceleration to zero at constant jerk: T = |a0|/J, dv = a0 T/2."""
+    """Return a ramp of an acceleration to zero at constant jerk.
+
+    T = |a0|/J, dv = a0 T/2.
+    """
     time = abs(a0) / jerk
     velocity = v0 + 0.5 * a0 * time
     end = start + ramp_distance(v0, time, FALLING, velocity)
@@ -313,7 +320,10 @@ def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
 
 
 def jerk_ramps(accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> Ramps:
-    """Ramps of duration dv/A + A/J, or 2 sqrt(dv/J) when the acceleration does not reach A."""
+    """Return jerk-limited ramps.
+
+    They take dv/A + A/J, or 2 sqrt(dv/J) if the acceleration does not reach A.
+    """
 
     def up(a: float, b: float) -> tuple[float, float]:
         return ramp_to(b - a, accel, accel_jerk)
@@ -330,19 +340,20 @@ def jerk_ramps(accel: float, decel: float, accel_jerk: float, decel_jerk: float)
 
 
 def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:
-    """Duration and ramp ratio of a change of speed under peak acceleration and jerk."""
+    """Return duration and ramp ratio of a change of speed under acceleration and jerk."""
     rise = accel / jerk
     if change >= accel * rise:
         time = change / accel + rise
-        return time, rise / time if time else 0.5  # too short to be told from none
+        return time, rise / time if time else 0.5  # too short to distinguish from zero
     return 2.0 * sqrt(change / jerk), 0.5
 
 
 def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float, float]) -> float:
-    """The speed at which ramps from u up and down to rest fill `size`; up and down are (accel, jerk).
+    """Return the speed at which ramps from u up and down to rest fill `size`.
 
-    In closed form if both ramps reach their acceleration. Otherwise the distance over the root of the gain of speed is
-    convex: Newton's steps from above come down to it one by one, and stop where rounding turns them back.
+    `up` and `down` are (accel, jerk). There is a closed form if both ramps reach their acceleration. If not,
+    the distance over the root of the gain of speed is convex. Newton's steps from above descend to the root
+    one by one and stop where rounding reverses them.
     """
     accel, accel_jerk = up
     decel, decel_jerk = down
@@ -353,8 +364,9 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
         v = 2.0 * whole / (sqrt(per_speed * per_speed + 4.0 * per_square * whole) + per_speed)
         if v - u >= accel * rise and v >= decel * fall:
             return v
-    # Without a jerk limit the same acceleration gets further: an upper bound. Ramps at their accelerations are at
-    # least as long as others: a lower one, from which the first step leads above it.
+    # Without a jerk limit the same acceleration reaches a higher speed, which is an upper bound. Ramps at
+    # their full acceleration are at least as long as others, which gives a lower bound; the first step from
+    # it leads above the root.
     high = sqrt((size + 0.5 * u * u / accel) / per_square) * (1.0 + 1e-15)
     low = v - u if whole > 0.0 else 0.0
     x = ceiling = sqrt(max(high - u, 0.0))
@@ -383,7 +395,10 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
 
 
 def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> float:
-    """The same from rest: in closed form if both ramps reach their acceleration, or neither does."""
+    """Return `peak_speed` from rest.
+
+    There is a closed form if both ramps reach their acceleration, or neither does.
+    """
     rise, fall = accel / accel_jerk, decel / decel_jerk
     upper, lower = accel * rise, decel * fall
     if lower > upper:

@@ -1,4 +1,4 @@
-"""A move to a target from any velocity and acceleration, in ramps of bounded jerk."""
+"""Jerk-limited move to a target from any velocity and acceleration."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from motionlang.planners.segment_speed import between
 from motionlang.planners.total import total
 from motionlang.planners.transition import eased_speed, fade, fade_distance, faded
 
-# How far from its target a plan may end, as a part of the way, before its figures count as too far apart.
+# How far from its target a plan may end, as a fraction of the distance, before its figures count as too far
+# apart.
 _ASTRAY = 1e-9
 
 TYPE_CHECKING = False
@@ -23,15 +24,15 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Curve, Recipe
     from motionlang.planners.transition import Bounds, Steps
 
-    # Velocity and acceleration in the direction of the motion, the stretches, and that direction.
+    # Velocity and acceleration in the direction of the motion, the sections, and that direction.
     Head = tuple[float, float, Steps, float]
 
 
 class Bent(Profile):
-    """Stretches of constant jerk from velocity v0 and acceleration a0, and then the ramps of a recipe to `end`.
+    """Sections of constant jerk from v0 and a0, then the ramps of a recipe to `end`.
 
-    The pieces are made when they are first asked for, as those of a recipe are: of most plans only the end is asked.
-    `name` is the word for the stretches as one phase, where it is not that of a ramp.
+    The pieces are made on first use, as those of a recipe are, because of most plans only the end is read.
+    `name` names the sections as one phase if they are not part of a ramp.
     """
 
     __slots__ = ("_head", "_name", "_tail")
@@ -39,7 +40,7 @@ class Bent(Profile):
     def __init__(
         self, start: float, end: float, duration: float, head: Head, tail: Recipe, name: str = ""
     ) -> None:
-        # The stores of `Profile`, written out as planning in motion runs inside the program.
+        # The stores of `Profile`, inlined because the running program plans in motion.
         self.shape = "scurve"
         self.start = start
         self.end = end
@@ -77,12 +78,11 @@ def bent_approach(
     a0: float,
     straight: Callable[[float, float], Profile],
 ) -> Profile | None:
-    """The move from `start` at velocity v0 and acceleration a0, which is not 0, to rest at `target`.
+    """The move from velocity v0 and acceleration a0 (not 0) to rest at `target`.
 
-    `straight` plans from a place and a velocity, without an acceleration, to that target.
-
-    Where it cannot stop at the target, or runs the wrong way, it stops first, and then moves there from rest. None
-    where the figures are so many orders apart that rounding loses the target.
+    `straight` plans from a position and a velocity, without an acceleration, to that target. If the move
+    cannot stop at the target, or moves away from it, it stops first and then moves there from rest. None if
+    the figures are so many orders of magnitude apart that rounding misses the target.
     """
     assert ramps.bounds is not None
     sign = copysign(1.0, v0 or a0)
@@ -109,7 +109,7 @@ def bent_approach(
 def _ahead(
     ramps: Ramps, start: float, target: float, speed: float, u: float, b: float, sign: float
 ) -> Profile | None:
-    """The same where the target lies beyond the shortest stop."""
+    """Return the move if the target lies beyond the shortest stop."""
     assert ramps.bounds is not None
     size = sign * (target - start)
     top = _peak(ramps, ramps.bounds, size, u, b)
@@ -138,9 +138,10 @@ def _time(steps: Steps) -> float:
 
 
 def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> float | None:
-    """The speed from which the rest of the way is just enough to stop; None if it is not reached by speeding up.
+    """Return the peak speed from which the remaining distance just suffices to stop.
 
-    A ramp that has begun already is the end of one that began earlier without an acceleration.
+    None if it is not reached by speeding up. A ramp that has already begun is the end of one that began
+    earlier without an acceleration.
     """
     jerk = bounds.accel_jerk if b > 0.0 else bounds.decel_jerk
     time = abs(b) / jerk
@@ -159,7 +160,10 @@ def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> floa
 
 
 def _arriving(start: float, target: float, head: Head, way: float, recipe: Recipe) -> Profile | None:
-    """Stretches of a length, and then the ramps of a recipe to `target`; None where they end elsewhere."""
+    """Return sections of a length followed by the ramps of a recipe to `target`.
+
+    None if they end elsewhere.
+    """
     time = total(recipe[1::3])
     if not time < inf:
         raise too_large()

@@ -12,17 +12,20 @@ if TYPE_CHECKING:
 
 
 def scaled(profile: Profile, start: float, factor: float) -> Profile:
-    """The axis profile that starts at `start` and moves `factor` times as far as the path, in its own length unit."""
+    """An axis profile from `start` that moves `factor` times as far as the path."""
     return profile.scaled(start, factor)
 
 
 def path_length(starts: Sequence[float], targets: Sequence[float]) -> float:
-    """Euclidean length of the straight line between two points."""
+    """Return the Euclidean length of the straight line between two points."""
     return hypot(*(target - start for start, target in zip(starts, targets, strict=True)))
 
 
 def on_line(path: Profile, starts: Sequence[float], targets: Sequence[float]) -> list[Profile]:
-    """The axis profiles of a straight line, `path` running from 0 to its length; the ends are exact."""
+    """Return the axis profiles of a straight line; `path` runs from 0 to its length.
+
+    The ends are exact.
+    """
     length = path.distance
     made = []
     for start, target in zip(starts, targets, strict=True):

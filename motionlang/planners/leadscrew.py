@@ -1,4 +1,7 @@
-"""A leadscrew's error table: where the nut really is at equal steps of the motor, and the way back from there."""
+"""Error table of a leadscrew: the actual nut position at equal steps of the motor.
+
+It is also inverted, from nut to motor.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from itertools import pairwise
 
 
 class Leadscrew:
-    """Positions `actual` of the nut where it should be at `start`, `start + step`, …; linear between."""
+    """Actual positions of the nut for `start`, `start + step`, …; linear between them."""
 
     def __init__(self, start: float, step: float, actual: list[float]) -> None:
         if not step > 0.0:
@@ -17,7 +20,7 @@ class Leadscrew:
         self.start, self.step, self.actual = start, step, actual
 
     def motor(self, nut: float) -> float:
-        """Where the motor must be, in the same unit, for the nut to be at `nut`."""
+        """Return the motor position, in the same unit, that puts the nut at `nut`."""
         k = self._segment(nut)
         if k is None:
             last = len(self.actual) - 1 if nut > self.actual[0] else 0
@@ -26,7 +29,7 @@ class Leadscrew:
         return self.start + (k + (nut - below) / (above - below)) * self.step
 
     def slope(self, nut: float) -> float:
-        """How much faster than the nut the motor goes there."""
+        """Return the ratio of motor speed to nut speed at `nut`."""
         k = self._segment(nut)
         return 1.0 if k is None else self.step / (self.actual[k + 1] - self.actual[k])
 

@@ -1,4 +1,4 @@
-"""The numbers a planner accepts, and the sentences it refuses the others with."""
+"""The numbers a planner accepts, and the messages for those it rejects."""
 
 from __future__ import annotations
 
@@ -9,11 +9,17 @@ STILL = 1e-60
 
 
 SMALLEST, LARGEST = 1e-60, 1e60
-"""What speeds, rates, jerks and times lie between: their squares and quotients then stay in the range of a float."""
+"""Bounds of speeds, rates, jerks and times.
+
+Their squares and quotients then stay in the range of a float.
+"""
 
 
 def check_positive(**quantities: float) -> None:
-    """Raise ValueError naming the first quantity that is not a number greater than zero, from SMALLEST to LARGEST."""
+    """Check that quantities are between SMALLEST and LARGEST.
+
+    Raises ValueError for the first one that is not, or is not a number.
+    """
     for name, value in quantities.items():
         word = name.replace("_", " ")
         if isnan(value):
@@ -27,7 +33,10 @@ def check_positive(**quantities: float) -> None:
 
 
 def check_finite(**quantities: float) -> None:
-    """Raise ValueError naming the first quantity that is NaN, infinite or beyond LARGEST."""
+    """Check that quantities are finite and not beyond LARGEST.
+
+    Raises ValueError for the first one that is not.
+    """
     for name, value in quantities.items():
         word = name.replace("_", " ")
         if isnan(value):
@@ -39,11 +48,11 @@ def check_finite(**quantities: float) -> None:
 
 
 def check_ramp(ramp: float) -> None:
-    """Raise ValueError unless 0 < ramp <= 0.5, the range of TN1069's trapezoidal S-curve (aPSn)."""
+    """Raise ValueError unless 0 < ramp <= 0.5, the range of TN1069's aPSn."""
     if not 0.0 < ramp <= 0.5:
         raise ValueError("ramp must be greater than zero and at most 0.5")
 
 
 def too_large() -> ValueError:
-    """The error for a move whose figures leave the range of a 64-bit float."""
+    """Return the error for a move whose figures exceed the range of a 64-bit float."""
     return ValueError("the move is too large: its duration is not a finite number")

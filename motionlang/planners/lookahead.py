@@ -1,9 +1,9 @@
-"""The speed over a course of stretches with limits of their own, run through to rest at the end of the last one.
+"""Speed over a sequence of segments with individual limits, to rest at its end.
 
-Where the distance of a ramp is proportional to the difference of the squares of its speeds (a trapezoid, PMC's two
-S-curves), one pass back and one forth over the squares at the joins find the fastest course there is: each pass takes
-from a join only what no course could have there. The other shapes go by the same two passes over the speeds.
-At a join the acceleration of every shape but the trapezoid is zero.
+If the distance of a ramp is proportional to the difference of the squares of its speeds (a trapezoid, PMC's
+two S-curves), one pass backwards and one forwards over the squares at the joins find the fastest possible
+course. Each pass takes from a join only what no course could have there. The other shapes use the same two
+passes over the speeds. At a join the acceleration of every shape but the trapezoid is zero.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ if TYPE_CHECKING:
     from motionlang.planners.segment_speed import Ramp
     from motionlang.planners.transition import Steps
 
-# What a course may overshoot its end by, as a part of its length, before it counts as overshooting.
+# How far a course may overshoot its end, as a fraction of its length, before it counts as overshooting.
 _SLACK = 1e-9
 
 
 @record
 class Pace:
-    """How fast a path may be run: `shape`, speed, rates, and what the S-curves need beside."""
+    """The limits of a path: `shape`, speed, rates, and the parameters of the S-curves."""
 
     shape: str
     speed: float
@@ -44,7 +44,7 @@ class Pace:
     decel_jerk: float = inf
 
     def key(self) -> tuple[object, ...]:
-        """What two stretches must share to be run through as one."""
+        """Return the values that two segments must share to be planned as one."""
         return (
             self.shape,
             self.speed,
@@ -56,7 +56,7 @@ class Pace:
         )
 
     def ramps(self) -> Ramps:
-        """The ramps of its shape."""
+        """Return the ramps of the shape."""
         return ramps_of(self.shape, self.accel, self.decel, self.ramp, self.accel_jerk, self.decel_jerk)
 
 
@@ -67,12 +67,12 @@ def plan_course(
     a0: float = 0.0,
     joins: Sequence[float] = (),
 ) -> Profile | None:
-    """Plan a run through `stretches` (the length and pace of each) to rest at the end of the last one.
+    """Plan a run through `stretches` (length and pace of each) to rest at the end.
 
-    It begins at the place `start`, counted from the beginning of the first, at speed v0 >= 0 and acceleration a0, which
-    matters to ramps with bounded jerk alone. `joins` are limits on the speed from one stretch to the next, beside those
-    of the stretches. A run that begins too fast brakes as hard as it may; None if it could not stop at its end. Raises
-    ValueError for numbers no machine can follow.
+    It begins at position `start`, counted from the beginning of the first segment, at speed v0 >= 0 and
+    acceleration a0, which matters to jerk-limited ramps alone. `joins` are further limits on the speed from
+    one segment to the next. A run that begins too fast brakes as hard as allowed; None if it could not stop
+    at its end. Raises ValueError for numbers no machine can follow.
     """
     check_finite(position=start, start_velocity=v0, start_acceleration=a0)
     for _, pace in stretches:
@@ -102,7 +102,8 @@ def _ramps_of(
         return None if speeds is None else _between_all(lengths, paces, ramps, speeds, a0)
     latest = _back(lengths, paces, ramps, caps)
     for k in range(1, len(lengths) + 1):
-        # What begins too fast for its first stretch is run at the slowest of as many as it takes.
+        # A run that begins too fast for its first segment uses the slowest pace of as many segments as it
+        # needs.
         slow = _slowest(paces[:k])
         way, own, target = total(lengths[:k]), slow.ramps(), min(latest[k], slow.speed)
         best = exit_speed(own, way, v0, a0, target)
@@ -119,7 +120,7 @@ def _ramps_of(
 
 
 def _by_squares(lengths: list[float], ramps: list[Ramps], caps: list[float], v0: float) -> list[float] | None:
-    """The speeds at both ends and at the joins; None where the end cannot be one at rest."""
+    """The speeds at both ends and at the joins; None if it cannot stop at the end."""
     factors = [each.squares for each in ramps]
     latest = [0.0]
     for length, factor, cap in reversed(list(zip(lengths[1:], factors[1:], caps, strict=True))):
@@ -138,7 +139,7 @@ def _by_squares(lengths: list[float], ramps: list[Ramps], caps: list[float], v0:
 
 
 def _back(lengths: list[float], paces: list[Pace], ramps: list[Ramps], caps: list[float]) -> list[float]:
-    """The highest speed at the beginning of each stretch from which all that follows can be run; 0 at the end."""
+    """The highest feasible speed at the beginning of each segment; 0 at the end."""
     latest = [0.0]
     for i in range(len(lengths) - 1, 0, -1):
         latest.append(entry_speed(ramps[i], lengths[i], latest[-1], caps[i - 1]))
@@ -158,7 +159,7 @@ def _between_all(
 
 
 def _slowest(paces: list[Pace]) -> Pace:
-    """A pace that keeps the limits of all."""
+    """Return a pace that observes the limits of all."""
     if len(paces) == 1:
         return paces[0]
     first = paces[0]
@@ -176,7 +177,7 @@ def _slowest(paces: list[Pace]) -> Pace:
 def _joined(
     shape: str, start: float, end: float, v0: float, a0: float, steps: Steps, ramps: list[Ramp]
 ) -> Profile:
-    """The profile of such ramps, those that go on as one being one."""
+    """Return the profile of these ramps; ramps that continue each other become one."""
     rows: list[Ramp] = []
     for ramp in ramps:
         if not ramp[1] > 0.0:

@@ -1,6 +1,6 @@
-"""Profiles as plain tuples, as a log keeps them in few bytes, and back to the same motion.
+"""Profiles as plain tuples, the compact form of the log, and their restoration.
 
-Of ramps the recipe is kept and not the pieces that were made of it: where a profile was scaled with its pieces, the two
+Of ramps the recipe is stored, not the pieces made from it. If a profile was scaled with its pieces, the two
 may differ in the last bit.
 """
 
@@ -12,8 +12,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.ramps import Curve
 
-    # (shape, start, end, duration, recipe), with the curve behind it where no recipe gives it; (position,) for rest
-    # without end; of a formula (name, parts, shape, end).
+    # (shape, start, end, duration, recipe), followed by the curve if no recipe gives it; (position,) for rest
+    # without end; (name, arguments, shape, end) for a formula.
     Packed = tuple[object, ...]
 
 _HOLD = 1
@@ -22,7 +22,7 @@ _CURVE = 6
 
 
 def packed(profile: Profile) -> Packed:
-    """A profile as numbers, texts and tuples of them."""
+    """Return a profile as a tuple of numbers, texts and tuples of them."""
     recipe = profile._recipe
     if len(recipe) > 2:
         return profile.shape, profile.start, profile.end, profile.duration, recipe
@@ -36,7 +36,7 @@ def packed(profile: Profile) -> Packed:
 
 
 def unpacked(row: Packed) -> Profile:
-    """The profile of such a tuple."""
+    """Return the profile of such a tuple."""
     if len(row) == _HOLD:
         return hold(row[0])  # type: ignore[arg-type]
     if len(row) == RAMPS:

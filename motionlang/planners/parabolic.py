@@ -1,4 +1,4 @@
-"""PMC's parabolic profile (aPP): the acceleration falls linearly from its peak to zero at the slew speed."""
+"""PMC's parabolic profile (aPP): acceleration falls linearly to zero at slew."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from motionlang.planners.ramps import FALLING, RISING
 def plan_parabolic(
     start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0
 ) -> Profile:
-    """Plan a parabolic move: T_A = 2V/A, S_A = 2/3 T_A V (TN1069); deceleration mirrors it in time.
+    """Plan a parabolic move: T_A = 2V/A, S_A = 2/3 T_A V (TN1069).
 
-    A short move peaks below `speed`: V' = sqrt(3 A S/8) for A = D from rest. Raises ValueError as
-    `plan_trapezoid`.
+    Deceleration mirrors it in time. A short move peaks below `speed`: V' = sqrt(3 A S/8) for A = D from rest.
+    Raises ValueError like `plan_trapezoid`.
     """
     if not (
         speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
@@ -31,7 +31,10 @@ def plan_parabolic(
 
 
 def parabolic_ramps(accel: float, decel: float) -> Ramps:
-    """Ramps of duration 2 |dv|/A and distance 2/3 (v2 - v1)(v1 + 2 v2)/A from v1 up to v2."""
+    """Return ramps of duration 2 |dv|/A.
+
+    From v1 up to v2 they cover 2/3 (v2 - v1)(v1 + 2 v2)/A.
+    """
     up = 2.0 / accel
     down = 2.0 / decel
 

@@ -1,4 +1,4 @@
-"""One piece of a curve: its value and derivatives, where it turns, and the same piece seen from elsewhere."""
+"""One piece of a curve: values, derivatives, extrema, and changes of its origin."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def jerk_in(piece: Piece, x: float) -> float:
 
 
 def still_points(piece: Piece, duration: float) -> tuple[float, ...]:
-    """Local times strictly inside (0, duration) at which the velocity is zero, in order."""
+    """Local times inside (0, duration) at which the velocity is zero, in order."""
     _, c1, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         cosine = -c1 / (amplitude * omega)
@@ -52,7 +52,10 @@ def still_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
 
 def even_points(piece: Piece, duration: float) -> tuple[float, ...]:
-    """Local times strictly inside (0, duration) at which the acceleration is zero: a half wave has none."""
+    """Local times strictly inside (0, duration) at which the acceleration is zero.
+
+    A half wave has none.
+    """
     _, _, c2, c3, amplitude, _, _ = piece
     if amplitude or c3 == 0.0:
         return ()
@@ -60,13 +63,13 @@ def even_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
 
 def crest_points(piece: Piece, duration: float) -> tuple[float, ...]:
-    """Local times strictly inside (0, duration) at which the acceleration itself peaks (sine pieces only)."""
+    """Local times inside (0, duration) of acceleration peaks (sine pieces only)."""
     _, _, _, _, amplitude, omega, phase = piece
     return _inside(duration, (0.5 * pi - phase) / omega) if amplitude else ()
 
 
 def recentred(piece: Piece, x: float) -> Piece:
-    """The same curve with local time counted from x."""
+    """Return the same curve with local time counted from x."""
     c0, c1, c2, c3, amplitude, omega, phase = piece
     if x == 0.0:
         return piece
@@ -76,7 +79,10 @@ def recentred(piece: Piece, x: float) -> Piece:
 
 
 def transformed(piece: Piece, factor: float, before: float, after: float) -> Piece:
-    """Distances from the position `before` times factor, counted from `after`: that position itself is exact."""
+    """Scale distances from the position `before` by `factor`, counted from `after`.
+
+    The position `before` itself maps exactly.
+    """
     c0, c1, c2, c3, amplitude, omega, phase = piece
     return (
         (c0 - before) * factor + after,
@@ -94,7 +100,7 @@ def _inside(duration: float, *times: float) -> tuple[float, ...]:
 
 
 def _quadratic(a: float, b: float, c: float) -> tuple[float, ...]:
-    """Real roots of a x^2 + b x + c, a != 0, by the form that does not cancel."""
+    """Real roots of a x^2 + b x + c, a != 0, by the form without cancellation."""
     under = b * b - 4.0 * a * c
     if not 0.0 <= under < inf:
         return ()

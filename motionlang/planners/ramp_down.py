@@ -1,6 +1,7 @@
-"""Leaving a ramp in its middle where no jerk is set: PMC's S-curves, whose acceleration has a shape instead.
+"""Ramp-down of residual acceleration where no jerk is set: PMC's S-curves.
 
-The acceleration falls to zero as the ramp itself would have let it fall: along its falling flank, taken up at once.
+Their acceleration has a shape instead of a jerk limit. It falls to zero as it would at the end of the ramp:
+along its falling flank, which begins at once.
 """
 
 from __future__ import annotations
@@ -21,12 +22,15 @@ _SLACK = 1e-9
 
 
 def shaped(shape: str, accel_jerk: float) -> bool:
-    """Whether ramps bend without a jerk being set."""
+    """True if ramps have a shaped acceleration although no jerk is set."""
     return shape == "sinusoidal" or (shape == "scurve" and accel_jerk == inf)
 
 
 def relief(profile: Profile, time: float) -> Profile | None:
-    """From the state at `time` to no acceleration; None where there is none, or no flank that takes it back."""
+    """Return the ramp-down from the state at `time` to zero acceleration.
+
+    None if there is no acceleration, or no flank that reduces it.
+    """
     if not (profile.pieced and 0.0 <= time < profile.duration):
         return None
     i = profile._index(time)
@@ -40,7 +44,7 @@ def relief(profile: Profile, time: float) -> Profile | None:
     curve = ((0.0, duration), (falling,), ((name, 0),))
     end = position_in(falling, duration)
     last = velocity_in(falling, duration)
-    if abs(last) <= NOTHING * abs(velocity):  # it leads to rest, and rounding leaves no ramp behind it
+    if abs(last) <= NOTHING * abs(velocity):  # it leads to rest, and the remaining ramp is rounding
         last = 0.0
     return from_curve(profile.shape, position_in(piece, 0.0), end, curve, velocity, last)
 
@@ -48,7 +52,10 @@ def relief(profile: Profile, time: float) -> Profile | None:
 def onset(
     profile: Profile, time: float, shape: str, accel_jerk: float
 ) -> tuple[Profile | None, float, float, float]:
-    """What a new plan begins with: the part that takes a shaped acceleration back, and the state to plan from."""
+    """Return the ramp-down that a new plan begins with, and the state to plan from.
+
+    The ramp-down is that of a shaped acceleration.
+    """
     if shaped(shape, accel_jerk):
         eased = relief(profile, time)
         if eased is not None:
@@ -58,7 +65,10 @@ def onset(
 
 
 def admitted(acceleration: float, velocity: float, accel: float, decel: float) -> float:
-    """The acceleration with which a ramp takes over motion that does not keep its rates: no more than these."""
+    """Return the initial acceleration of a ramp that takes over a motion.
+
+    It is at most `accel` or `decel`, even if the motion exceeds the rates of its axis.
+    """
     most = accel if acceleration * velocity >= 0.0 else decel
     return max(-most, min(acceleration, most))
 
@@ -73,12 +83,11 @@ def stop_under_way(
     decel_jerk: float = inf,
     accel: float | None = None,
 ) -> Profile:
-    """Come to rest at `decel` from a motion under way; the acceleration of an S-curve does not jump.
+    """Come to rest at `decel` from motion, without an acceleration jump in an S-curve.
 
-    Motion that does not keep the rates of the axis has its `accel`: it is stopped from an acceleration within both.
-
-    A ramp of PMC's that slows down already goes on to rest as planned, if that is no farther and nowhere harder than
-    `decel`. Raises ValueError as `plan_stop`.
+    Motion that exceeds the rates of the axis has its `accel`: it is stopped from an acceleration within both.
+    A ramp of PMC's that already slows down continues to rest as planned, if that is no farther and never
+    harder than `decel`. Raises ValueError like `plan_stop`.
     """
     state = profile.at(time)
     if shape == "trapezoid" or (shape == "scurve" and decel_jerk < inf):
@@ -99,7 +108,10 @@ def stop_under_way(
 
 
 def _rest_ahead(profile: Profile, time: float, decel: float) -> Profile | None:
-    """The rest of a profile up to standstill; None if it has none, or exceeds `decel` before it."""
+    """Return the rest of a profile up to standstill.
+
+    None if it does not come to rest, or exceeds `decel` before it.
+    """
     still = profile.velocity_crossing(0.0, time)
     if still is None or not still <= profile.duration < inf:
         return None
@@ -108,7 +120,7 @@ def _rest_ahead(profile: Profile, time: float, decel: float) -> Profile | None:
 
 
 def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
-    """The same half wave from where it is as high as it is now and falls."""
+    """Return the same half wave from the point where it has the same height and falls."""
     _, _, _, _, amplitude, omega, phase = piece
     if not 0.0 < phase < pi:
         return None
@@ -120,12 +132,12 @@ def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
 
 
 def _on_slope(profile: Profile, index: int, piece: Piece) -> tuple[Piece, float] | None:
-    """The cubic that takes the acceleration back at the slope of this ramp."""
+    """Return the cubic that ramps the acceleration down at the slope of this ramp."""
     position, velocity, half, _, _, _, _ = piece
     if not half:
         return None
     slope = profile.pieces[index][3]
-    if not slope:  # held: the flank follows
+    if not slope:  # constant: the flank follows
         following = profile.pieces[index + 1 : index + 2]
         slope = following[0][3] if following and not following[0][4] else 0.0
         if slope * half >= 0.0:

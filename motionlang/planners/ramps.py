@@ -1,7 +1,7 @@
-"""Velocity ramps, and what they expand to: cubic pieces with at most one sine term.
+"""Velocity ramps, and their expansion into cubic pieces with up to one sine term.
 
 A *recipe* is a flat tuple v0, T1, kind1, v1, T2, kind2, v2 ...: velocities joined by ramps, each with its
-duration and its kind. It is all a planner makes, because planning happens in the running program and drawing
+duration and its kind. Planners make nothing else, because planning happens in the running program and drawing
 does not. A kind between 0 and 0.5 is the ramp ratio of a trapezoidal acceleration (0 a constant acceleration,
 0.5 a triangular one); the others are the three constants below.
 
@@ -23,18 +23,25 @@ if TYPE_CHECKING:
 SINE = -1.0
 """Acceleration A sin(pi t/T): TN1069's sinusoidal S-curve."""
 FALLING = -2.0
-"""Acceleration falling linearly from its peak to zero: TN1069's parabolic profile, speeding up."""
+"""Acceleration falling linearly from its peak to zero (TN1069, parabolic).
+
+It speeds up.
+"""
 RISING = -3.0
-"""Acceleration growing linearly from zero to its peak: the same in reverse, slowing down."""
+"""Acceleration growing linearly from zero to its peak, to slow down."""
 
 MOMENT = 1e-100
-"""Seconds too few to divide by the square of; ramps this short, or too short for the clock, are left out."""
+"""Durations, s, too short to divide by their square.
+
+Ramps this short, or below the clock's resolution, are left out.
+"""
 
 
 def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> float:
-    """Distance of a ramp: the mean velocity for symmetrical kinds, two thirds of the way for parabolic ones.
+    """Return the distance of a ramp.
 
-    TN1069: S_A = T_A VEL/2, for the parabolic profile 2/3 T_A VEL.
+    Symmetrical kinds use the mean velocity; parabolic ones cover two thirds: TN1069 has S_A = T_A VEL/2, and
+    2/3 T_A VEL for the parabolic profile.
     """
     if kind == FALLING:
         return (v_from + 2.0 * v_to) * duration / 3.0
@@ -44,7 +51,10 @@ def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> f
 
 
 def expand(start: float, recipe: Recipe) -> Curve:
-    """Knots, pieces and phase marks (name, index of its first piece) of a recipe that begins at `start`."""
+    """Return knots, pieces and phase marks of a recipe that begins at `start`.
+
+    A mark is the name of a phase and the index of its first piece.
+    """
     time = 0.0
     knots = [0.0]
     pieces: list[Piece] = []
@@ -64,7 +74,7 @@ def expand(start: float, recipe: Recipe) -> Curve:
 
 
 def named_ramps(recipe: Recipe) -> list[tuple[str, float, float, float, float]]:
-    """Name, duration, distance, first and last velocity of every ramp of a recipe that takes time."""
+    """Name, duration, distance, first and last velocity of each ramp that takes time."""
     found = []
     final = len(recipe) - 4
     for i in range(0, final + 1, 3):
@@ -108,14 +118,17 @@ def _add_ramp(
 def _add_trapezoidal(
     knots: list[float], pieces: list[Piece], time: float, p: float, ramp: tuple[float, float, float, float]
 ) -> None:
-    """Acceleration up to its peak over ratio T, held, and down again over ratio T (TN1069, Mint's S-ramp)."""
+    """Add a trapezoidal acceleration: up over ratio T, constant, down over ratio T.
+
+    (TN1069, Mint's S-ramp.)
+    """
     v_from, duration, ratio, v_to = ramp
     rise = (
         min(ratio, 0.5) * duration
-    )  # where the peak is reached just so, rounding may have it later than the middle
+    )  # if the peak is only just reached, rounding may put it after the middle
     held = duration - 2.0 * rise
     risen, falling, finish = time + rise, time + (duration - rise), time + duration
-    if not time < risen <= falling < finish:  # too short for the clock
+    if not time < risen <= falling < finish:  # too short for the clock's resolution
         _add_ramp(knots, pieces, time, p, (v_from, duration, 0.0, v_to))
         return
     peak = (v_to - v_from) / (duration - rise)

@@ -1,4 +1,4 @@
-"""A velocity as a curve of its own, so that its crossings can be watched as those of a position are."""
+"""A velocity as a curve of its own, so that its crossings can be found."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from motionlang.planners.formula import Formula
 
 
 class Rate(Formula):
-    """The velocity of a profile: its position is that velocity, its velocity the acceleration, and so on."""
+    """The velocity of a profile, as a position.
+
+    Its velocity is the acceleration of the profile, and so on.
+    """
 
     __slots__ = ("profile",)
 
@@ -24,5 +27,5 @@ class Rate(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Those of the profile."""
+        """The knots of the profile."""
         return self.profile.knots

@@ -1,4 +1,4 @@
-"""What a trapezoidal move can reach: the peak of one too short for its speed, and demands that no move meets."""
+"""Limits of trapezoidal moves: the peak of a short one, and impossible demands."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from motionlang.planners.solve import NAMES, solve_move
 
 
 def triangle(distance: float, speed: float, accel: float, decel: float) -> dict[str, float] | None:
-    """The move that turns round before it comes to `speed`, as all eight figures; None where it comes to it."""
+    """All eight figures of a move too short to reach `speed`; None if it reaches it."""
     if needed_distance(speed, accel, decel) <= distance:
         return None
     return solve_move(None, distance=distance, slew_time=0.0, accel=accel, decel=decel)
 
 
 def needed_distance(speed: float, accel: float, decel: float) -> float:
-    """The distance within which a move speeds up to `speed` and slows down again."""
+    """Return the distance in which a move speeds up to `speed` and slows down again."""
     return 0.5 * speed * speed * (1.0 / accel + 1.0 / decel)
 
 
 def remedies(rule: str | None, given: dict[str, float]) -> list[str]:
-    """Which figure to change, alone, and to what, where no move has all the figures that were given."""
+    """Return single changes of a figure that make an impossible move possible."""
     found = [f"{_word(name)} {value:.6g}" for name, value in _replaced(rule, given)]
     return found or _ranges(given)
 
 
 def _replaced(rule: str | None, given: dict[str, float]) -> list[tuple[str, float]]:
-    """Each figure that the others determine, with the value that they give it."""
+    """Return each figure that the others determine, with the value that they give it."""
     values = []
     for name in NAMES:
         if name in given:
@@ -39,7 +39,7 @@ def _replaced(rule: str | None, given: dict[str, float]) -> list[tuple[str, floa
 
 
 def _ranges(given: dict[str, float]) -> list[str]:
-    """How far the figures that limit each other would have to go."""
+    """Return the bounds of the figures that limit each other."""
     distance, time, speed = (given.get(name, 0.0) for name in ("distance", "time", "speed"))
     if not (distance and time):
         return []
@@ -67,7 +67,7 @@ def _ranges(given: dict[str, float]) -> list[str]:
 
 
 def _rates(given: dict[str, float], factor: float) -> str:
-    """The rates that were given, made larger by a factor."""
+    """Return the given rates, increased by a factor."""
     return " and ".join(f"{name} {given[name] * factor:.6g}" for name in ("accel", "decel") if name in given)
 
 

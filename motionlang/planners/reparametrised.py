@@ -1,7 +1,7 @@
 """A curve travelled over time: position = curve(distance(time)).
 
-The curve is itself a `Profile` whose "time" is the distance along a path, or the position of a master: a line, an arc
-(one sine), a cam table (cubics). So all that is known of profiles in closed form is known of curves.
+The curve is itself a `Profile` whose "time" is the distance along a path, or the position of a master: a
+line, an arc (one sine), a cam table (cubics). So every closed form for profiles also applies to curves.
 """
 
 from __future__ import annotations
@@ -19,13 +19,17 @@ if TYPE_CHECKING:
 _MOST_CROSSINGS = 10_000
 
 AT_END = 1e-9
-"""The part of a curve by which rounding may put a place beyond its end: the bend of the curve counts that far."""
+"""Fraction of a curve by which rounding may exceed its end.
+
+The curvature of the curve applies that far.
+"""
 
 
 class Composed(Formula):
-    """`curve` travelled as `along` says; before and beyond its ends the curve goes on as a straight line.
+    """`curve` travelled with the motion `along`; linear beyond its ends.
 
-    At an end itself, where rounding decides on which side of it a place is, the curve is still as bent as before it.
+    At an end itself, where rounding decides on which side a distance is, the curve has the curvature inside
+    it.
     """
 
     __slots__ = ("along", "path")
@@ -44,7 +48,7 @@ class Composed(Formula):
         )
 
     def state(self, time: float) -> State:
-        """The motion by the chain rule: v = f' s', a = f'' s'^2 + f' s'', and so on to the jerk."""
+        """The motion by the chain rule: v = f' s', a = f'' s'^2 + f' s'', and so on."""
         s = self.along.at(time)
         if 0.0 <= s.position < self.path.duration:
             f = self.path.at(s.position)
@@ -62,7 +66,10 @@ class Composed(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """The knots of the motion along the curve, and when it passes knots and turning points of the curve."""
+        """The knots of the motion, and the times at which it passes knots of the curve.
+
+        Extrema of the curve count as its knots.
+        """
         found = set(self.along.knots)
         low, high = self.along.extrema()
         for place in places(self.path):
@@ -72,7 +79,7 @@ class Composed(Formula):
 
     @property
     def phases(self) -> tuple[Phase, ...]:
-        """The phases of the motion along the curve, each with the distance and velocities of this profile."""
+        """The phases of the motion, each with the distance and velocities of this profile."""
         made, begin = [], 0.0
         for phase in self.along.phases:
             finish = begin + phase.duration
@@ -85,7 +92,7 @@ class Composed(Formula):
 
     @property
     def peak_speed(self) -> float:
-        """The largest absolute velocity; in closed form while the motion along the curve is uniform."""
+        """The largest absolute velocity; in closed form at uniform speed along the curve."""
         speed = _uniform_speed(self.along)
         if speed is None:
             return super().peak_speed
@@ -101,13 +108,13 @@ class Composed(Formula):
 
     @property
     def speed_bound(self) -> float:
-        """What its largest absolute velocity does not exceed: the highest speed along it at its highest slope."""
+        """An upper bound of the absolute velocity: highest speed times highest slope."""
         path = self.path
         return self.along.speed_bound * max(path.peak_speed, abs(path.start_velocity), abs(path.end_velocity))
 
     @property
     def peak_acceleration(self) -> float:
-        """The largest absolute acceleration; in closed form while the motion along the curve is uniform."""
+        """The largest absolute acceleration; closed form at uniform speed along the curve."""
         speed = _uniform_speed(self.along)
         if speed is None:
             return super().peak_acceleration
@@ -115,32 +122,32 @@ class Composed(Formula):
         return 0.0 if path is None else speed * speed * path.peak_acceleration
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        """Return the first time >= `after` at `position`, or None if there is none."""
         times = [self.along.crossing(place, after) for place in self._places_of(position)]
         return min((time for time in times if time is not None), default=None)
 
     def extrema(self) -> tuple[float, float]:
-        """The smallest and the largest position of the profile, turning points included."""
+        """Return the smallest and the largest position, including extrema inside."""
         low, high = self.along.extrema()
         inside = (place for place in places(self.path) if low <= place <= high)
         seen = [_on(self.path, place)[0] for place in (low, high, *inside)]
         return min(seen), max(seen)
 
     def cut(self, time: float) -> Profile:
-        """The first `time` seconds, exactly as they were."""
+        """Return the first `time` seconds, exactly."""
         return Composed(self.along.cut(time), self.path, self.shape) if time < self.duration else self
 
     def after(self, time: float) -> Profile:
-        """What remains after `time` seconds, its clock starting at 0."""
+        """Return the rest after `time` seconds, with its clock starting at 0."""
         return Composed(self.along.after(time), self.path, self.shape) if time > 0.0 else self
 
     def scaled(self, start: float, factor: float) -> Profile:
-        """The same motion from `start`, every distance times `factor`."""
+        """Return the same motion from `start`, with every distance times `factor`."""
         begin = start + (self.path.start - self.start) * factor
         return Composed(self.along, self.path.scaled(begin, factor), self.shape)
 
     def _travelled_part(self, low: float, high: float) -> Profile | None:
-        """The curve between two places of it; None where it has nothing between them."""
+        """Return the curve between two distances; None if nothing is between them."""
         length = self.path.duration
         if low >= length or high <= 0.0:
             return None
@@ -148,7 +155,10 @@ class Composed(Formula):
         return path.after(low) if low > 0.0 else path
 
     def _places_of(self, position: float) -> list[float]:
-        """Everywhere on the curve that is at `position`, also on its straight continuations."""
+        """Return all distances at which the curve is at `position`.
+
+        Its straight continuations are included.
+        """
         path = self.path
         found = crossings(path, position)
         for end, slope, edge in (
@@ -162,7 +172,10 @@ class Composed(Formula):
 
 
 def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
-    """`curve` travelled as `along` says, as plain pieces where the part in question is straight."""
+    """Return `path` travelled with the motion `along`.
+
+    The result is plain pieces if the travelled section is straight.
+    """
     if len(path.pieces) == 1 and not any(path.pieces[0][2:5]):
         return _straight(along, path.pieces[0], 0.0, shape)
     low, high = along.extrema()
@@ -177,7 +190,7 @@ def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
 
 
 def _uniform_speed(along: Profile) -> float | None:
-    """The speed of a motion that has the same one all the time; None for another motion."""
+    """Return the speed of a uniform motion, or None if it is not uniform."""
     if not along.pieced or len(along.pieces) != 1 or any(along.pieces[0][2:5]):
         return None
     return abs(along.pieces[0][1])
@@ -190,7 +203,7 @@ def _straight(along: Profile, piece: Piece, begin: float, shape: str) -> Profile
 
 
 def places(path: Profile) -> list[float]:
-    """Knots and turning points of a curve."""
+    """Return the knots and extrema of a curve."""
     found = list(path.knots)
     for piece, begin, finish in zip(path.pieces, path.knots, path.knots[1:], strict=False):
         found += [begin + x for x in still_points(piece, finish - begin)]
@@ -198,9 +211,9 @@ def places(path: Profile) -> list[float]:
 
 
 def crossings(profile: Profile, position: float) -> list[float]:
-    """Every time at which a profile comes to `position`; of a rest there, the beginning.
+    """Every time at which a profile reaches `position`; for a rest, its beginning.
 
-    Two crossings nearer than a ten-millionth of the whole, as at a turning point, count as one.
+    Two crossings nearer than a ten-millionth of the duration, as at an extremum, count as one.
     """
     found: list[float] = []
     after = 0.0
@@ -220,7 +233,10 @@ def crossings(profile: Profile, position: float) -> list[float]:
 
 
 def _bend_at_end(path: Profile, place: float) -> float:
-    """The second derivative of the curve at a place that is one of its ends but for rounding; 0.0 farther out."""
+    """Return the second derivative of the curve at one of its ends, within rounding.
+
+    Farther out it is 0.0.
+    """
     length = path.duration
     if not -AT_END * length <= place <= length * (1.0 + AT_END) < inf:
         return 0.0

@@ -1,4 +1,4 @@
-"""The root of a monotone function inside a bracket, to the last bit of a float."""
+"""The root of a monotone function in a bracket, to the last bit of a float."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ if TYPE_CHECKING:
 
 
 def bracketed_root(f: Callable[[float], tuple[float, float]], low: float, high: float, rising: bool) -> float:
-    """Where f is zero in [low, high]; f returns (value, slope) and rises or falls all the way.
+    """Return the zero of f in [low, high].
 
-    Newton's step, replaced by bisection whenever it leaves the bracket or fails to halve it, so the
-    worst case is that of bisection.
+    f returns (value, slope) and is monotone, rising or falling. Newton's step is replaced by bisection if it
+    leaves the bracket or fails to halve it, so the worst case is that of bisection.
     """
     x = 0.5 * (low + high)
     before = high - low

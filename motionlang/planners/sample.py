@@ -1,8 +1,9 @@
-"""Profiles into NumPy columns, at a few times the cost of filling the array.
+"""Sampling of profiles into NumPy columns, a few times as slow as filling them.
 
 Long pieces are sampled block by block: the piece is re-centred at the start of every block of K points, and
 one matrix product with the powers of the time inside a block makes all blocks at once. Short pieces are
-sampled together on one grid of small blocks, and the points between a knot and the next block done again.
+sampled together on one grid of small blocks; the points between a knot and the next block are then computed
+again.
 """
 
 from __future__ import annotations
@@ -34,26 +35,26 @@ LONG = 1024
 
 
 def sample_profile(profile: Profile, n: int, dt: float, order: int = 0, out: Array | None = None) -> Array:
-    """Position (order 0), velocity (1) or acceleration (2) at n times 0, dt, 2 dt ..."""
+    """Sample position (order 0), velocity (1) or acceleration (2) at 0, dt, 2 dt, …"""
     return PieceTable((0.0,), (profile,)).sample(0.0, dt, n, order, out)
 
 
 def sample_track(
     starts: Sequence[float], profiles: Sequence[Profile], t0: float, dt: float, n: int, quantity: str
 ) -> Array:
-    """A history of moves at n times t0, t0 + dt ...; `quantity` is position, velocity, acceleration or jerk.
+    """Sample a history of moves at n times t0, t0 + dt, …
 
-    `starts` (seconds, rising) says when each profile begins; it ends where the next begins, however far it
-    got, and between moves the axis stays as the last one left it. To sample one history more than once
-    make its `PieceTable` once.
+    `quantity` is position, velocity, acceleration or jerk. `starts` (seconds, rising) are the start times of
+    the profiles. Each profile ends at the start of the next, wherever it is by then, and between moves the
+    axis rests where the last one ended. To sample one history more than once make its `PieceTable` once.
     """
     return PieceTable(starts, profiles).sample(t0, dt, n, ORDERS[quantity])
 
 
 class PieceTable:
-    """The pieces of a history as columns: when each begins, and its seven coefficients (7 x pieces).
+    """The pieces of a history as columns: start times and coefficients (7 x pieces).
 
-    Formulas are there as cubics to draw; they are sampled as what they are.
+    Formulas are in it as cubics to draw; they are sampled from the formula.
     """
 
     def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
@@ -75,11 +76,14 @@ class PieceTable:
 
     @property
     def is_exact(self) -> bool:
-        """Whether all of it is in pieces, and none a formula that the columns only draw."""
+        """True if no profile is a formula, which the columns only approximate."""
         return not self._formulas
 
     def sample(self, t0: float, dt: float, n: int, order: int = 0, out: Array | None = None) -> Array:
-        """n values of derivative `order` at t0, t0 + dt ..., into `out` if given (n doubles)."""
+        """Return n values of derivative `order` at t0, t0 + dt, …
+
+        They are written to `out` (n doubles) if it is given.
+        """
         out = np.empty(n) if out is None else out
         if not len(self.begins):
             out.fill(0.0)
@@ -104,7 +108,10 @@ class PieceTable:
         return out
 
     def _edges(self, t0: float, dt: float, n: int) -> NDArray[np.int64]:
-        """First point of each piece; a point that is at a knot but for rounding belongs to the next piece."""
+        """Return the first point of each piece.
+
+        A point at a knot, within rounding, belongs to the next piece.
+        """
         rounding = min(1e-9, 1e-15 * (abs(t0) / dt + n))
         first = np.ceil((self.begins - t0) / dt - rounding)
         return np.append(np.clip(first, 0, n), n).astype(np.int64)
@@ -113,7 +120,7 @@ class PieceTable:
 def _sample_formula(
     out: Array, profile: Profile, begin: float, finish: float, how: tuple[float, float, int]
 ) -> None:
-    """The points from `begin` up to `finish` of one formula, CHUNK at a time."""
+    """Sample the points from `begin` up to `finish` of one formula, CHUNK at a time."""
     t0, dt, order = how
     rounding = min(1e-9, 1e-15 * (abs(t0) / dt + len(out)))
     edges = np.ceil((np.array([begin, finish]) - t0) / dt - rounding)
@@ -133,14 +140,14 @@ def _derivative(columns: Array, order: int) -> Array:
 
 
 def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Begin and end of every run of True."""
+    """Return begin and end of every run of True."""
     padded = np.concatenate(([False], mask, [False]))
     turns = np.flatnonzero(padded[1:] != padded[:-1])
     return [(int(a), int(b)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
 
 
 class _Asked(NamedTuple):
-    """The points that are asked for: where they go, the first one of each piece, and the pieces."""
+    """The requested points: their output, the first one of each piece, and the pieces."""
 
     out: Array
     edges: NDArray[np.int64]
@@ -150,7 +157,10 @@ class _Asked(NamedTuple):
 
 
 def _sample_cubics(asked: _Asked, which: NDArray[np.int64]) -> None:
-    """The long cubic pieces: all their blocks re-centred together, then one product for each piece."""
+    """Sample the long cubic pieces.
+
+    All their blocks are re-centred together, then there is one product for each piece.
+    """
     if not len(which):
         return
     out, edges, origins, columns, dt = asked
@@ -165,7 +175,10 @@ def _sample_cubics(asked: _Asked, which: NDArray[np.int64]) -> None:
 
 
 def _sample_wave(out: Array, piece: Array, x0: float, dt: float) -> None:
-    """One long sine piece: sin(a + b) = sin a cos b + cos a sin b makes it a product as well."""
+    """Sample one long sine piece as a matrix product.
+
+    sin(a + b) = sin a cos b + cos a sin b.
+    """
     c0, c1, _, _, amplitude, omega, phase = (float(c) for c in piece)
     inside = np.arange(BLOCK) * dt
     x = x0 + np.arange(-(-len(out) // BLOCK)) * (BLOCK * dt)
@@ -178,13 +191,13 @@ def _sample_wave(out: Array, piece: Array, x0: float, dt: float) -> None:
 
 
 def _powers(count: int, dt: float) -> Array:
-    """1, t, t^2, t^3 at `count` times, as rows."""
+    """Return 1, t, t^2, t^3 at `count` times, as rows."""
     t = np.arange(count) * dt
     return np.stack((np.ones(count), t, t * t, t * t * t))
 
 
 def _blocks(local: Array, basis: Array, out: Array) -> None:
-    """local @ basis into all of out, the last block as far as it goes."""
+    """Write local @ basis to all of `out`, the last block only in part."""
     size = basis.shape[1]
     full, rest = divmod(len(out), size)
     _multiply(local[:full], basis, out[: full * size].reshape(full, size))
@@ -193,7 +206,7 @@ def _blocks(local: Array, basis: Array, out: Array) -> None:
 
 
 def _multiply(local: Array, basis: Array, out: Array) -> None:
-    """local @ basis into out, in slices too small for the BLAS to start threads.
+    """Write local @ basis to `out`, in slices too small for the BLAS to start threads.
 
     Threads gain little here, where memory is the limit, and cost thirty times as much on a busy machine.
     """
@@ -203,7 +216,10 @@ def _multiply(local: Array, basis: Array, out: Array) -> None:
 
 
 def _sample_short(asked: _Asked, runs: list[tuple[int, int]]) -> None:
-    """Runs of short pieces, as many together as CHUNK points allow; a longer run in parts."""
+    """Sample runs of short pieces, at most CHUNK points at a time.
+
+    A longer run is split.
+    """
     edges = asked.edges
     together: list[tuple[int, int]] = []
     points = 0
@@ -227,12 +243,16 @@ def _sample_short(asked: _Asked, runs: list[tuple[int, int]]) -> None:
 
 
 def _sample_runs(asked: _Asked, runs: list[tuple[int, int]]) -> None:
-    """A grid of small blocks a run, each from the piece its first point is in; then what follows a knot, again."""
+    """Sample runs on grids of small blocks, each from the piece of its first point.
+
+    The points after a knot are then sampled again.
+    """
     out, edges, origins, columns, dt = asked
     piece = np.concatenate([np.arange(a, b) for a, b in runs])
     bounds = edges.take([a for a, _ in runs]), edges.take([b for _, b in runs])
     begins, ends, origins, columns = edges[piece], edges[piece + 1], origins[piece], columns[:, piece]
-    # Of each piece: where its run begins, and the first and last block of the run whose first point is in it.
+    # For each piece: where its run begins, and the first and last block of the run whose first point is in
+    # it.
     run = np.repeat(bounds[0], [b - a for a, b in runs])
     first, last = -(-(begins - run) // GRID), -(-(ends - run) // GRID)
     counts = last - first
@@ -250,7 +270,7 @@ def _sample_runs(asked: _Asked, runs: list[tuple[int, int]]) -> None:
 
 
 def _recentred(columns: Array, x: Array) -> Array:
-    """Cubic coefficients (4 x pieces) with each local time counted from x."""
+    """Return cubic coefficients (4 x pieces) with each local time counted from x."""
     c0, c1, c2, c3 = columns
     local = np.empty_like(columns)
     np.multiply(c3, x, out=local[2])
@@ -266,7 +286,10 @@ def _recentred(columns: Array, x: Array) -> Array:
 def _points(
     begins: NDArray[np.int64], ends: NDArray[np.int64], origins: Array, dt: float
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
-    """The points of many index ranges in one row, their counts per range, and their local times."""
+    """Return the points of many index ranges in one row.
+
+    Also return their counts per range and their local times.
+    """
     counts = ends - begins
     total = int(counts.sum())
     index = np.repeat(begins - np.cumsum(counts) + counts, counts)

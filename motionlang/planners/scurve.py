@@ -1,4 +1,4 @@
-"""PMC's two S-curves: the sinusoidal one (aPS) and the one with a trapezoidal acceleration (aPSn)."""
+"""PMC's two S-curves: sinusoidal (aPS) and with trapezoidal acceleration (aPSn)."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from motionlang.planners.ramps import SINE
 def plan_sinusoidal(
     start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0
 ) -> Profile:
-    """Plan a move whose acceleration is half a sine wave of peak `accel`: T_A = (pi/2) V/A (TN1069).
+    """Plan a move with a half-sine acceleration: T_A = (pi/2) V/A (TN1069).
 
-    A short move peaks below `speed`; A and D keep. Raises ValueError as `plan_trapezoid`.
+    A short move peaks below `speed`, with A and D unchanged. Raises ValueError like `plan_trapezoid`.
     """
     if not (
         speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
@@ -32,10 +32,10 @@ def plan_sinusoidal(
 def plan_ratio(
     start: float, target: float, speed: float, accel: float, decel: float, ramp: float, v0: float = 0.0
 ) -> Profile:
-    """Plan a move whose acceleration rises over `ramp` T_A, holds, and falls: T_A = V/(A (1 - ramp)).
+    """Plan a move whose acceleration rises over `ramp` T_A, stays constant, and falls.
 
-    TN1069's trapezoidal S-curve, 0 < ramp <= 0.5; at 0.5 it is chapter 12's S-curve of two ramps, T_A = 2V/A.
-    (The note prints (1/RAMP) VEL/ACC, which contradicts its own table.)
+    T_A = V/(A (1 - ramp)). This is TN1069's trapezoidal S-curve, 0 < ramp <= 0.5; at 0.5 it is chapter 12's
+    S-curve of two ramps, T_A = 2V/A. (The note prints (1/RAMP) VEL/ACC, which contradicts its own table.)
     """
     if not (
         speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST

@@ -1,4 +1,7 @@
-"""A stretch of given length from one speed to another, as fast as its ramps and its highest speed allow."""
+"""A segment of given length between two speeds, as fast as its limits allow.
+
+The limits are its ramps and its highest speed.
+"""
 
 from __future__ import annotations
 
@@ -14,26 +17,29 @@ if TYPE_CHECKING:
     from motionlang.planners.feasibility import Ramps
     from motionlang.planners.transition import Steps
 
-    # The speed it begins with, its time, its kind, the speed it ends with.
+    # Initial speed, time, kind, final speed.
     Ramp = tuple[float, float, float, float]
 
 
-# What a ramp may be longer than the way it has, as a part of it, and still be said to fit: rounding.
+# How far a ramp may exceed the available distance, as a fraction of it, and still fit: rounding.
 _SLACK = 1e-12
-# Secants that are tried before halves, and how near to each other, as a part of themselves, they bring two numbers.
+# Secants before bisection takes over, and how close, relatively, they bring two numbers.
 _SECANTS = 30
 _NEAR = 1e-14
 
 
 def entry_speed(ramps: Ramps, length: float, v1: float, most: float) -> float:
-    """The highest speed, up to `most`, from which speed v1 can be reached within `length`."""
+    """The highest speed, up to `most`, from which v1 is reached within `length`."""
     if ramps.squares is not None:
         return min(most, sqrt(v1 * v1 + 2.0 * length / ramps.squares[1]))
     return _farthest(v1, most, lambda u: _ramp_length(ramps, u, v1) - length) if v1 < most else most
 
 
 def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -> float | None:
-    """The highest speed, up to `most`, that can be reached within `length`; None if even the acceleration stays."""
+    """Return the highest speed, up to `most`, that is reached within `length`.
+
+    None if even the initial acceleration cannot be ramped down.
+    """
     if ramps.squares is not None:
         return min(most, sqrt(v0 * v0 + 2.0 * length / ramps.squares[0]))
     low = _eased(ramps, v0, a0)
@@ -43,7 +49,7 @@ def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -
 
 
 def reaches(ramps: Ramps, length: float, v0: float, a0: float, v1: float) -> bool:
-    """Whether speed v1 can be reached within `length` by one ramp."""
+    """True if one ramp reaches speed v1 within `length`."""
     return _eased(ramps, v0, a0) >= min(0.0, v1) and (
         _lead_length(ramps, v0, a0, v1) <= length * (1.0 + _SLACK)
     )
@@ -52,9 +58,10 @@ def reaches(ramps: Ramps, length: float, v0: float, a0: float, v1: float) -> boo
 def between(
     ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float
 ) -> tuple[Steps, list[Ramp]]:
-    """From speed v0 and acceleration a0 to v1 <= `speed` in exactly `length`, as fast as `speed` allows in between.
+    """Return the fastest motion from v0 and a0 to v1 <= `speed` over exactly `length`.
 
-    One ramp must lead from one to the other within `length`: see `reaches`; what it lacks by rounding is made to fit.
+    It does not exceed `speed` in between. One ramp must lead from one to the other within `length` (see
+    `reaches`); a difference due to rounding is made to fit.
     """
     top = _top(ramps, length, speed, v0, a0, v1)
     steps, v, used = _lead(ramps, v0, a0, top)
@@ -68,7 +75,7 @@ def between(
 
 
 def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float) -> float:
-    """The speed between the two ramps: `speed` where there is room for it."""
+    """Return the speed between the two ramps: `speed` if the length allows."""
     if ramps.squares is not None:
         up, down = ramps.squares
         if v0 > speed:
@@ -85,12 +92,16 @@ def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: fl
     crest = max(eased, v1)
     if beyond(crest) <= 0.0:
         return _farthest(crest, speed, beyond)
-    # Braking goes on into the last ramp: a speed that is held for a moment on the way down takes the room up.
+    # Braking continues into the last ramp: a constant speed on the way down uses the distance up.
     return _farthest(v1, min(eased, speed), beyond) if beyond(v1) <= 0.0 else v1
 
 
 def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, float]:
-    """The way from v0 and a0 to speed v: the part with a bent beginning, the speed after it, and the whole distance."""
+    """Return the motion from v0 and a0 to speed v.
+
+    It consists of the sections that ramp the acceleration down, the speed after them, and the complete
+    distance.
+    """
     if not a0 or ramps.bounds is None:
         return (), v0, _ramp_length(ramps, v0, v)
     steps, after = fade(ramps.bounds, v0, a0, v)
@@ -115,16 +126,17 @@ def _ramp_length(ramps: Ramps, u: float, v: float) -> float:
 
 
 def _fitting(ramp: Ramp, length: float) -> Ramp:
-    """The same ramp, as fast as makes it exactly `length` long."""
+    """Return the same ramp with the duration that makes it exactly `length` long."""
     long = ramp_distance(*ramp)
     return (ramp[0], ramp[1] * (length / long), *ramp[2:]) if long else ramp
 
 
 def _farthest(low: float, high: float, beyond: Callable[[float], float]) -> float:
-    """The number farthest from `low`, which fits, on the way to `high`, that fits: whose `beyond` is 0 at most.
+    """Return the number farthest from `low`, towards `high`, that still fits.
 
-    Secants between one that fits and one that does not, of which the end that stays twice counts half (Illinois), until
-    both are a few bits apart; then halves to the last one.
+    A number fits if its `beyond` is 0 at most; `low` must fit. Secants between one that fits and one that
+    does not (Illinois: an end that stays twice counts half) run until both are a few bits apart. Bisection
+    finds the last one.
     """
     over = beyond(high)
     if over <= 0.0:
@@ -135,7 +147,7 @@ def _farthest(low: float, high: float, beyond: Callable[[float], float]) -> floa
         if abs(width) <= _NEAR * abs(low):
             break
         x = low - under * (width / (over - under))
-        # A little towards the end that is farther away, so that it follows where the other one has come.
+        # Go slightly towards the farther end, so that it moves up to the nearer one.
         x += copysign(0.25 * _NEAR * x, width if -under < over else -width)
         if not min(low, high) < x < max(low, high):
             x = 0.5 * (low + high)

@@ -1,4 +1,4 @@
-"""Profiles one after another, where at least one of them is a formula."""
+"""A sequence of profiles of which at least one is a formula."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ _BOUND = itemgetter(0)
 
 
 class Chain(Formula):
-    """`parts` in a row, each beginning where the one before it ends; `name` makes one phase of the whole."""
+    """A sequence of profiles, each beginning at the end of the one before.
+
+    `name` makes one phase of the sequence.
+    """
 
     __slots__ = ("begins", "name", "parts")
 
@@ -40,7 +43,7 @@ class Chain(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """The knots of all parts."""
+        """The knots of all profiles."""
         found = [0.0]
         for begin, part in zip(self.begins, self.parts, strict=True):
             found += [begin + knot for knot in part.knots[1:]]
@@ -48,14 +51,17 @@ class Chain(Formula):
 
     @property
     def phases(self) -> tuple[Phase, ...]:
-        """The phases of all parts, or one."""
+        """The phases of all profiles, or one."""
         if self.name:
             return (Phase(self.name, self.duration, self.distance, self.start_velocity, self.end_velocity),)
         return tuple(phase for part in self.parts for phase in part.phases)
 
     @property
     def peak_speed(self) -> float:
-        """The largest absolute velocity: that of the parts whose bound promises more than has been found."""
+        """The largest absolute velocity.
+
+        A profile is searched only if its bound exceeds the largest found.
+        """
         peak = 0.0
         for bound, part in sorted(
             ((part.speed_bound, part) for part in self.parts), key=_BOUND, reverse=True
@@ -67,7 +73,7 @@ class Chain(Formula):
 
     @property
     def speed_bound(self) -> float:
-        """What its largest absolute velocity does not exceed, found without a search."""
+        """An upper bound of the absolute velocity, found without a search."""
         return max(part.speed_bound for part in self.parts)
 
     @property
@@ -76,17 +82,20 @@ class Chain(Formula):
         return max(part.peak_acceleration for part in self.parts)
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile is at `position`, or None if it never is."""
+        """Return the first time >= `after` at `position`, or None if there is none."""
         return self._first_in_parts(lambda part, low: part.crossing(position, low), after)
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
-        """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
+        """Return the first time >= `after` at `velocity`, or None if there is none."""
         return self._first_in_parts(lambda part, low: part.velocity_crossing(velocity, low), after)
 
     def _first_in_parts(
         self, crossing: Callable[[Profile, float], float | None], after: float
     ) -> float | None:
-        """The first time >= `after` that `crossing` finds in a part, before the next part begins."""
+        """Return the first time >= `after` that `crossing` finds, profile by profile.
+
+        A time counts only before the next profile begins.
+        """
         after = max(after, 0.0)
         last = len(self.parts) - 1
         for i in range(self._part(after), last + 1):
@@ -97,12 +106,12 @@ class Chain(Formula):
         return None
 
     def extrema(self) -> tuple[float, float]:
-        """The smallest and the largest position of the profile, turning points included."""
+        """Return the smallest and the largest position, including extrema inside."""
         ends = [part.extrema() for part in self.parts]
         return min(low for low, _ in ends), max(high for _, high in ends)
 
     def cut(self, time: float) -> Profile:
-        """The first `time` seconds, exactly as they were."""
+        """Return the first `time` seconds, exactly."""
         if time >= self.duration:
             return self
         i = self._part(max(time, 0.0))
@@ -111,7 +120,7 @@ class Chain(Formula):
         return kept[0] if len(kept) == 1 and not self.name else Chain(self.shape, kept, self.name)
 
     def after(self, time: float) -> Profile:
-        """What remains after `time` seconds, its clock starting at 0."""
+        """Return the rest after `time` seconds, with its clock starting at 0."""
         if time <= 0.0:
             return self
         if time >= self.duration:
@@ -121,7 +130,7 @@ class Chain(Formula):
         return rest[0] if len(rest) == 1 and not self.name else Chain(self.shape, rest, self.name)
 
     def scaled(self, start: float, factor: float) -> Profile:
-        """The same motion from `start`, every distance times `factor`."""
+        """Return the same motion from `start`, with every distance times `factor`."""
         made = []
         for part in self.parts:
             made.append(part.scaled(start, factor))
@@ -133,7 +142,7 @@ class Chain(Formula):
 
 
 def chained(first: Profile, second: Profile) -> Profile:
-    """`first` followed by `second`, which must begin where it ends."""
+    """Return `first` followed by `second`, which must begin where it ends."""
     gap = abs(second.start - first.end)
     assert gap <= 1e-9 * max(1.0, abs(first.end), abs(first.distance)), f"a jump of {gap} between profiles"
     if first.duration == 0.0:

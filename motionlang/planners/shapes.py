@@ -1,4 +1,4 @@
-"""Any position move by the name of its shape."""
+"""Position moves by the name of their shape."""
 
 from __future__ import annotations
 
@@ -21,15 +21,16 @@ def plan(
     decel_jerk: float = inf,
     a0: float = 0.0,
 ) -> Profile:
-    """Plan a move in "trapezoid", "sinusoidal", "scurve" or "parabolic" shape; ValueError for another name.
+    """Plan a "trapezoid", "sinusoidal", "scurve" or "parabolic" move.
 
-    For "scurve" a finite `accel_jerk` means Mint's S-ramp (`decel_jerk` defaults to it), otherwise `ramp` is
-    PMC's ramp ratio. Only the S-ramp has a use for `a0`; elsewhere the acceleration may jump. Units and further
-    ValueErrors as of `plan_trapezoid`.
+    For "scurve" a finite `accel_jerk` means Mint's S-ramp (`decel_jerk` defaults to it); without one, `ramp`
+    is PMC's ramp ratio. Only the S-ramp uses `a0`; the other shapes may begin with a jump of the
+    acceleration. Raises ValueError for another name. Units and further ValueErrors are those of
+    `plan_trapezoid`.
     """
     if shape == "trapezoid":
         return plan_trapezoid(start, target, speed, accel, decel, v0)
-    # The other shapes are seldom asked for: a program without them starts without them.
+    # The other shapes are rare: a program without them starts without loading them.
     if shape == "sinusoidal":
         from motionlang.planners.scurve import plan_sinusoidal
 

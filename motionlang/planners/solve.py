@@ -1,7 +1,7 @@
-"""What AN00115 teaches: a trapezoidal move has eight figures, and a consistent few determine the rest.
+"""Solver of AN00115: a consistent few of a move's eight figures give the rest.
 
-distance = (accel_time/2 + slew_time + decel_time/2) speed, time = accel_time + slew_time + decel_time,
-speed = accel accel_time = decel decel_time. A rule fills what is still free.
+distance = (accel_time/2 + slew_time + decel_time/2) speed, time = accel_time + slew_time + decel_time, speed
+= accel accel_time = decel decel_time. A rule fills what is still free.
 """
 
 from __future__ import annotations
@@ -10,8 +10,11 @@ from math import inf, isnan, sqrt
 
 NAMES = ("distance", "time", "accel_time", "slew_time", "decel_time", "speed", "accel", "decel")
 RULES = {"third": 1.0 / 3.0, "quarter": 1.0 / 4.0, "equal": 0.0}
-"""Share of the whole time given to the acceleration, and to the deceleration; equal: T_a = T_d, any share."""
-_TOO_LARGE = 1e300  # so that a sum of some, or a small multiple, is a number still
+"""Share of the total time for the acceleration and for the deceleration.
+
+For "equal" T_a = T_d, with any share.
+"""
+_TOO_LARGE = 1e300  # leaves sums and small multiples finite
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,10 +25,11 @@ if TYPE_CHECKING:
 
 
 def solve_move(rule: str | None = None, **given: float | None) -> dict[str, float]:
-    """All eight figures of a trapezoidal move from rest, from those given (any of `NAMES`; None: unknown).
+    """Return all eight figures of a trapezoidal move from rest, from the given ones.
 
-    `rule` "third", "quarter" or "equal" splits the time where nothing else does. Magnitudes, in any length unit and
-    seconds. ValueError says which figures are missing, or which two statements contradict each other.
+    They are any of `NAMES`; None means unknown. `rule` "third", "quarter" or "equal" splits the time if
+    nothing else does. Figures are magnitudes, in any length unit and seconds. Raises ValueError with the
+    missing figures, or the two that contradict each other.
     """
     figures = {name: float(value) for name, value in given.items() if value is not None}
     _check(figures, rule)
@@ -85,7 +89,7 @@ def _apply_rule(known: Figures, rule: str) -> None:
 
 
 def _deduce(known: Figures) -> bool:
-    """Add one figure that follows from the known ones; False when none does."""
+    """Add one figure that follows from the known ones; False if none does."""
     for name, needs, step in _STEPS:
         if name not in known and all(need in known for need in needs):
             value = step(known)
@@ -113,14 +117,17 @@ def _speed_with_slew(k: Figures) -> float | None:
 
 
 def _speed_of_times(k: Figures) -> float | None:
-    """Speed from the whole time and the slew time: T = T_s + t + 2 h v."""
+    """Speed from the total time and the slew time: T = T_s + t + 2 h v."""
     h, t = _ramps(k)
     left = k["time"] - k["slew_time"] - t
     return 0.5 * left / h if h else None
 
 
 def _ramps(k: Figures) -> tuple[float, float]:
-    """h, t: the ramps given as rates cover h v^2 in the time 2 h v; those given as times last t together."""
+    """Return h and t of the ramps.
+
+    Those given as rates cover h v^2 in the time 2 h v; those given as times last t together.
+    """
     h = t = 0.0
     for time, rate in (("accel_time", "accel"), ("decel_time", "decel")):
         if time in k:

@@ -1,4 +1,4 @@
-"""Profiles that follow a velocity instead of a target: stopping, and running for ever (jog)."""
+"""Profiles towards a velocity: stops, and jogs that run for ever."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ def plan_stop(
     a0: float = 0.0,
     accel_jerk: float = inf,
 ) -> Profile:
-    """Come to rest from `v0` at `decel` in the ramps of `shape`; its phases are called stop.
+    """Come to rest from `v0` at `decel` in the ramps of `shape`; the phase is "stop".
 
-    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`; an acceleration `a0`
-    that speeds up is taken back at `accel_jerk` (not given: at the other). Raises ValueError for numbers no machine
-    can follow.
+    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`. An
+    acceleration `a0` that speeds up is ramped down at `accel_jerk` (default: `decel_jerk`). Raises ValueError
+    for numbers no machine can follow.
     """
     taken_back = decel_jerk if accel_jerk == inf else accel_jerk
     made = plan_velocity(shape, start, v0, 0.0, decel, decel, ramp, taken_back, decel_jerk, a0)
@@ -51,11 +51,12 @@ def plan_velocity(
     decel_jerk: float = inf,
     a0: float = 0.0,
 ) -> Profile:
-    """Go from velocity `v0` to `v1` and run on for ever; with opposite signs brake to zero first.
+    """Change from velocity `v0` to `v1` and run on for ever.
 
-    The shape of the result is "jog", its duration infinite, its `end` infinite too (or where it rests).
-    For "scurve" a finite `accel_jerk` means Mint's S-ramp, which goes on from the acceleration `a0`; otherwise `ramp`
-    is PMC's ramp ratio. Raises ValueError for numbers no machine can follow.
+    With opposite signs it brakes to zero first. The shape of the result is "jog", its duration infinite, its
+    `end` infinite too (or its rest position). For "scurve" a finite `accel_jerk` means Mint's S-ramp, which
+    continues from the acceleration `a0`; without one, `ramp` is PMC's ramp ratio. Raises ValueError for
+    numbers no machine can follow.
     """
     check_positive(acceleration=accel, deceleration=decel)
     check_finite(position=start, start_velocity=v0, velocity=v1, start_acceleration=a0)
@@ -71,14 +72,14 @@ def plan_velocity(
 
 
 def running(start: float, velocity: float) -> Profile:
-    """At `velocity`, which is not 0, from the first moment on, for ever."""
+    """Return a motion at the constant `velocity` (not 0), for ever."""
     return Profile("jog", start, far_end(start, velocity), inf, (velocity, inf, 0.0, velocity))
 
 
 def ramps_of(
     shape: str, accel: float, decel: float, ramp: float, accel_jerk: float, decel_jerk: float
 ) -> Ramps:
-    """The ramps of a shape by its name; ValueError for an unknown one."""
+    """Return the ramps of a shape; ValueError for an unknown name."""
     if shape == "trapezoid":
         return stretched(shape, accel, decel, 0.0, 1.0)
     if shape == "sinusoidal":
@@ -106,7 +107,7 @@ def _run(start: float, ramps: Ramps, v0: float, v1: float) -> Profile:
 
 
 def _change(ramps: Ramps, v0: float, v1: float) -> Recipe:
-    """Ramps from v0 to v1 without the two velocities themselves."""
+    """Return ramps from v0 to v1 without the two velocities themselves."""
     if v0 * v1 < 0.0:
         return (*ramps.down(abs(v0), 0.0), 0.0, *ramps.up(0.0, abs(v1)))
     if abs(v1) < abs(v0):

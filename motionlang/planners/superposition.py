@@ -1,4 +1,7 @@
-"""Two motions of one axis at once: an offset on top of gearing, the end of a move and the beginning of the next."""
+"""Superposition of two motions of one axis.
+
+Examples are an offset on top of gearing, and a blend of one move into the next.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Sum(Formula):
-    """Position, velocity and acceleration of two profiles added; the shorter one goes on as it ended."""
+    """The sum of two profiles; the shorter one continues as it ended."""
 
     __slots__ = ("first", "second")
 
@@ -31,7 +34,7 @@ class Sum(Formula):
         )
 
     def state(self, time: float) -> State:
-        """The sums of both."""
+        """Return the sums of both states."""
         a, b = self.first.at(time), self.second.at(time)
         return State(
             a.position + b.position,
@@ -42,29 +45,32 @@ class Sum(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """The knots of both."""
+        """The knots of both profiles."""
         return tuple(sorted({*self.first.knots, *self.second.knots, self.duration}))
 
     def cut(self, time: float) -> Profile:
-        """The first `time` seconds, exactly as they were."""
+        """Return the first `time` seconds, exactly."""
         if time >= self.duration:
             return self
         return Sum(self.first.cut(time), self.second.cut(time), self.shape)
 
     def after(self, time: float) -> Profile:
-        """What remains after `time` seconds, its clock starting at 0."""
+        """Return the rest after `time` seconds, with its clock starting at 0."""
         if time <= 0.0:
             return self
         return added(_from(self.first, time), _from(self.second, time), self.shape)
 
     def scaled(self, start: float, factor: float) -> Profile:
-        """The same motion from `start`, every distance times `factor`."""
+        """Return the same motion from `start`, with every distance times `factor`."""
         first = self.first.scaled(start - self.second.start * factor, factor)
         return Sum(first, self.second.scaled(self.second.start * factor, factor), self.shape)
 
 
 def added(first: Profile, second: Profile, shape: str) -> Profile:
-    """The sum of two profiles: in pieces where both are pieces and no two waves meet, else a `Sum`."""
+    """Return the sum of two profiles.
+
+    It is made of pieces if both are and no two waves overlap; if not, it is a `Sum`.
+    """
     if first.pieced and second.pieced:
         made = _in_pieces(first, second, shape)
         if made is not None:
@@ -95,7 +101,7 @@ def _in_pieces(first: Profile, second: Profile, shape: str) -> Profile | None:
 
 
 def _piece(profile: Profile, begin: float) -> Piece:
-    """The piece in force from `begin` on, its local time counted from there."""
+    """Return the piece in force from `begin` on, with local time counted from there."""
     if begin >= profile.duration:
         return (profile.position(begin), profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0)
     piece, x = profile._locate(begin)
@@ -113,7 +119,7 @@ def _both(a: Piece, b: Piece) -> Piece | None:
 
 
 def _end(profile: Profile, time: float) -> float:
-    """Where a profile is at the end of the longer one."""
+    """Return the position of a profile at the end of the longer one."""
     return profile.end if time == inf and profile.duration == inf else _later(profile, time)
 
 
@@ -125,7 +131,10 @@ def _later(profile: Profile, time: float) -> float:
 
 
 def _from(profile: Profile, time: float) -> Profile:
-    """What remains, also of a profile that is over and has left the axis at rest or running on."""
+    """Return the rest from `time` on.
+
+    A profile that is over leaves the axis at rest or running on.
+    """
     if time <= profile.duration or not profile.end_velocity:
         return profile.after(time)
     return profile.after(time).shifted(profile.end_velocity * (time - profile.duration))

@@ -1,7 +1,7 @@
-"""The pieces of a whole history of moves as columns, expanded from the recipes all at once.
+"""The pieces of a history of moves as columns, expanded from all recipes at once.
 
-The same arithmetic as `ramps.expand`, an array for a number: a shift of 20 000 moves is a table before its
-pieces could have been made one by one. Axes of the arrays: profile, ramp, third of a ramp.
+The arithmetic is that of `ramps.expand`, with an array in place of each number. The table of a shift of 20
+000 moves takes less time than its pieces one by one. Axes of the arrays: profile, ramp, third of a ramp.
 """
 
 from __future__ import annotations
@@ -27,9 +27,10 @@ FEW = 24
 
 
 def piece_columns(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[Array, Array]:
-    """When each piece begins, and the coefficients (7 x pieces), of profiles that begin at `starts`.
+    """Return the start times and coefficients (7 x pieces) of profiles.
 
-    A profile ends where the next begins; one that is over before that is followed by a piece at its end.
+    The profiles begin at `starts`. Each ends where the next begins; one that is over before that is followed
+    by a piece at its end.
     """
     if not profiles:
         return np.empty(0), np.empty((7, 0))
@@ -47,7 +48,7 @@ def piece_columns(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple
     begins = np.concatenate([begin for _, begin, _ in parts])
     columns = np.concatenate([column for _, _, column in parts], axis=1)
     kept = np.flatnonzero(begins < following[owners])
-    # stable, and rests come last: the order within a profile stays
+    # A stable sort with rests last preserves the order within a profile.
     kept = kept[np.argsort(owners[kept], kind="stable")]
     return begins[kept], columns[:, kept]
 
@@ -67,7 +68,10 @@ def _of_recipes(starts: Sequence[float], profiles: Sequence[Profile], rows: list
 
 
 def _of_curves(starts: Sequence[float], profiles: Sequence[Profile], rows: list[int]) -> Part:
-    """Profiles that were cut, joined or given as pieces have no recipe; of a few the pieces are quicker."""
+    """Return the pieces of profiles without a recipe: cut, joined or given as pieces.
+
+    For a few profiles this is quicker.
+    """
     owners: list[int] = []
     begins: list[float] = []
     found: list[Piece] = []
@@ -90,7 +94,10 @@ def _of_rests(starts: Sequence[float], profiles: Sequence[Profile]) -> Part:
 
 
 def _matrix(recipes: list[tuple[float, ...]]) -> tuple[Array, Array, Array, Array]:
-    """First velocity, duration, kind and last velocity of every ramp; short recipes end in ramps of no time."""
+    """Return first velocity, duration, kind and last velocity of every ramp.
+
+    Short recipes are padded with ramps of zero duration.
+    """
     lengths = np.array([len(recipe) for recipe in recipes])
     shape = (len(recipes), (int(lengths.max()) - 1) // 3)
     v_from, time, kind, v_to = np.zeros(shape), np.zeros(shape), np.zeros(shape), np.zeros(shape)
@@ -108,7 +115,7 @@ def _matrix(recipes: list[tuple[float, ...]]) -> tuple[Array, Array, Array, Arra
 def _expand(
     start: Array, v_from: Array, time: Array, kind: Array, v_to: Array
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Local begins, columns (7, ...) and presence of the three thirds of every ramp."""
+    """Return local begins, columns (7, ...) and presence of the thirds of every ramp."""
     takes_time = time >= MOMENT
     span = np.where(takes_time & np.isfinite(time), time, 1.0)
     change = v_to - v_from
@@ -145,7 +152,10 @@ def _thirds(
     present: NDArray[np.bool_],
     ramps: tuple[Array, Array, Array],
 ) -> None:
-    """Acceleration rising, held and falling again, for the ramps `at` these places."""
+    """Fill in the thirds of the ramps at index `at`.
+
+    The thirds are acceleration rising, constant and falling.
+    """
     span, ratio, v_to = (values[at] for values in ramps)
     first, second, third = ((*at, np.full(len(span), i)) for i in range(3))
     c0, c1, c2, c3 = columns[:4]

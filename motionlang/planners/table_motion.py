@@ -1,4 +1,7 @@
-"""Curves through tables: a slave's positions over its master's, with straight lines or cubics between the points."""
+"""Curves through tables of slave positions over master positions.
+
+Between the points they are straight lines or cubics.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +19,10 @@ KINDS = ("linear", "cubic")
 def table_curve(
     places: Sequence[float], values: Sequence[float], kind: str = "linear", cyclic: bool = False
 ) -> Profile:
-    """The curve that has `values` at `places`, rising from 0; ValueError for a table that is none.
+    """Return the curve with `values` at `places`, which rise from 0.
 
-    "cubic" is the spline with continuous slope and curvature; at its ends it is level, or where it is `cyclic` goes
-    over into itself.
+    "cubic" is the spline with continuous slope and curvature; at its ends it is level, or joins itself if it
+    is `cyclic`. Raises ValueError for an invalid table.
     """
     if len(places) != len(values) or len(places) < 2:
         raise ValueError("a table needs two points or more, and a value for each")
@@ -46,14 +49,14 @@ def table_curve(
 
 
 def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool) -> list[float]:
-    """The slopes at the points of a cubic spline with continuous curvature, level at its ends or cyclic.
+    """Return the slopes of a cubic spline with continuous curvature, level or cyclic.
 
     m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (r[i-1]/h[i-1] + r[i]/h[i]).
     """
     n = len(widths)
     if not cyclic:
         return [0.0, *_inner(widths, rises, 0.0, 0.0, homogeneous=False), 0.0]
-    # The slope at the seam is free: the curvature there is linear in it, so two solutions give the third.
+    # The slope at the seam is free. The curvature there is linear in it, so two solutions give the third.
     still = [0.0, *_inner(widths, rises, 0.0, 0.0, homogeneous=False), 0.0]
     unit = [1.0, *_inner(widths, rises, 1.0, 1.0, homogeneous=True), 1.0]
     jump = _seam(widths, rises, still)
@@ -63,7 +66,7 @@ def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool)
 
 
 def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[float]) -> float:
-    """How much the curvature (halved) jumps where the end meets the beginning."""
+    """Return the jump of the curvature (halved) where the end meets the beginning."""
     after = (3.0 * rises[0] - 2.0 * slopes[0] - slopes[1]) / widths[0]
     before = (slopes[-2] + 2.0 * slopes[-1] - 3.0 * rises[-1]) / widths[-1]
     return after - before
@@ -72,7 +75,7 @@ def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[floa
 def _inner(
     widths: Sequence[float], rises: Sequence[float], first: float, last: float, homogeneous: bool
 ) -> list[float]:
-    """The slopes between two given ones: a tridiagonal system, eliminated downwards and solved upwards."""
+    """Return the slopes between two given ones, by a tridiagonal elimination."""
     diagonal: list[float] = []
     right: list[float] = []
     for i, (h, k) in enumerate(pairwise(widths)):

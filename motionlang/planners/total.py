@@ -1,4 +1,7 @@
-"""Exact sums: the builtin `sum` rounds otherwise from Python 3.12 on, and the figures of a run may not."""
+"""Exact sums, for results that do not depend on the Python version.
+
+The builtin `sum` rounds differently from Python 3.12 on.
+"""
 
 from __future__ import annotations
 
@@ -10,19 +13,22 @@ if TYPE_CHECKING:
 
 
 def total(values: Iterable[float]) -> float:
-    """The sum, rounded once; infinite or not a number where no float holds it."""
+    """Return the sum, rounded once; infinite or NaN if no float represents it."""
     terms = tuple(values)
     try:
         return fsum(terms)
     except (OverflowError, ValueError):
-        beyond = 0.0  # added one by one they say which
+        beyond = 0.0  # adding one by one shows which
         for term in terms:
             beyond += term
         return beyond
 
 
 def exact_terms(values: Iterable[float]) -> list[float]:
-    """A few floats that add up to exactly what all of these do: their sum, what it lacks, what that lacks."""
+    """Return a few floats that add up to exactly the sum of all values.
+
+    They are the sum, its error, the error of that, and so on.
+    """
     rest = list(values)
     terms: list[float] = []
     while term := fsum(rest):

@@ -1,8 +1,9 @@
-"""From any velocity *and acceleration* to another velocity, within limits on acceleration and jerk.
+"""Transition from any velocity *and acceleration* to another velocity.
 
-An acceleration that serves the new velocity goes on, as part of the ramp that leads there. One that does not is taken
-back first, at the jerk of its own side (speeding up or slowing down), and a ramp from rest of the acceleration follows.
-Own arithmetic. Velocities are counted in the direction of the motion.
+It observes limits on acceleration and jerk. An acceleration that serves the new velocity continues as part of
+the ramp that leads there. One that does not is ramped down first, at the jerk of its own side (speeding up or
+slowing down), and a ramp from zero acceleration follows. Own arithmetic. Velocities are in the direction of
+the motion.
 """
 
 from __future__ import annotations
@@ -16,17 +17,18 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
-    # Stretches of constant jerk in a row: the jerk and the time of each.
+    # A sequence of sections of constant jerk: the jerk and the time of each.
     Steps = tuple[tuple[float, float], ...]
 
-# A velocity counts as zero that is smaller than this part of the one that a whole ramp passes in easing out, unless
-# it is more than this share of what is to be taken back: a ramp that has hardly begun is no rounding.
+# A velocity counts as zero if it is smaller than this fraction of the velocity that a whole ramp passes in
+# easing out, unless it is more than this share of the change itself: a ramp that has hardly begun is no
+# rounding.
 NOTHING, HARDLY = 1e-12, 0.5
 
 
 @record
 class Bounds:
-    """Limits of a jerk-limited ramp, of speeding up and of slowing down."""
+    """Limits of a jerk-limited ramp, for speeding up and for slowing down."""
 
     accel: float
     decel: float
@@ -35,10 +37,10 @@ class Bounds:
 
 
 def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
-    """The first part of the way from velocity v0 >= 0 and acceleration a0 to v1 >= 0, and the velocity it leads to.
+    """The first steps from v0 >= 0 and a0 towards v1 >= 0, and their final speed.
 
-    Where that is not v1, an ordinary ramp has to follow; it is below zero where the acceleration cannot be taken back
-    before the motion has turned round.
+    If that is not v1, an ordinary ramp has to follow. It is negative if the acceleration cannot be ramped
+    down before the motion reverses.
     """
     if a0 > 0.0:
         eased = v0 + 0.5 * a0 * a0 / bounds.accel_jerk
@@ -56,12 +58,12 @@ def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]
 
 
 def eased_speed(bounds: Bounds, v0: float, a0: float) -> float:
-    """The velocity at which an acceleration has been taken back."""
+    """Return the velocity once an acceleration has been ramped down."""
     return v0 + 0.5 * a0 * abs(a0) / (bounds.accel_jerk if a0 > 0.0 else bounds.decel_jerk)
 
 
 def fade_distance(v0: float, a0: float, steps: Steps) -> float:
-    """How far such steps lead."""
+    """Return the distance covered by steps."""
     distance, v, a = 0.0, v0, a0
     for jerk, time in steps:
         distance += ((jerk * time / 6.0 + 0.5 * a) * time + v) * time
@@ -71,11 +73,11 @@ def fade_distance(v0: float, a0: float, steps: Steps) -> float:
 
 
 def faded(start: float, v0: float, a0: float, steps: Steps, v1: float, sign: float = 1.0) -> Profile:
-    """The profile of such steps, which end at velocity v1; `sign` -1 runs them the other way."""
+    """Return the profile of steps that end at velocity v1; `sign` -1 reverses them."""
     knots, p, v, a = [0.0], start, v0 * sign, a0 * sign
     pieces: list[Piece] = []
     for jerk, time in steps:
-        if knots[-1] + time <= knots[-1]:  # rounding may leave less than nothing of a stretch
+        if knots[-1] + time <= knots[-1]:  # rounding may leave a negative duration
             continue
         jerk *= sign
         pieces.append((p, v, 0.5 * a, jerk / 6.0, 0.0, 0.0, 0.0))
@@ -88,7 +90,7 @@ def faded(start: float, v0: float, a0: float, steps: Steps, v1: float, sign: flo
 
 
 def _ramp(change: float, a0: float, most: float, jerk: float) -> Steps:
-    """A growing of the velocity by `change` that begins with an acceleration a0 >= 0 and ends without one."""
+    """Return an increase of velocity by `change`, from acceleration a0 >= 0 to zero."""
     if a0 > most:
         held = max(0.0, (change - 0.5 * (a0 * a0 / jerk)) / most)
         return ((-jerk, (a0 - most) / jerk), (0.0, held), (-jerk, most / jerk))

@@ -13,8 +13,8 @@ def plan_trapezoid(
 ) -> Profile:
     """Plan a trapezoidal move from `start` (moving at `v0`) to rest at `target`.
 
-    Any length unit; speeds a second, accelerations a second squared. A short move peaks below `speed`.
-    T_A = V/A, S_A = V T_A/2 (TN1069, AN00115). Raises ValueError for numbers no machine can follow.
+    Units are any length, length/s and length/s². A short move peaks below `speed`. T_A = V/A, S_A = V T_A/2
+    (TN1069, AN00115). Raises ValueError for numbers no machine can follow.
     """
     if v0 == 0.0:
         ramps = from_rest(target - start, speed, accel, decel)
@@ -26,7 +26,7 @@ def plan_trapezoid(
         check_positive(speed=speed, acceleration=accel, deceleration=decel)
         raise too_large()
     check_finite(position=start, target=target, start_velocity=v0)
-    # From rest it is asked for by numbers alone, by nearly every program.
+    # From rest nearly every program uses the numbers alone.
     from motionlang.planners.feasibility import approach, stretched
 
     return approach(stretched("trapezoid", accel, decel, 0.0, 1.0), start, target, speed, v0)
@@ -35,9 +35,9 @@ def plan_trapezoid(
 def from_rest(
     distance: float, speed: float, accel: float, decel: float
 ) -> tuple[float, tuple[float, ...]] | None:
-    """Duration and recipe of a move from rest, written out as it runs inside the program for nearly every move.
+    """Return duration and recipe of a move from rest; None if no machine can follow.
 
-    None for numbers no machine can follow.
+    It is inlined because the running program calls it for nearly every move.
     """
     if not (
         speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST

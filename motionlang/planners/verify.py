@@ -1,4 +1,4 @@
-"""An independent judge of profiles: it reads the pieces and believes nothing a planner says about them."""
+"""An independent checker of profiles, which reads only their pieces."""
 
 from __future__ import annotations
 
@@ -26,11 +26,12 @@ def verify(
     end: float | None = None,
     tolerance: float = 1e-9,
 ) -> list[str]:
-    """Every broken promise of a profile as one sentence; empty when it is sound.
+    """Return every violation of a profile as one sentence; empty if there is none.
 
-    Position and velocity must be continuous (the acceleration too where the shape says so), limits kept in
-    the extrema of every piece, the end reached. `accel` limits speeding up, `decel` slowing down. Tolerances
-    are relative to the profile's own size. A start faster than `speed` is excused until it has braked.
+    Position and velocity must be continuous (the acceleration too if the shape promises it), the extrema of
+    every piece within limits, and the end reached. `accel` limits speeding up, `decel` slowing down.
+    Tolerances are relative to the profile's own size. A start faster than `speed` is allowed until it has
+    braked.
     """
     spans = [_Span(*item) for item in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False)]
     scale = _scales(profile, spans)
@@ -59,7 +60,7 @@ class _Span:
         return float(self.poly[order](x)) + wave
 
     def rounding(self, order: int) -> float:
-        """What the last bits of the knots, absolute times, are worth in derivative `order` at the end."""
+        """Return the effect of the last bits of the absolute knots on derivative `order`."""
         return 4e-16 * (self.begin + self.length) * abs(self.value(order + 1, self.length))
 
     def turns(self, order: int) -> list[float]:
@@ -154,8 +155,8 @@ def _acceleration_peaks(span: _Span, peaks: dict[str, float]) -> None:
         middle = 0.5 * (a + b)
         power = span.value(1, middle) * span.value(2, middle)
         name = "acceleration" if power > 0.0 else "deceleration"
-        # Slivers are rounding: a wave's turn is found to half the digits, so beside the knot it belongs to, and a
-        # ramp that lasts microseconds late in a long move ends a little beside rest.
+        # Slivers are rounding: a wave's extremum is found to half the digits, so next to the knot it belongs
+        # to, and a ramp that lasts microseconds late in a long move ends a little away from rest.
         beside_rest = max(abs(span.value(1, a)), abs(span.value(1, b))) <= span.rounding(1)
         if power and b - a > 1e-7 * span.length and not beside_rest:
             peak = max(abs(span.value(2, a)), abs(span.value(2, b)))

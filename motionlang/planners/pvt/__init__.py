@@ -1,1 +1,1 @@
-"""Copley's PVT: points with position, velocity and time, and the motion through them."""
+"""Copley's PVT: points of position, velocity and time, and their motion."""

@@ -1,7 +1,7 @@
-"""Any motion as PVT points a drive can take: as few segments as a tolerance allows.
+"""Any motion as PVT points for a drive, in as few segments as a tolerance allows.
 
-Knots lie on the motion, at whole milliseconds from its beginning, with position and velocity rounded as the
-drive will get them; a segment may join two knots when the drive's cubic stays within the tolerance of the
+Knots lie on the motion, at whole milliseconds from its beginning, with position and velocity rounded like
+those sent to the drive. A segment may join two knots if the drive's cubic stays within the tolerance of the
 motion everywhere between them. The fewest segments are then a shortest path, found layer by layer: all knots
 that one segment reaches, all that two reach, and so on.
 """
@@ -36,12 +36,12 @@ FINE = 4
 FINER = 20
 """Points per millisecond at which the finished fit is measured."""
 MAX_SPAN = 3600.0
-"""Seconds of motion beyond which a fit is refused: its table of candidates would fill the memory."""
+"""Longest motion, s, that is fitted; more candidates would exhaust the memory."""
 ATTEMPTS = 4
 
 
 class OutOfTolerance(ValueError):
-    """No choice of whole milliseconds keeps the drive within the tolerance; `time` is where it gets stuck."""
+    """No whole-millisecond segments keep the drive within tolerance; stuck at `time`."""
 
     def __init__(self, tolerance: float, time: float) -> None:
         super().__init__(
@@ -54,7 +54,10 @@ class OutOfTolerance(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """Points that follow a motion: `error` is the largest position difference (counts), at `error_time`."""
+    """Points that follow a motion.
+
+    `error` is the largest position difference (counts), at `error_time`.
+    """
 
     points: list[Point]
     error: float
@@ -67,7 +70,7 @@ class Fit:
 
 @dataclass(frozen=True, slots=True)
 class Rounding:
-    """What the wire can say: positions in whole counts, velocities in tenths of a count per second."""
+    """The resolution of the protocol: positions in counts, velocities in 0.1 counts/s."""
 
     position: float = 1.0
     velocity: float = 0.1
@@ -91,8 +94,8 @@ def fit_track(
 ) -> Fit:
     """Fit a history of moves between two times (seconds) to within `tolerance` counts.
 
-    Raises ValueError for a span or a tolerance that make no sense, `OutOfTolerance` where the rounding or the
-    motion itself (a jump) leaves no way through.
+    Raises ValueError for an invalid span or tolerance, and `OutOfTolerance` if the rounding or the motion
+    itself (a jump) allows no fit.
     """
     if not 0.0 < end - begin <= MAX_SPAN:
         raise ValueError(f"a fit needs a motion of more than 0 and at most {MAX_SPAN:g} s")
@@ -104,7 +107,7 @@ def fit_track(
         fit = motion.fitted(_shortest_path(motion, aim))
         if fit.error <= tolerance:
             return fit
-        # Between the points compared the error was a little larger than at them: ask for that much less.
+        # Between the compared points the error was a little larger than at them: aim that much lower.
         aim *= 0.98 * tolerance / fit.error
     raise OutOfTolerance(tolerance, fit.error_time)
 
@@ -112,7 +115,10 @@ def fit_track(
 def least_tolerance(
     starts: Sequence[float], profiles: Sequence[Profile], above: float, begin: float, end: float
 ) -> float | None:
-    """A tolerance a little above the smallest one that a fit can meet, for a hint; None where none up to 1000x does."""
+    """Return a tolerance just above the smallest one that a fit can meet, for a hint.
+
+    None if none up to 1000 times `above` can be met.
+    """
     tolerance = above
     for _ in range(28):
         tolerance *= 1.28
@@ -136,7 +142,10 @@ class _Motion:
         self.velocities = np.rint(velocities / rounding.velocity) * rounding.velocity
 
     def errors(self, first: Indices, length: Indices, at: Indices) -> Array:
-        """|cubic - motion| at fine points `at` after knot `first` of a segment of `length` milliseconds."""
+        """Return |cubic - motion| at fine points `at` after knot `first`.
+
+        The segment lasts `length` milliseconds.
+        """
         x = at / (length * FINE)
         last = first + length
         rise = self.positions[last] - self.positions[first]
@@ -154,7 +163,7 @@ class _Motion:
         return largest
 
     def fitted(self, path: list[int]) -> Fit:
-        """The points of a path of knots, and how far the drive's motion is from the true one."""
+        """The points of a path of knots, and the largest error of the drive's motion."""
         spans = [b - a for a, b in pairwise(path)]
         points = [
             Point(float(self.positions[k]), float(self.velocities[k]), span * MILLISECOND)
@@ -165,7 +174,10 @@ class _Motion:
 
 
 def _shortest_path(motion: _Motion, tolerance: float) -> list[int]:
-    """Knots from 0 to the last with the fewest segments between them; `OutOfTolerance` where there is no way."""
+    """Return knots from 0 to the last with the fewest segments between them.
+
+    Raises `OutOfTolerance` if there is no path.
+    """
     parents = np.full(motion.steps + 1, -1, dtype=np.int64)
     parents[0] = 0
     layer = np.zeros(1, dtype=np.int64)
@@ -182,7 +194,7 @@ def _shortest_path(motion: _Motion, tolerance: float) -> list[int]:
 
 
 def _next_layer(motion: _Motion, layer: Indices, parents: Indices, tolerance: float) -> Indices:
-    """The knots that one more segment reaches; writes their parents."""
+    """Return the knots that one more segment reaches, and record their parents."""
     first, length, score = _promising(motion, layer, parents, tolerance)
     found: list[Indices] = []
     while len(first):
@@ -202,7 +214,10 @@ def _next_layer(motion: _Motion, layer: Indices, parents: Indices, tolerance: fl
 def _promising(
     motion: _Motion, layer: Indices, parents: Indices, tolerance: float
 ) -> tuple[Indices, Indices, Array]:
-    """Segments from the layer to unreached knots that pass a look at a few of their points, and their error there."""
+    """Return segments from the layer to unreached knots that pass a coarse check.
+
+    The check is at a few of their points; their error there is returned too.
+    """
     first = np.repeat(layer, LONGEST)
     length = np.tile(np.arange(1, LONGEST + 1), len(layer))
     keep = first + length <= motion.steps
@@ -224,9 +239,10 @@ def motion_error(
     begin: float = 0.0,
     place: float = 0.0,
 ) -> tuple[float, float]:
-    """The largest difference (counts) of the motion of `points` from a history, and when after `begin`.
+    """Return the largest difference (counts) of `points` from a history, and its time.
 
-    `place` is where the motor stands before the points, which counts for relative ones.
+    The time counts from `begin`. `place` is the motor position before the points, which matters to relative
+    ones.
     """
     made = PieceTable([0.0], [plan_points(points, place)])
     steps = round(total(point.time for point in points) / MILLISECOND)

@@ -21,11 +21,11 @@ def pvt_segment(p0: float, v0: float, p1: float, v1: float, time: float) -> Prof
 
 
 def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times: Sequence[float]) -> Profile:
-    """A profile through `points`, one of `times` (durations, seconds) fewer than points.
+    """A profile through `points`; `times` (durations, seconds) has one entry fewer.
 
-    A point whose velocity is None is approached on a straight line (Copley's PT mode); a cubic that leaves
-    it begins at the velocity of that line, or at rest at the first point. Velocities may be empty: all
-    linear.
+    A point whose velocity is None is approached on a straight line (Copley's PT mode); a cubic that leaves it
+    begins at the velocity of that line, or at rest at the first point. Velocities may be empty: then all
+    pieces are linear.
     """
     if not velocities:
         velocities = [None] * len(points)
@@ -49,7 +49,7 @@ def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times:
 
 
 def pvt_piece(p0: float, v0: float, p1: float, v1: float | None, time: float) -> Piece:
-    """The piece of one segment: a straight line where `v1` is None, else Copley's cubic.
+    """Return the piece of one segment: linear if `v1` is None, else Copley's cubic.
 
     b0 = P0, b1 = V0, b2 = 3 (PT - P0)/T^2 - (2 V0 + VT)/T, b3 = (VT + V0)/T^2 + 2 (P0 - PT)/T^3.
     """

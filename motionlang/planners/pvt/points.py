@@ -1,6 +1,7 @@
-"""PVT points as a master thinks of them: from points to the motion, and what each segment and knot does.
+"""PVT points, the motion through them, and its segments and knots.
 
-Lengths are counts, times seconds. A point says where the motor is, how fast, and how long until the next point.
+Lengths are counts, times seconds. A point gives position and velocity of the motor, and the time to the next
+point.
 """
 
 from __future__ import annotations
@@ -15,16 +16,17 @@ from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.total import total
 
 LONGEST = 0.255
-"""The longest segment a Copley drive takes: the time field has eight bits of milliseconds."""
+"""The longest segment of a Copley drive, s: eight bits of milliseconds."""
 
 MOST_POINTS = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """Position (counts), velocity (counts/s; None: approached on a line), seconds to the next point (0: the end).
+    """Position (counts), velocity (counts/s) and the seconds to the next point.
 
-    A `relative` position counts from the point before it; that of the first point from where the motor is.
+    A velocity of None is approached on a line; a time of 0 ends the move. A `relative` position counts from
+    the point before it; that of the first point from the position of the motor.
     """
 
     position: float
@@ -35,7 +37,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """One segment of a motion: constant jerk, acceleration from `acceleration` to `end_acceleration`."""
+    """One segment: constant jerk, `acceleration` to `end_acceleration`."""
 
     start_time: float
     duration: float
@@ -46,7 +48,7 @@ class Segment:
 
 @dataclass(frozen=True, slots=True)
 class Knot:
-    """Where two segments meet: the velocity and the acceleration before and after, 0 outside the move."""
+    """The join of two segments: velocity and acceleration on both sides, 0 outside."""
 
     time: float
     position: float
@@ -57,21 +59,24 @@ class Knot:
 
     @property
     def jump(self) -> float:
-        """How far the acceleration jumps here."""
+        """The jump of the acceleration at the knot."""
         return self.next_acceleration - self.acceleration
 
 
 def points_from(
     positions: Sequence[float], velocities: Sequence[float | None], times: float | Sequence[float]
 ) -> list[Point]:
-    """Absolute points; `times` is one duration for all or one per segment, and the last point ends the move."""
+    """Return absolute points; the last one ends the move.
+
+    `times` is one duration for all or one per segment.
+    """
     count = len(positions) - 1
     spans = [float(times)] * count if isinstance(times, (int, float)) else list(times)
     return [Point(p, v, t) for p, v, t in zip(positions, velocities, [*spans, 0.0], strict=True)]
 
 
 def until_end(points: Sequence[Point]) -> list[Point]:
-    """The points up to the first whose time is zero, which ends the move; all where none is."""
+    """Return the points up to the first with time zero, which ends the move, or all."""
     for i, point in enumerate(points):
         if point.time == 0.0:
             return list(points[: i + 1])
@@ -79,7 +84,7 @@ def until_end(points: Sequence[Point]) -> list[Point]:
 
 
 def absolute(points: Sequence[Point], start: float = 0.0) -> list[Point]:
-    """The same points with every position absolute, the motor standing at `start`."""
+    """Return the points with every position absolute, for a motor at `start`."""
     place, made = start, []
     for point in points:
         place = place + point.position if point.relative else point.position
@@ -88,7 +93,7 @@ def absolute(points: Sequence[Point], start: float = 0.0) -> list[Point]:
 
 
 def relative(points: Sequence[Point], start: float = 0.0) -> list[Point]:
-    """The same points with every position counted from the one before."""
+    """Return the points with every position relative to the one before."""
     place, made = start, []
     for point in absolute(points, start):
         made.append(replace(point, position=point.position - place, relative=True))
@@ -97,7 +102,10 @@ def relative(points: Sequence[Point], start: float = 0.0) -> list[Point]:
 
 
 def plan_points(points: Sequence[Point], start: float = 0.0) -> Profile:
-    """The motion through `points` up to the end of the move; ValueError where a drive could not follow."""
+    """Return the motion through `points` up to the end of the move.
+
+    Raises ValueError if a drive could not follow.
+    """
     moving = absolute(until_end(points), start)
     if not moving:
         raise ValueError("a PVT move needs at least one point")
@@ -105,7 +113,7 @@ def plan_points(points: Sequence[Point], start: float = 0.0) -> Profile:
 
 
 def segments(profile: Profile) -> list[Segment]:
-    """Duration, jerk and acceleration of each piece of a motion."""
+    """Return duration, jerk and acceleration of each piece of a motion."""
     table = []
     for piece, (begin, finish) in zip(profile.pieces, pairwise(profile.knots), strict=True):
         span = finish - begin
@@ -118,7 +126,7 @@ def segments(profile: Profile) -> list[Segment]:
 
 
 def knots(profile: Profile) -> list[Knot]:
-    """Each knot of a motion with both sides of its velocity and acceleration."""
+    """Return each knot of a motion with velocity and acceleration on both sides."""
     times, pieces = profile.knots, profile.pieces
     table = []
     for i, time in enumerate(times):
@@ -137,10 +145,10 @@ def knots(profile: Profile) -> list[Knot]:
 
 
 def split_long(points: Sequence[Point], longest: float = LONGEST, grid: float = 0.001) -> list[Point]:
-    """Absolute points with no segment over `longest`: long ones are cut on the curve, which stays as it is.
+    """Return absolute points with no segment over `longest`.
 
-    The cuts lie on whole multiples of `grid` after the point where its length allows, so that a drive can
-    take them.
+    Long segments are cut on the curve, which does not change. The cuts lie on whole multiples of `grid` after
+    the point where the length allows, so that a drive can take them.
     """
     moving = until_end(absolute(points))
     duration = total(point.time for point in moving)

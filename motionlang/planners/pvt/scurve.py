@@ -1,7 +1,8 @@
-"""Copley's S-curve: four segments of constant jerk, or more where velocity and acceleration are limited.
+"""Copley's S-curve: four segments of constant jerk, or more under limits.
 
-J is the jerk, T the time of a jerk segment. Without limits the move is four segments of T:
-pos = [0, 1/6, 1, 11/6, 2] J T^3, vel = [0, 1/2, 1, 1/2, 0] J T^2, and the distance is D = 2 J T^3.
+The limits are on velocity and acceleration. J is the jerk, T the time of a jerk segment. Without limits the
+move is four segments of T: pos = [0, 1/6, 1, 11/6, 2] J T^3, vel = [0, 1/2, 1, 1/2, 0] J T^2, and the
+distance is D = 2 J T^3.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ VELOCITIES = (0.0, 0.5, 1.0, 0.5, 0.0)
 
 
 def scurve(distance: float, time: float) -> list[Point]:
-    """Five points for a move by `distance` in four segments of `time` seconds: J = D / (2 T^3)."""
+    """Five points for a move in four segments of `time` seconds: J = D / (2 T^3)."""
     check_finite(distance=distance)
     check_positive(segment_time=time)
     jerk = distance / (2.0 * time**3)
@@ -27,7 +28,7 @@ def scurve(distance: float, time: float) -> list[Point]:
 
 
 def scurve_time(distance: float, jerk: float) -> float:
-    """The segment time of the four-segment S-curve with a given jerk: T = (D / 2J)^(1/3)."""
+    """Return the segment time of the four-segment S-curve: T = (D / 2J)^(1/3)."""
     check_finite(distance=distance)
     check_positive(jerk=jerk)
     return float((abs(distance) / (2.0 * jerk)) ** (1.0 / 3.0))
@@ -36,11 +37,11 @@ def scurve_time(distance: float, jerk: float) -> float:
 def limited_scurve(
     distance: float, jerk: float, accel: float = inf, speed: float = inf, grid: float = 0.0
 ) -> list[Point]:
-    """Points for a move by `distance` within the limits: four to seven segments, as the limits come in.
+    """Points for a move by `distance` within the limits: four to seven segments.
 
     With a `grid` (seconds) every segment time is rounded up to a multiple of it and the jerk lowered until
-    the distance is met, which keeps all limits, since each falls as any of the times grows:
-    V = D / (2Tj + Ta + Tv), A = V / (Tj + Ta), J = A / Tj.
+    the distance is met. This observes all limits, since each quantity falls as any of the times grows: V = D
+    / (2Tj + Ta + Tv), A = V / (Tj + Ta), J = A / Tj.
     """
     check_finite(distance=distance)
     check_positive(jerk=jerk)
@@ -69,13 +70,14 @@ def limited_scurve(
 
 
 def limited_times(distance: float, jerk: float, accel: float, speed: float) -> tuple[float, float, float]:
-    """Times of a jerk segment, of constant acceleration and of constant velocity, for a distance > 0.
+    """The times of a jerk segment, of constant acceleration and of constant speed.
 
-    From D = V (2Tj + Ta + Tv), V = A (Tj + Ta), A = J Tj: the limit that binds first shortens the rest.
+    The distance is > 0. From D = V (2Tj + Ta + Tv), V = A (Tj + Ta), A = J Tj: the limit that binds first
+    shortens the rest.
     """
     t_jerk = min(scurve_time(distance, jerk), sqrt(speed / jerk), accel / jerk)
     held = jerk * t_jerk
-    # the speed that the distance lets a constant acceleration reach: V^2 / A + V Tj = D
+    # The highest speed at which constant acceleration fits the distance: V^2 / A + V Tj = D.
     reach = 0.5 * held * (sqrt(t_jerk**2 + 4.0 * distance / held) - t_jerk)
     peak = min(speed, reach)
     t_accel = max(peak / held - t_jerk, 0.0)

@@ -1,9 +1,10 @@
-"""Velocities for positions at given times: Copley's guesses, his refinement, and the exact solution.
+"""Velocities for positions at given times.
 
-`times` is one duration for every segment, or one per segment (seconds). The note derives its formulas for
-equal times only; here they come from the same condition, equal acceleration on both sides of a point, for any:
-V[n-1]/h[n-1] + 2 V[n] (1/h[n-1] + 1/h[n]) + V[n+1]/h[n] = 3 (s[n-1]/h[n-1] + s[n]/h[n]), with h the times and
-s[n] = (P[n+1] - P[n])/h[n].
+The methods are Copley's averages, his refinement, and the exact solution. `times` is one duration for every
+segment, or one per segment (seconds). The note derives its formulas for equal times only. Here they come from
+the same condition, equal acceleration on both sides of a point, for any times: V[n-1]/h[n-1] + 2 V[n]
+(1/h[n-1] + 1/h[n]) + V[n+1]/h[n] = 3 (s[n-1]/h[n-1] + s[n]/h[n]), with h the times and s[n] = (P[n+1] -
+P[n])/h[n].
 """
 
 from __future__ import annotations
@@ -34,7 +35,10 @@ def pvt_velocities(
     first: float = 0.0,
     last: float = 0.0,
 ) -> list[float]:
-    """Velocities by one of `METHODS`, one per point; ValueError for another name, or impossible points."""
+    """Return one velocity per point, by one of `METHODS`.
+
+    Raises ValueError for another name, or impossible points.
+    """
     if method == "zero":
         _segment_times(points, times)
         return [0.0] * len(points)
@@ -53,17 +57,21 @@ def pvt_velocities(
 def average_velocities(
     points: Sequence[float], times: Times, first: float = 0.0, last: float = 0.0
 ) -> list[float]:
-    """Copley's first guess: v[n] = (P[n+1] - P[n-1]) / (h[n-1] + h[n]), `first` and `last` at the ends."""
+    """Return Copley's first guess: v[n] = (P[n+1] - P[n-1]) / (h[n-1] + h[n]).
+
+    `first` and `last` are the velocities at the ends.
+    """
     h = _segment_times(points, times)
     inner = [(points[n + 1] - points[n - 1]) / (h[n - 1] + h[n]) for n in range(1, len(h))]
     return [first, *inner, last]
 
 
 def refined_velocities(points: Sequence[float], velocities: Sequence[float], times: Times) -> list[float]:
-    """One sweep of Copley's refinement: F2 for each inner point from the values already refined before it.
+    """Refine velocities by one sweep of Copley's method.
 
-    F1 finds V1 from V0 and V2; F2 finds V1 from V0 and V3, V2 eliminated. The last inner point has no V3 and
-    takes F1. The end velocities stay.
+    F2 gives each inner point from the values already refined before it. F1 finds V1 from V0 and V2; F2 finds
+    V1 from V0 and V3, with V2 eliminated. The last inner point has no V3 and uses F1. The end velocities do
+    not change.
     """
     h = _segment_times(points, times)
     if len(velocities) != len(points):
@@ -85,7 +93,10 @@ def refined_velocities(points: Sequence[float], velocities: Sequence[float], tim
 def smooth_velocities(
     points: Sequence[float], times: Times, first: float = 0.0, last: float = 0.0
 ) -> list[float]:
-    """The velocities at which the acceleration is continuous: the clamped cubic spline, one tridiagonal solve."""
+    """Return the velocities at which the acceleration is continuous.
+
+    This is the clamped cubic spline, one tridiagonal solve.
+    """
     h = _segment_times(points, times)
     ratio, right = [0.0], [first]
     for n in range(1, len(h)):
@@ -117,7 +128,10 @@ def knot_accelerations(
 
 
 def largest_jump(points: Sequence[float], velocities: Sequence[float], times: Times) -> float:
-    """The largest jump of the acceleration at an inner point, the note's measure of a rough move."""
+    """Return the largest acceleration jump at an inner point.
+
+    This is the note's measure of a rough move.
+    """
     sides = knot_accelerations(points, velocities, times)[1:-1]
     return max((abs(after - before) for before, after in sides), default=0.0)
 
@@ -129,7 +143,10 @@ def compare_velocities(
     first: float = 0.0,
     last: float = 0.0,
 ) -> list[tuple[str, list[float], float]]:
-    """Each method with its velocities and its largest acceleration jump, the note's comparison as figures."""
+    """Return each method with its velocities and its largest acceleration jump.
+
+    This is the note's comparison as figures.
+    """
     rows: list[tuple[str, int]] = [
         ("zero", 0),
         ("average", 0),
@@ -145,7 +162,7 @@ def compare_velocities(
 
 
 def _condition(points: Sequence[float], h: Sequence[float], n: int) -> tuple[float, float, float]:
-    """1/h[n-1], the factor of V[n], and the right-hand side, of the condition at point n."""
+    """The condition at point n: 1/h[n-1], the factor of V[n], the right-hand side."""
     left, ahead = 1.0 / h[n - 1], 1.0 / h[n]
     load = 3.0 * ((points[n] - points[n - 1]) * left * left + (points[n + 1] - points[n]) * ahead * ahead)
     return left, 2.0 * (left + ahead), load
