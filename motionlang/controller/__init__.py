@@ -1,37 +1,38 @@
-"""The virtual multi-axis controller: counts and seconds, no language.
+"""The virtual multi-axis controller, in counts and seconds, without any language.
 
-Start with `controller.Controller`; its public methods, listed in `verbs.VERBS`, are all that a language may do.
+Start with `controller.Controller`. Its public methods, listed in `verbs.VERBS`, are all that a language may
+use.
 
-Units, unless a docstring says otherwise:
+Units, unless a docstring says differently:
 
     position, target, distance, following error      counts, from the zero that the program has set
     velocity, speed                                  counts/s
     acceleration, accel, decel, error_decel          counts/s²
     jerk, accel_jerk, decel_jerk                     counts/s³
-    time, duration                                   s; a moment counts from power-up
+    time, duration                                   s; a time counts from power-up
     angle                                            degrees
     ratio of a slave                                 counts of the slave per count of its master
     override                                         a factor of the speed
 
 Other units are used for
 
-    paths: length, and speed, rates and jerk along it        uu, uu/s, uu/s², uu/s³; positions of axes stay in counts
+    paths: length, and speed, rates and jerk along it        uu, uu/s, uu/s², uu/s³; positions of axes in counts
     `Axis.blend_distance`, `Axis.index_every`                uu
     simulated motors: output; current; torque                V; A; N m; SI units for the plant, except for counts
     gains                                                    see `servo/gains.py`
-    log: `value` and `limit` of an event                     uu of that moment; a `Setting` is in counts and seconds
+    log: `value` and `limit` of an event                     uu at that time; a `Setting` in counts and seconds
     trace                                                    the unit at the end of the column's name
 
 Suffixes and prefixes of names:
 
-    _time                            s: a moment (start_time, crossing_time) or a length (accel_time, suspend_time)
+    _time                            s: a time (start_time, crossing_time) or duration (accel_time, suspend_time)
     _speed, _accel, _decel, _jerk    as above; max_ is a limit of the axis
     _rate                            Hz (servo_rate, trajectory_rate); error_rate is a deceleration, counts/s²
     _uu                              user units, in `scale.py`, where both are in use
     _s, _uu, _uu_per_s, _uu_per_s2   units in the names of a trace's columns: time_s, axis0_velocity_uu_per_s
 
-User units become counts, and counts user units, by the `Scale` of an axis: `counts` is counts per uu, `rate` seconds
-per user unit of time.
+The `Scale` of an axis converts between user units and counts: `counts` is counts per uu, `rate` seconds per
+user unit of time.
 """
 
 from __future__ import annotations
@@ -43,9 +44,9 @@ if TYPE_CHECKING:
 
 
 def door(family: str, *modules: str) -> Callable[[str], ModuleType]:
-    """What brings in a module of a family when it is first asked for by `family.module`: `__getattr__` of the family.
+    """Return a `__getattr__` for a family that imports its modules on first use.
 
-    From then on it stands there under its name, as everything that has been imported does.
+    The family is a package. From then on the module is an attribute of it, like every imported module.
     """
 
     def opened(name: str) -> ModuleType:

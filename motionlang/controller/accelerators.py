@@ -1,7 +1,8 @@
-"""Where a run may be handed something faster in the place of a part of the engine.
+"""The points at which a component of the engine may be replaced by a faster one.
 
-The engine is complete without accelerators, and every accelerator gives the same result. `motionlang.execution` reads
-the switch (`MOTIONLANG_FAST`, `fast=`) and hands them to a machine; nothing else knows which there are.
+The engine is complete without accelerators, and every accelerator gives the same result.
+`motionlang.execution` reads the switch (`MOTIONLANG_FAST`, `fast=`) and passes them to a machine; no other
+module knows which ones exist.
 """
 
 from __future__ import annotations
@@ -15,13 +16,15 @@ if TYPE_CHECKING:
 
 
 class Accelerators:
-    """The accelerators of a machine, by the part of the engine that each replaces; None leaves that part as it is.
+    """The accelerators of a machine, by the component that each replaces.
+
+    None selects the component of the engine.
 
     * `axes(numbers)`: the axes of a controller
-    * `scheduler(…)`: the scheduler of a run, called as `Scheduler` is
+    * `scheduler(…)`: the scheduler of a run, called like `Scheduler`
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
-    * `counted(counters, steps)`: how many iterations of a loop may be skipped in which variables count
-    * `servo(loop, plant, track, …)`: the simulated servo of an axis, called as `Ahead` is
+    * `counted(counters, steps)`: how many iterations of a loop with counters may be skipped
+    * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `Ahead`
     """
 
     __slots__ = ("axes", "counted", "ranges", "scheduler", "servo")

@@ -1,8 +1,8 @@
 """An axis: its settings, its move buffer, and its motion as a list of profiles.
 
-The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began; the
-last profile goes on for ever (it holds its end position, or keeps its end velocity), so position and velocity are
-known at any time, exactly. What lies far back is packed in the log (`log/log.py`).
+The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began. The
+last profile never ends (it rests at its end position, or continues at its end velocity), so position and
+velocity are known exactly at any time. Older profiles are packed in the log (`log/log.py`).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from motionlang.log.older_profiles import Profiles
     from motionlang.planners import Profile, State
 
-# What an axis starts with; a dialect's table may say otherwise (Mint's SPEED is 40000).
+# The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
 DEFAULTS: dict[str, float] = {
     "speed": 40_000.0,
     "accel": 100_000.0,
@@ -53,15 +53,15 @@ LIVE = frozenset(
         "max_decel",
     }
 )
-# Why an axis is suspended: by a word of the program, by an input. It goes on when no reason is left.
+# The reasons to suspend an axis: a keyword of the program, or an input. It resumes when none remains.
 BY_WORD, BY_INPUT = 1, 2
 
-# The jerk of a rate that is there at once.
+# The jerk of a rate that takes effect at once.
 _AT_ONCE = LARGEST
 
 
 class Axis:
-    """Everything one axis is and was; only `Controller` changes it."""
+    """State and history of one axis; only `Controller` changes it."""
 
     __slots__ = (
         "_accel_jerk",
@@ -121,67 +121,69 @@ class Axis:
         self.scale = Scale()
         self.enabled = True
         self.faults = 0
-        self.locks = 0  # the faults that must be cleared before the axis takes a motion
+        self.locks = 0  # faults that must be cleared before the axis accepts a motion
         self.shape = "trapezoid"
         self.speed = DEFAULTS["speed"]
         self.accel = DEFAULTS["accel"]
         self.decel = DEFAULTS["decel"]
-        # Seconds from rest to `speed`; None while a rate is in force (the last one written counts).
+        # Seconds from rest to `speed`; None while a rate is in force (the last one written takes effect).
         self.accel_time: float | None = None
         self.decel_time: float | None = None
         self._accel_jerk = DEFAULTS["accel_jerk"]
         self._decel_jerk = DEFAULTS["decel_jerk"]
-        # Seconds in which a rate builds up, and the part of a ramp to `speed` in which it does; None while a jerk,
-        # or the other one of the two, is in force.
+        # Seconds in which a rate builds up, and the fraction of a ramp to `speed` in which it does. None
+        # while a jerk, or the other one of the two, is in force.
         self.accel_jerk_time: float | None = None
         self.decel_jerk_time: float | None = None
         self.s_ramp: float | None = None
         self.error_decel = DEFAULTS["decel"]
         self.ramp = DEFAULTS["ramp"]
-        # Mint's FEEDRATEMODE: bit 0, a move keeps the speed it was loaded with; bit 1, `override` multiplies speeds.
+        # Mint's FEEDRATEMODE: with bit 0 a move keeps the speed it was loaded with; with bit 1 `override`
+        # multiplies speeds.
         self.feedrate_mode = 1
         self.override = 1.0
-        # Speed, acceleration and deceleration that moves loaded from now on keep, None for those of the axis.
+        # Speed, acceleration and deceleration of moves loaded from now on; None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
-        self.held = 0  # the reasons for which it is suspended, `BY_WORD`, `BY_INPUT` or both
-        self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
-        # Limits that paths keep, whatever their master asks for.
+        self.held = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
+        self.suspend_time = 0.1  # seconds in which the playback of a profile comes to rest
+        # Limits that apply to paths, whatever their master commands.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
-        # Whether paths are run through without slowing down at corners up to an angle, degrees.
+        # True if paths are run without slowing down at corners up to an angle, degrees.
         self.contour_mode = False
         self.contour_angle = 0.0
-        # Whether a path begins while the one before it still has a distance to go, user units.
+        # True if a path begins while the one before it still has a distance to go, user units.
         self.blend_mode = False
         self.blend_distance = 0.0
         self.buffer_size = int(DEFAULTS["buffer_size"])
-        self.buffer_low = -1  # free places above which the listeners are told; -1: never
+        self.buffer_low = -1  # free entries above which the listeners are notified; -1: never
         self.buffer: list[Move] = []
-        self.move_id = 0  # the mark of moves loaded from now on
-        self.last_id = 0  # the mark of the last move that left the buffer
+        self.move_id = 0  # the identifier of moves loaded from now on
+        self.last_id = 0  # the identifier of the last move that left the buffer
         self.move: Move | None = None
         self.arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
-        # The last of them, by which readers know what they have cached; None where it is not on the track yet.
+        # The last profile, by which readers know that their cache is valid. None if it is not on the track
+        # yet.
         self.present: Profile | None = self.profiles[-1]
-        # What began before those, packed.
+        # Profiles that began before those, packed.
         self.older: Profiles | None = None
         self.watches = Watches()
-        # Called with each new profile at the moment it begins, such as by an axis that is geared to this one.
+        # Called with each new profile when it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []
-        # Its motor, where one is simulated, and the gains that the program has set, by their words.
+        # The simulated motor, if there is one, and the gains that the program has set, by keyword.
         self.feedback: Feedback | None = None
         self.gains: dict[str, tuple[float, str]] = {}
-        # The distance between the encoder's index marks in user units (0: it has none).
+        # The distance between the encoder's index marks in user units (0: there are none).
         self.index_every = 0.0
         self.index_origin = 0.0  # one of the marks, in counts of the machine
 
     @property
     def entries(self) -> tuple[Move, ...]:
-        """The entries of the log that may still change, the oldest first: several while paths are blended."""
+        """The log entries that may still change, oldest first: several during a blend."""
         move = self.move
         if move is None or move.action is None:
             return () if move is None else (move,)
@@ -189,31 +191,35 @@ class Axis:
 
     @property
     def moves(self) -> bool:
-        """Whether a move is in progress, for who asks for no more."""
+        """True if a move is in progress, for callers that need no more."""
         return self.move is not None
 
     def put_on(self, start: float, profile: Profile) -> None:
-        """Have its track begin with a profile."""
+        """Begin the track with a profile."""
         self.starts[:], self.profiles[:], self.present = [start], [profile], profile
 
     def idle_reader(self) -> Callable[[], bool]:
-        """The function that answers whether no move is in progress."""
+        """Return a function that is true if no move is in progress."""
         return lambda: self.move is None
 
-    # -------------------------------------------------------------------------------- where `fast/moves.py` hooks in
+    # -------------------------------------------------------------------------------- hooks of
+    # `fast/moves.py`
 
     def loader(self, controller: Core, relative: bool, command: str) -> Loader:
-        """Load a move quickly, to a place or by a distance, user units, for a line; false where it cannot be."""
+        """Return a fast loader of moves to a position or by a distance, user units.
+
+        It takes the position and a line, and returns false if it cannot load the move.
+        """
         return lambda value, line: False
 
     def start_loaded(self, controller: Core) -> bool:
-        """Start the move of `loader`; false where there is none."""
+        """Start the move of `loader`; false if there is none."""
         return False
 
     def keep_whole(self, now: float) -> None:
         """Roll back or finish partial updates after an interrupt."""
 
-    # ---------------------------------------------------------------------------------------- at a time
+    # ---------------------------------------------------------------------------------------- state at a time
 
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""
@@ -221,7 +227,7 @@ class Axis:
         return profile.at(time - start)
 
     def position(self, time: float) -> float:
-        """The demanded position at `time`; without a simulated motor, the actual one too."""
+        """The commanded position at `time`; without a simulated motor also the actual one."""
         began = self.starts[-1]
         if time >= began:
             return self.profiles[-1].position(time - began)
@@ -229,18 +235,21 @@ class Axis:
         return profile.position(time - start)
 
     def cross(self, now: float, position: float) -> None:
-        """Note that the axis is at exactly `position` now; the time of a crossing is rounded, and so is its profile."""
+        """Record that the axis is exactly at `position` now.
+
+        The time of a crossing is rounded, and so is the profile's position at that time.
+        """
         self.watches.crossed = now, position, self.profiles[-1]
 
     def here(self, now: float) -> float:
-        """The demanded position now: exactly that of the watch that the axis crosses, if it crosses one."""
+        """The commanded position now: exactly that of a watch being crossed, if any."""
         crossed = self.watches.crossed
         if crossed is not None and crossed[0] == now and crossed[2] is self.profiles[-1]:
             return crossed[1]
         return self.position(now)
 
     def velocity(self, time: float) -> float:
-        """The demanded velocity at `time`, counts/s."""
+        """Return the commanded velocity at `time`, counts/s."""
         began = self.starts[-1]
         if time >= began:
             return self.profiles[-1].velocity(time - began)
@@ -248,7 +257,7 @@ class Axis:
         return profile.velocity(time - start)
 
     def in_force(self, time: float) -> tuple[float, Profile]:
-        """The profile in force at `time`, and when it began."""
+        """Return the profile in force at `time`, and the time at which it began."""
         starts = self.starts
         if time >= starts[-1]:
             return starts[-1], self.profiles[-1]
@@ -259,7 +268,7 @@ class Axis:
         return starts[i], self.profiles[i]
 
     def next_start(self, time: float) -> float:
-        """When the profile after the one in force at `time` begins; infinite for the last one."""
+        """The start of the profile after the one at `time`; infinite for the last one."""
         starts = self.starts
         if time >= starts[-1]:
             return float("inf")
@@ -269,44 +278,53 @@ class Axis:
         return starts[bisect_right(starts, time)]
 
     def end_of_motion(self) -> float:
-        """The time at which the present profile is done: infinite while jogging."""
+        """Return the end time of the present profile: infinite while jogging."""
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
     def end_of_move(self) -> float:
-        """The time at which it will be idle if nothing else happens; -1 where it is."""
+        """Return the time at which it will be idle if nothing else happens; -1 if it is."""
         return -1.0 if self.move is None else self.end_of_motion()
 
     @property
     def stands(self) -> bool:
-        """Whether it is idle, or in a motion that rests as long as nobody else moves, such as following."""
+        """True if it is idle, or in a motion that rests unless another axis moves.
+
+        Following is such a motion.
+        """
         move = self.move
         return move is None or (move.action is not None and move.action.resting)
 
     @property
     def suspended(self) -> bool:
-        """Whether there is a reason for it to stand and keep its moves."""
+        """True if there is a reason for it to stop and keep its moves."""
         return self.held != 0
 
     @property
     def index_pitch(self) -> float:
-        """Counts from one index mark to the next, 0 where the encoder has none."""
+        """Counts from one index mark to the next; 0 if the encoder has none."""
         return abs(self.scale.to_counts(self.index_every))
 
     @property
     def limited(self) -> bool:
-        """Whether moves keep a limit of speed or rate, whatever they ask for."""
+        """True if the speed or rates of moves are limited."""
         return not self.max_speed == self.max_accel == self.max_decel == INFINITY
 
     def rates(self, speed: float) -> tuple[float, float]:
-        """Acceleration and deceleration in force, counts/s²; a time stands for `speed` over time."""
+        """Return acceleration and deceleration in force, counts/s².
+
+        A time gives the rate `speed` over time.
+        """
         accel = self.accel if self.accel_time is None else speed / self.accel_time
         decel = self.decel if self.decel_time is None else speed / self.decel_time
         return accel, decel
 
     @property
     def accel_jerk(self) -> float:
-        """The jerk in force while speeding up, counts/s³; a jerk time stands for the acceleration over it."""
+        """The jerk in force while speeding up, counts/s³.
+
+        A jerk time gives the acceleration over that time.
+        """
         return self._jerk(self._accel_jerk, self.accel_jerk_time, 0)
 
     @accel_jerk.setter
@@ -332,7 +350,10 @@ class Axis:
 
     @property
     def live_speed(self) -> bool:
-        """Whether a new speed acts at once on a move in progress: bit 0 of the feed rate mode, the other way round."""
+        """True if a new speed acts at once on a move in progress.
+
+        This is the inverse of bit 0 of the feed rate mode.
+        """
         return not self.feedrate_mode & 1
 
     @live_speed.setter

@@ -1,7 +1,7 @@
-"""The verbs of single axes: setting them, switching them, loading and starting moves, stopping.
+"""The verbs of single axes: settings, switches, loading and starting moves, stops.
 
-A language loads a move (`load_to`, `load_by`) and starts it (`go`), or does both at once (`move_to`, `move_by`, which
-stand with the life of a move in `core`).
+A language loads a move (`load_to`, `load_by`) and starts it (`go`), or does both at once (`move_to`,
+`move_by`, which are in `core`, with the life cycle of a move).
 """
 
 from __future__ import annotations
@@ -55,12 +55,15 @@ SETTINGS = frozenset(
 
 
 class AxisVerbs(Core):
-    """What a language asks of one axis. Positions are counts, times seconds; Refusal where the axis cannot do it."""
+    """The commands of a language for one axis, in counts and seconds.
+
+    They raise Refusal if the axis cannot execute them.
+    """
 
     # ------------------------------------------------------------------------------------------- settings
 
     def configure(self, axis: int, name: str, value: object) -> None:
-        """Set one of `SETTINGS`; a rate and the time for it replace each other."""
+        """Set one of `SETTINGS`; a rate and its time replace each other."""
         assert name in SETTINGS, name
         a = self.axes[axis]
         if a.move is not None and name in LIVE and motion.feedrate.unchanged(a, name, value):
@@ -82,23 +85,26 @@ class AxisVerbs(Core):
                 self.orders.heed(a)
 
     def restore(self, axis: int) -> None:
-        """Give an axis at rest all `SETTINGS` as they are at power-up."""
+        """Reset all `SETTINGS` of an axis at rest to those at power-up."""
         new = Axis(axis)
         for name in sorted(SETTINGS):
             self.configure(axis, name, getattr(new, name))
 
     def setting(self, axis: int, name: str) -> float | str | None:
-        """Read one of `SETTINGS` back."""
+        """Return one of `SETTINGS`."""
         value: float | str | None = getattr(self.axes[axis], name)
         return value
 
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """Set the door between user units and counts."""
+        """Set the conversion between user units and counts."""
         self.axes[axis].scale.set(counts, rate, zero)
         self.tell("scale", axis)
 
     def set_units(self, axis: int, speed: float | None, acceleration: float | None) -> None:
-        """Set the counts in the units of speeds and of accelerations; None for those of positions."""
+        """Set the counts in the units of speed and of acceleration.
+
+        None selects the unit of positions.
+        """
         self.axes[axis].scale.set_units(speed, acceleration)
 
     def set_time_unit(self, axis: int, seconds: float) -> None:
@@ -106,7 +112,10 @@ class AxisVerbs(Core):
         self.axes[axis].scale.set_rate(seconds)
 
     def lend_rates(self, axis: int, accel: float | None, decel: float | None) -> dict[str, float | None]:
-        """Other rates than the axis's own, None for those; `return_rates` takes what this answers, its own."""
+        """Override the rates of the axis and return its own, for `return_rates`.
+
+        None leaves a rate in force.
+        """
         a = self.axes[axis]
         own: dict[str, float | None] = {}
         for name, rate in (("accel", accel), ("decel", decel)):
@@ -117,35 +126,38 @@ class AxisVerbs(Core):
         return own
 
     def return_rates(self, axis: int, own: Mapping[str, float | None]) -> None:
-        """The axis's own rates are in force again, for what begins from now on."""
+        """Restore the axis's own rates for motion that begins from now on."""
         for name, value in own.items():
             setattr(self.axes[axis], name, value)
 
     # ------------------------------------------------------------------------------ switches and limits
 
     def set_home_switch(self, axis: int, on: bool) -> None:
-        """Somebody closes or opens the home switch of an axis."""
+        """Close or open the home switch of an axis from outside."""
         (self.at_home.add if on else self.at_home.discard)(axis)
         self.tell("home", axis)
 
     def set_limit_action(self, axis: int, bit: int, action: str) -> None:
-        """Say what an axis does at its limits that raise the fault `bit`."""
+        """Set the action of an axis at its limits with the fault `bit`."""
         for limit in self.axes[axis].limits:
             if limit.bit == bit:
                 limit.action = action
 
     def lock(self, axis: int, faults: int) -> None:
-        """Say with which faults an axis takes no motion."""
+        """Set the faults that prevent motion of an axis."""
         self.axes[axis].locks = faults
 
     def set_brake(self, axis: int, on: bool) -> None:
-        """Somebody sets or lifts the brake of an axis, of which its drive knows nothing."""
+        """Set or release the brake of an axis without the knowledge of its drive."""
         (self.braked.add if on else self.braked.discard)(axis)
 
     # ---------------------------------------------------------------------------------------- on and off
 
     def enable(self, axis: int) -> None:
-        """Switch an axis on where it stands: target, demanded and actual position become one; faults are forgotten."""
+        """Enable an axis where it is.
+
+        Target, commanded and actual position become equal; faults are cleared.
+        """
         a = self.axes[axis]
         if not self.may_enable(axis):
             words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
@@ -160,7 +172,10 @@ class AxisVerbs(Core):
         self.tell("switched", axis)
 
     def disable(self, axis: int) -> None:
-        """Switch an axis off: its demand stands where it is, and so does the axis unless a simulated motor coasts."""
+        """Disable an axis.
+
+        Its commanded position stays, and so does the axis unless a simulated motor coasts.
+        """
         a = self.axes[axis]
         self.freeze(a, "fault" if a.faults else "cancel")
         a.enabled = False
@@ -169,7 +184,7 @@ class AxisVerbs(Core):
         self.tell("switched", axis)
 
     def clear_faults(self, axis: int) -> None:
-        """Forget an axis's faults."""
+        """Clear the faults of an axis."""
         a = self.axes[axis]
         triggers.events.cleared(self, a)
         a.faults = 0
@@ -178,7 +193,7 @@ class AxisVerbs(Core):
         self.tell("cleared", axis)
 
     def define_position(self, axis: int, position: float) -> None:
-        """Give the present position a new value, also in motion: the rest of the move shifts with it."""
+        """Give the present position a new value; the rest of a move shifts with it."""
         a, now = self.axes[axis], self.clock.now
         here = a.here(now)
         shift = position - self.position(axis)
@@ -198,22 +213,22 @@ class AxisVerbs(Core):
     # -------------------------------------------------------------------------------------------- moving
 
     def room(self, axis: int) -> int:
-        """How many moves the buffer can still take, the one being executed not counted."""
+        """Return how many more moves fit in the buffer, without the one being executed."""
         a = self.axes[axis]
         return a.buffer_size - len(a.buffer)
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Put a move to `position` into the move buffer."""
+        """Load a move to `position` into the move buffer."""
         moves.buffer.put(self.movable(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Put a move by `distance` into the buffer, counted from where the axis is when it starts."""
+        """Load a move by `distance`, counted from the position at which it starts."""
         a = self.movable(axis)
         moves.buffer.known_end(a)
         moves.buffer.put(a, moves.buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Put a rest of `duration` seconds into the move buffer."""
+        """Load a dwell of `duration` seconds into the move buffer."""
         moves.buffer.put_action(self.movable(axis), moves.buffer.Dwell(duration), command, line)
 
     def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
@@ -221,11 +236,11 @@ class AxisVerbs(Core):
         moves.buffer.put_action(self.movable(axis), moves.buffer.Outputs(dict(values)), command, line)
 
     def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
+        """Load a pulse of an output, `duration` seconds; later entries do not wait for it."""
         moves.buffer.put_action(self.movable(axis), moves.buffer.Pulse(channel, duration), command, line)
 
     def go(self, axes: Iterable[int]) -> None:
-        """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
+        """Release all moves in the buffers of `axes`; idle axes start now, together."""
         for axis in axes:
             a = self.axes[axis]
             if a.start_loaded(self):
@@ -244,14 +259,17 @@ class AxisVerbs(Core):
                 a.move.action.more(self, a)
 
     def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Let the move in progress end at `position`; an axis at rest starts at once. What waits keeps its end."""
+        """Change the end of the move in progress to `position`.
+
+        An axis at rest starts at once. Loaded moves keep their ends.
+        """
         a = self.movable(axis)
         before = a.target
         motion.halt.retarget(self, a, position, command, line)
         moves.buffer.keep_ends(a, position - before)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Let the move in progress end `distance` further on; an axis at rest starts at once."""
+        """Shift the end of the move in progress by `distance`, or start one at rest."""
         self.retarget_to(axis, self.movable(axis).target + distance, command, line)
 
     def jog(
@@ -263,7 +281,10 @@ class AxisVerbs(Core):
         rates: tuple[float | None, float | None] | None = None,
         ends: bool = False,
     ) -> None:
-        """Ramp to `velocity`, counts/s, and keep it; with `ends` a jog to 0 is over when the axis stands."""
+        """Ramp to `velocity`, counts/s, and keep it.
+
+        With `ends` a jog to 0 is over when the axis is at rest.
+        """
         from motionlang.controller.motion.jog import jog
 
         a = self.movable(axis)
@@ -281,10 +302,11 @@ class AxisVerbs(Core):
         action: Action | None = None,
         step: float = 0.0,
     ) -> None:
-        """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it.
+        """Play a profile that begins at the axis's position.
 
-        A `step`, counts/s, is the velocity at which a stepper starts and stops at once, at the axis's rates in between.
-        `action` says what becomes of a stop where the caller has several axes on one profile.
+        With `on_path` a stop stays on it.
+        A `step`, counts/s, is the velocity at which a stepper starts and stops at once, with the axis's rates
+        in between. `action` handles a stop if the caller has several axes on one profile.
         """
         from motionlang.controller.motion.profile_playback import Played
 
@@ -298,14 +320,17 @@ class AxisVerbs(Core):
         )
 
     def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
-        """Replace the rest of the present move by a ready-made profile, such as a path that grew or was stopped."""
+        """Replace the rest of the present move by a profile, such as an extended path."""
         a = self.axes[axis]
         if a.move is not None:
             self.continue_with(a, profile, ended)
             a.target = a.move.target = profile.end
 
     def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
-        """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the move buffer."""
+        """Decelerate to rest at the set rate and empty the move buffer.
+
+        A `hard` stop uses `error_decel`.
+        """
         a = self.axes[axis]
         if ended == "stop":
             triggers.events.stopped(self, a, ended)
@@ -325,19 +350,19 @@ class AxisVerbs(Core):
                 self.start_next(each)
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
-        """Decelerate to rest at the set rate and keep what the buffer holds: it is next."""
+        """Decelerate to rest at the set rate and keep the buffer, which runs next."""
         if ended and self.orders is not None:
             self.orders.stop(self.axes[axis], ended)
         motion.halt.stop(self, self.axes[axis], ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
-        """Ramp to rest and keep the move, and those of the buffer, until `resume` has taken every reason off."""
+        """Ramp to rest and keep the moves until `resume` has removed every reason."""
         motion.halt.suspend(self, self.axes[axis], reason)
         if self.orders is not None:
             self.orders.heed(self.axes[axis])
 
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
-        """Take a reason to be suspended off; go on where none is left."""
+        """Remove a reason for suspension; continue if none remains."""
         a = self.axes[axis]
         if self.orders is not None:
             self.orders.prompt(a, "resume")
@@ -346,7 +371,7 @@ class AxisVerbs(Core):
             self.start_next(a)
 
     def is_suspended(self, axis: int) -> bool:
-        """Whether anything suspends the axis."""
+        """True if the axis is suspended for any reason."""
         return self.axes[axis].suspended
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
@@ -358,7 +383,7 @@ class AxisVerbs(Core):
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
-        """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it.
+        """Raise a fault on an axis and take `action` (one of `conditions.ACTIONS`).
 
         The action is taken each time. A fault that is still pending is no new error.
         """

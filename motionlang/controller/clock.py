@@ -1,7 +1,7 @@
 """Virtual time: a heap of events, and `now`.
 
-Time passes in two ways: the program spends it (a statement costs something), or everybody waits and the clock
-jumps to the next event. Both end in `advance`, so an event always runs at its own exact time.
+Time passes if the program spends it (a statement has a duration), or if all tasks wait and the clock jumps to
+the next event. Both end in `advance`, so an event always runs at its exact time.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ INFINITY = float("inf")
 
 
 class Event:
-    """Something that happens at `time`; `cancel()` makes it not happen."""
+    """A callback at `time`; `cancel()` prevents it."""
 
     __slots__ = ("call", "time")
 
@@ -29,10 +29,10 @@ class Event:
 
 
 class Clock:
-    """`now` in seconds since power-up, and `horizon`, the time of the next event (infinite when there is none).
+    """`now` in seconds since power-up, and `horizon`, the time of the next event.
 
-    `made` and `fired` count the events that were entered and those whose time has come, `leaps` the times at which it
-    went on over what was known to repeat itself.
+    `horizon` is infinite if there is no event. `made` and `fired` count the events that were entered and
+    those that have run, `leaps` the jumps over periodic execution.
     """
 
     __slots__ = ("_heap", "_kept", "fired", "horizon", "leaps", "made", "now")
@@ -41,13 +41,13 @@ class Clock:
         self.now = 0.0
         self.horizon = INFINITY
         self.made = self.fired = self.leaps = 0
-        self._kept = 0  # places in the order that are kept for events entered later
+        self._kept = 0  # order numbers reserved for events entered later
         self._heap: list[tuple[float, int, Event]] = []
 
     def at(self, time: float, call: Callable[[], object]) -> Event:
-        """Call `call` at `time`; events of one time run in the order in which they were made.
+        """Call `call` at `time`; events at the same time run in order of creation.
 
-        A call that answers true was no news: nobody has heard of it but those who knew when it would be.
+        If the call returns true, it woke no other task.
         """
         event = Event(time, call)
         self.made += 1
@@ -57,7 +57,7 @@ class Clock:
         return event
 
     def again(self, event: Event, time: float) -> None:
-        """Let an event that has happened happen once more."""
+        """Schedule an event that has run once more."""
         event.time = time
         self.made = made = self.made + 1
         heappush(self._heap, (time, made + self._kept, event))
@@ -65,13 +65,16 @@ class Clock:
             self.horizon = time
 
     def keep(self, count: int) -> int:
-        """Keep `count` places in the order of events, as if they were made now; the last of those before them."""
+        """Reserve `count` order numbers and return the last one before them.
+
+        The events count as made now.
+        """
         first = self.made + self._kept
         self._kept += count
         return first
 
     def at_kept(self, time: float, order: int, call: Callable[[], object]) -> Event:
-        """The same as `at`, in a place that was kept for it."""
+        """Schedule a call like `at`, with a reserved order number."""
         event = Event(time, call)
         heappush(self._heap, (time, order, event))
         if time < self.horizon:
@@ -79,7 +82,7 @@ class Clock:
         return event
 
     def next_time(self) -> float:
-        """The time of the next event that will happen, infinite when there is none."""
+        """Return the time of the next pending event, infinite if there is none."""
         heap = self._heap
         while heap and heap[0][2].call is None:
             heappop(heap)
@@ -87,7 +90,7 @@ class Clock:
         return self.horizon
 
     def advance(self, time: float) -> None:
-        """Let time pass until `time`, running what falls due on the way at its own moment."""
+        """Advance to `time`, running each event due before it at its own time."""
         heap = self._heap
         while heap and heap[0][0] <= time:
             due, _, event = heappop(heap)
@@ -104,7 +107,10 @@ class Clock:
         self.horizon = heap[0][0] if heap else INFINITY
 
     def advance_to_news(self, end: float) -> bool:
-        """The same, no further than the first moment at which there is news; true where there is none."""
+        """Advance like `advance`, but only to the first event that wakes a task.
+
+        True if there is none.
+        """
         heap, time, quiet = self._heap, end, True
         while heap and heap[0][0] <= time:
             due, _, event = heappop(heap)
@@ -123,7 +129,10 @@ class Clock:
         return quiet
 
     def ring(self, moment: float) -> bool:
-        """Let time pass to the next event, where that is at a moment; false where it is not, or was news."""
+        """Advance to the next event if it is at `moment`.
+
+        False if it is not, or if it woke a task.
+        """
         if self.horizon != moment and self.next_time() != moment:
             return False
         heap = self._heap

@@ -1,7 +1,8 @@
-"""The virtual controller: everything a language may ask of it.
+"""The virtual controller: every command that a language may give it.
 
-The verbs of single axes are `AxisVerbs`', those that only tell something `Readings`'; here are those of several axes at
-once and of what goes on beside motion. Each is a thin door to the module of its family, brought in when first needed.
+The verbs of single axes are in `AxisVerbs`, those that only read in `Readings`. Those of several axes at
+once, and of functions alongside motion, are here. Each delegates to the module of its family, which is
+imported when first needed.
 """
 
 from __future__ import annotations
@@ -33,9 +34,10 @@ if TYPE_CHECKING:
 
 
 class Controller(AxisVerbs):
-    """`axes` axes numbered from `first`, a clock, and the log of all that happens.
+    """`axes` axes numbered from `first`, a clock, and the log of all events.
 
-    Where nothing else is said positions and distances are counts, times seconds, and what cannot be done is a Refusal.
+    Unless stated, positions and distances are in counts and times in seconds. A rejected command raises
+    Refusal.
     """
 
     def __init__(
@@ -52,41 +54,57 @@ class Controller(AxisVerbs):
     # ----------------------------------------------------------------------------------- bound to an axis
 
     def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
-        """What reads a setting, or asks a verb that takes an axis, again and again; it answers in `unit`.
+        """Return a reader of a setting or an axis verb, for repeated use, in `unit`.
 
-        "place" is the unit of positions, "" that of counts and of what has none. `hearing` is told of each reading.
+        "place" is the unit of positions, "" that of counts and of quantities without a unit. `hearing` is
+        notified of each reading.
         """
         return readers.reader(self, name, axis, unit, hearing)
 
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
-        """What sets one of `SETTINGS` again and again, to values in `unit`."""
+        """Return a writer of one of `SETTINGS`, for repeated use, in `unit`."""
         return readers.writer(self, name, axis, unit)
 
     def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """What loads a move quickly, to a place or by a distance, user units, for a line; false: it cannot."""
+        """Return a fast loader of moves to a position or by a distance, user units.
+
+        It takes the position and a line, and returns false if it cannot load the move.
+        """
         return self.axes[axis].loader(self, relative, command)
 
-    # ------------------------------------------------------------------------------- hearing of an axis
+    # ------------------------------------------------------------------------------- notifications of an axis
 
     def follow_profiles(self, axis: int, call: Callable[[Profile], None]) -> Callable[[], None]:
-        """Call `call(profile)` with each profile that an axis begins; what is answered ends that."""
+        """Call `call(profile)` with each profile that an axis begins.
+
+        The returned function ends the subscription.
+        """
         followers = self.axes[axis].followers
         followers.append(call)
         return lambda: followers.remove(call)
 
     def warn_of_error(self, axis: int, limit: float, call: Callable[[], None]) -> None:
-        """Call `call()` when the following error of a simulated motor has passed `limit`; infinite: never."""
+        """Call `call()` if the following error of a simulated motor exceeds `limit`.
+
+        An infinite limit disables it.
+        """
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.warned = call
             feedback.set_warn_limit(limit)
 
     def take_mishaps(self, handles: Callable[[Refusal], bool]) -> None:
-        """Have `handles(refusal)` hear of what goes wrong between statements; it answers whether that was all."""
+        """Set the handler of run-time faults between statements.
+
+        `handles(refusal)` returns true if it has handled the fault.
+        """
         self.handles_mishap = handles
 
     def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
-        """A further limit of an axis at the end `sign` of its travel, with no position yet; `bit` is its fault."""
+        """Add a limit of an axis at the end `sign` of its travel, without a position yet.
+
+        `bit` is its fault.
+        """
         from motionlang.controller.triggers.limit import Limit
 
         limit = Limit(self, axis, sign, bit, action, physical)
@@ -94,7 +112,10 @@ class Controller(AxisVerbs):
         return limit
 
     def forget_history(self, most: int) -> None:
-        """Drop all but about the last `most` records of each kind in the log, and ten times as many profiles."""
+        """Drop all but about the last `most` log records of each kind.
+
+        Ten times as many profiles are kept.
+        """
         self.log.forget(most, self.axes.values())
 
     # --------------------------------------------------------------------------------------------- paths
@@ -102,7 +123,7 @@ class Controller(AxisVerbs):
     def load_line(
         self, axes: Sequence[int], targets: Sequence[float], command: str = "", line: int = 0
     ) -> None:
-        """Put a straight line of several axes to `targets` into their buffers; the first axis is the master."""
+        """Load a straight line of several axes to `targets`; the first axis is the master."""
         from motionlang.controller.moves import path
 
         path.load_line(self, axes, targets, command, line)
@@ -110,7 +131,7 @@ class Controller(AxisVerbs):
     def load_line_by(
         self, axes: Sequence[int], distances: Sequence[float], command: str = "", line: int = 0
     ) -> None:
-        """Put a straight line of several axes by `distances` into their buffers."""
+        """Load a straight line of several axes by `distances`."""
         from motionlang.controller.moves import path
 
         path.load_line_by(self, axes, distances, command, line)
@@ -125,7 +146,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Put an arc by `angle` degrees into the buffers of its axes, a helix where further axes go to `rest`."""
+        """Load an arc by `angle` degrees, or a helix if further axes go to `rest`."""
         from motionlang.controller.moves import path
 
         path.load_arc(self, axes, centre, angle, rest, relative, command, line)
@@ -138,13 +159,13 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Put a path into the buffers of its axes that goes by what its guide says of its pace and of what it joins."""
+        """Load a path whose pace and joins are set by its guide."""
         from motionlang.controller.moves import path
 
         path.load_guided(self, axes, geometry, guide, command, line)
 
     def replan_path(self, axis: int) -> None:
-        """Go on along the path that the axis is on at the pace that its guide says now."""
+        """Continue on the present path of the axis at the pace that its guide gives now."""
         from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
@@ -152,7 +173,7 @@ class Controller(AxisVerbs):
             run.replan()
 
     def blend(self, axis: int) -> None:
-        """Begin the next path of the axis now, on top of what remains of the present one."""
+        """Begin the next path of the axis now, superposed on the rest of the present one."""
         from motionlang.controller.moves.path import run_of
 
         if self.orders is not None:
@@ -162,14 +183,14 @@ class Controller(AxisVerbs):
             run.blend()
 
     def path_speed(self, axis: int) -> float:
-        """The speed along the path that the axis is on, user units/s."""
+        """Return the speed along the present path of the axis, user units/s."""
         from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
         return run.present.speed if run is not None else 0.0
 
     def path_remaining(self, axis: int) -> float:
-        """The distance along the path that the axis is on still to go, user units."""
+        """Return the remaining distance along the present path of the axis, user units."""
         from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
@@ -186,13 +207,16 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Ramp to a speed reference, counts/s, by `slopes`, up and down; an error brakes at `error_rate`."""
+        """Ramp to a speed reference, counts/s, by `slopes`, up and down.
+
+        An error brakes at `error_rate`.
+        """
         from motionlang.controller.motion.reference import refer_speed
 
         refer_speed(self, self.movable(axis), velocity, slopes, error_rate, command, line)
 
     def refer_position(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Follow a position reference: be there within a period of the profiler."""
+        """Follow a position reference: reach it within a period of the profiler."""
         from motionlang.controller.motion.reference import refer_position
 
         refer_position(self, self.movable(axis), position, command, line)
@@ -200,7 +224,7 @@ class Controller(AxisVerbs):
     def track(
         self, axis: int, decide: Callable[[], tuple[float, bool]], command: str = "", line: int = 0
     ) -> Track:
-        """Have the velocity of an axis, counts/s, decided anew at every tick of the profiler."""
+        """Let a function set the velocity of an axis, counts/s, at every profiler tick."""
         from motionlang.controller.motion.sampled_velocity import track
 
         return track(self, self.movable(axis), decide, command, line)
@@ -217,7 +241,10 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Follow a master, an axis or an encoder channel, at `ratio` counts a count; with `ramp` not at once."""
+        """Follow a master, an axis or an encoder channel, at `ratio` counts per count.
+
+        With `ramp` it does not start at once.
+        """
         from motionlang.controller.motion.follow import gear
 
         a = self.movable(axis)
@@ -226,7 +253,7 @@ class Controller(AxisVerbs):
             self.orders.gears(a, ratio)
 
     def set_ratio(self, axis: int, ratio: float) -> None:
-        """Let an axis that follows a master at a ratio do so at another one; no-op for an axis that does not."""
+        """Change the ratio of an axis that follows a master; a no-op for any other axis."""
         from motionlang.controller.motion.follow import set_ratio
 
         a = self.axes[axis]
@@ -235,7 +262,7 @@ class Controller(AxisVerbs):
             self.orders.gears(a, ratio)
 
     def leave_master(self, axis: int) -> None:
-        """Follow no master any more: what the axis does it goes on doing to its end."""
+        """Stop following a master; the present profile continues to its end."""
         from motionlang.controller.motion.follow import leave_master
 
         leave_master(self, self.axes[axis])
@@ -256,7 +283,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Follow a table of `values` over a master's `places`, both in counts, from where both are now."""
+        """Follow a table of `values` over a master's `places`, both in counts, from here."""
         from motionlang.controller.moves.cam import start_cam
 
         start_cam(
@@ -275,7 +302,7 @@ class Controller(AxisVerbs):
         )
 
     def cam_index(self, axis: int) -> int:
-        """The segment of its table that a cam is in; -1 where there is no cam."""
+        """Return the present segment of the table of a cam; -1 if there is no cam."""
         from motionlang.controller.moves.cam import Cam
 
         move = self.axes[axis].move
@@ -291,7 +318,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Put a segment into the buffer: `distance` while the master goes `over` counts."""
+        """Load a fly segment: `distance` while the master travels `over` counts."""
         from motionlang.controller.moves.cam import load_fly
 
         load_fly(self, self.movable(axis), self._master(master, encoder), distance, over, command, line)
@@ -305,7 +332,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Add a distance on top of following, in one of the modes of OFFSETMODE; at rest move by it."""
+        """Add a distance on top of following, in a mode of OFFSETMODE; at rest move by it."""
         from motionlang.controller.motion.offset import offset
 
         offset(self, self.movable(axis), distance, mode, over, command, line)
@@ -321,7 +348,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Put a cam into the buffer; `table` gives its points for where the slave then is, anew for every cycle."""
+        """Load a cam; `table` gives its points for the slave's position, in every cycle."""
         from motionlang.controller.moves.entries import load_cam
 
         load_cam(self, self.movable(axis), self._master(master, encoder), table, cyclic, first, command, line)
@@ -335,7 +362,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Put an offset on top of following into the buffer; GO begins it while the axis goes on following."""
+        """Load an offset on top of following; GO starts it while the axis follows."""
         from motionlang.controller.moves.entries import load_offset
 
         load_offset(self, self.movable(axis), distance, mode, over, command, line)
@@ -343,20 +370,23 @@ class Controller(AxisVerbs):
     def load_points(
         self, axis: int, make: Make, again: Make | None = None, command: str = "", line: int = 0
     ) -> None:
-        """Put points at times into the buffer, made from where the axis then is; `again` follows them for ever."""
+        """Load timed points, made from the position of the axis then.
+
+        `again` makes further points, for ever.
+        """
         from motionlang.controller.moves.entries import load_points
 
         load_points(self, self.movable(axis), make, again, command, line)
 
     def offset_remaining(self, axis: int) -> float:
-        """What the offset of a slave, or the move of another axis, still has to do, counts."""
+        """The remaining distance of a slave's offset or another axis's move, counts."""
         from motionlang.controller.motion.follow import tie_of
 
         tie = tie_of(self.axes[axis])
         return tie.offset_left()[0] if tie is not None else self.remaining(axis)
 
     def offset_crossing_time(self, axis: int, left: float) -> float:
-        """When so much is still to go of the offset of a slave, or of the move of another axis."""
+        """Return the time at which that remaining distance is `left`."""
         if abs(left) == INFINITY or self.master_of(axis) is None:
             return self.remaining_crossing_time(axis, left)
         from motionlang.controller.motion.offset import crossing_time
@@ -364,18 +394,18 @@ class Controller(AxisVerbs):
         return crossing_time(self, self.axes[axis], left)
 
     def offset_status(self, axis: int) -> int:
-        """How the last offset went, as the bits of OFFSETSTATUS."""
+        """Return the status of the last offset, as the bits of OFFSETSTATUS."""
         return self.offset_statuses.get(axis, 0)
 
     def master_of(self, axis: int) -> int | None:
-        """The axis or encoder channel that an axis follows; None while it follows none."""
+        """Return the axis or encoder channel that an axis follows, or None."""
         from motionlang.controller.motion.follow import tie_of
 
         tie = tie_of(self.axes[axis])
         return tie.master.index if tie is not None else None
 
     def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:
-        """Let the world turn an encoder channel: to `velocity`, counts/s, at `accel`, or at once where that is 0."""
+        """Ramp an encoder channel to `velocity`, counts/s, at `accel`; 0: at once."""
         from motionlang.controller.io.encoder import turn
 
         turn(self, self.encoder(channel), velocity, accel)
@@ -387,10 +417,11 @@ class Controller(AxisVerbs):
             raise Refusal("axis", f"there is no axis {number} to follow")
         return self.axes[number]
 
-    # ---------------------------------------------------------------------------------- capturing and comparing
+    # ---------------------------------------------------------------------------------- capture and
+    # comparison
 
     def latch(self, number: int) -> Latch:
-        """A latch channel."""
+        """Return a latch channel."""
         from motionlang.controller.triggers.latch import Latch
 
         found = self.latches.get(number)
@@ -401,15 +432,18 @@ class Controller(AxisVerbs):
     def latch_on_input(
         self, number: int, axis: int, channel: int, edge: int = 1, encoder: bool = False
     ) -> None:
-        """Let a latch capture a position at an edge (1 rising, -1 falling, 0 both) of a digital input."""
+        """Arm a latch to capture a position at an edge of a digital input.
+
+        `edge` is 1 for rising, -1 for falling, 0 for both.
+        """
         self.latch(number).on_input(self._master(axis, encoder), channel, edge)
 
     def latch_on_index(self, number: int, axis: int) -> None:
-        """Let a latch capture the position of an axis at the index marks of its encoder."""
+        """Arm a latch to capture the position of an axis at its encoder's index marks."""
         self.latch(number).on_index(self._master(axis, False))
 
     def compare(self, axis: int, output: int, low: float, high: float) -> Compare:
-        """Keep a digital output on while an axis is between two positions."""
+        """Turn a digital output on while an axis is between two positions."""
         from motionlang.controller.triggers.latch import Compare
 
         return Compare(self, axis, output, low, high)
@@ -417,28 +451,31 @@ class Controller(AxisVerbs):
     # --------------------------------------------------------------------------------------- simulated motors
 
     def set_servo_model(self, axis: int, model: str) -> None:
-        """Say by which of `gains.MODELS` the gains of a simulated motor are meant."""
+        """Select the one of `gains.MODELS` that defines the gains of a simulated motor."""
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.model = model
 
     def set_gain(self, axis: int, quantity: str, value: float, word: str) -> None:
-        """Set a gain of the servo loop, in the unit of a language's word; a simulated motor's loop has it at once."""
+        """Set a gain of the servo loop, in the unit of a language's keyword, at once."""
         self.set_gains(axis, {**self.axes[axis].gains, quantity: (value, word)})
 
     def gain(self, axis: int, quantity: str, default: float) -> float:
-        """A gain as the program has set it."""
+        """Return a gain set by the program."""
         return self.axes[axis].gains.get(quantity, (default,))[0]
 
     def set_gains(self, axis: int, gains: Mapping[str, tuple[float, str]]) -> None:
-        """The same for all gains at once, values and words: what is not named is as the program found it."""
+        """Set all gains at once, values and keywords; reset the omitted ones."""
         a = self.axes[axis]
         if a.feedback is not None:
             a.feedback.tune(gains)
         a.gains = dict(gains)
 
     def set_error_limit(self, axis: int, counts: float) -> None:
-        """The following error, counts, beyond which an axis with a simulated motor trips; infinite for none."""
+        """Set the following error, counts, that trips an axis with a simulated motor.
+
+        Infinity disables it.
+        """
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.set_error_limit(counts)
@@ -446,16 +483,19 @@ class Controller(AxisVerbs):
     def settle_within(
         self, axis: int, error: float, speed: float, hold: float, at_target: bool = False
     ) -> None:
-        """Say what `settled_time` goes by: following error (or distance to the target), speed, and for how long.
+        """Set the window of `settled_time`: error or distance to target, speed, time.
 
-        Counts, counts/s and seconds.
+        Units are counts, counts/s and seconds.
         """
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.settle_within(error, speed, hold, at_target)
 
     def recall(self, axis: int, quantity: str, times: Sequence[float]) -> list[float]:
-        """What was "actual" (counts), the "output" (volts) and the like of `history.COLUMNS` at rising past times."""
+        """Return a past quantity of `history.COLUMNS` at rising times.
+
+        Examples are "actual" (counts) and "output" (volts).
+        """
         a = self.axes[axis]
         if a.feedback is None:
             return [a.position(time) if quantity == "actual" else 0.0 for time in times]
@@ -464,7 +504,7 @@ class Controller(AxisVerbs):
         return recall(a, self.clock.now, quantity, times)
 
     def open_loop(self, axis: int, volts: float) -> None:
-        """Give a simulated motor so many volts whatever it does; motion ends, and the demand stands where it is."""
+        """Apply a voltage to a simulated motor; motion ends at the commanded position."""
         a = self.axes[axis]
         if a.feedback is None:
             raise Refusal(
@@ -478,14 +518,14 @@ class Controller(AxisVerbs):
         a.feedback.open(volts)
 
     def close_loop(self, axis: int) -> None:
-        """Let an axis hold its position again, where its motor is now."""
+        """Resume position control of an axis, where its motor is now."""
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.take_over(self)
 
     @property
     def trace(self) -> Trace:
-        """The motion so far, to be sampled; brings in numpy."""
+        """The motion so far, for sampling; imports numpy."""
         from motionlang.log.trace import Trace
 
         return Trace(self)

@@ -1,7 +1,8 @@
-"""The life of a move, from the axis's buffer (or at once, `move_to`) to its end.
+"""The life cycle of a move, from the axis's buffer (or `move_to`) to its end.
 
-`start_move` plans a `Profile` from the axis's state and settings, appends it to the axis's track and sets one event for
-its end; `arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has released it.
+`start_move` plans a `Profile` from the axis's state and settings, appends it to the axis's track and
+schedules one event for its end. `arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has
+released it.
 """
 
 from __future__ import annotations
@@ -24,10 +25,10 @@ if TYPE_CHECKING:
 
 
 class Core(Readings):
-    """What becomes of a move: what motions of every kind, in the buffer or under way, ask of the controller."""
+    """The execution of moves, for every kind of motion in the buffer or in progress."""
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Move to `position` now, from whatever the axis is doing."""
+        """Move to `position` now, from any state of motion."""
         a = self.movable(axis)
         move = moves.buffer.stamped(a, Move(axis, command, line, position))
         profile = self.plan_move(a, move)
@@ -35,16 +36,16 @@ class Core(Readings):
         self.run_profile(a, move, profile)
 
     def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Move by `distance` from the present target now, from where the axis is where it has none."""
+        """Move by `distance` from the present target now; without one from the position."""
         a = self.movable(axis)
         base = a.target if abs(a.target) < INFINITY else a.position(self.clock.now)
         self.move_to(axis, base + distance, command, line)
 
     def movable(self, axis: int) -> Axis:
-        """An axis that may move.
+        """Return an axis that may move.
 
-        Refusal while it is off, has an error that locks it, its brake is set, or it is in a motion that allows no
-        other.
+        Raises Refusal while it is disabled, has an error that locks it, its brake is set, or it is in a
+        motion that allows no other.
         """
         a = self.axes[axis]
         triggers.conditions.refuse_motion(self, a)
@@ -55,12 +56,12 @@ class Core(Readings):
         return a
 
     def _hold(self, a: Axis) -> None:
-        """A simulated motor whose output was set by hand is its loop's again."""
+        """Return a simulated motor with a manual output to its loop."""
         if a.feedback is not None and a.enabled:
             a.feedback.take_over(self)
 
     def rates(self, a: Axis, speed: float) -> tuple[float, float]:
-        """The rates in force for a move at `speed`, or the refusal of one that is not above zero."""
+        """The rates in force for a move at `speed`; raise Refusal if it is not positive."""
         accel, decel = a.rates(speed)
         for rate, what in ((accel, "acceleration"), (decel, "deceleration")):
             if not rate > 0:
@@ -74,7 +75,7 @@ class Core(Readings):
         return accel, decel
 
     def plan_move(self, a: Axis, move: Move) -> Profile:
-        """From the state of the axis to the end of the move."""
+        """Plan from the state of the axis to the end of the move."""
         speed = a.speed if move.speed is None else move.speed
         if not speed > 0:
             raise Refusal(
@@ -96,9 +97,9 @@ class Core(Readings):
             return motion.halt.standing(self, a)
         last, shape = a.profiles[-1], a.shape
         try:
-            if last.shape == "hold" and shape == "trapezoid":  # nearly every move there is
+            if last.shape == "hold" and shape == "trapezoid":  # the case of nearly every move
                 return plan_trapezoid(last.end, move.target, speed, accel, decel)
-            # What changes the motion under way, or has a shape, is brought in by the first program that does.
+            # Changes of a motion in progress, and shapes, are imported by the first program that uses them.
             from motionlang.planners import plan
             from motionlang.planners.ramp_down import onset
 
@@ -117,21 +118,21 @@ class Core(Readings):
         self.append_profile(a, profile)
 
     def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
-        """Write a move that begins into the log; it is the axis's own from now on."""
+        """Write a move that begins into the log; from now on it is the axis's."""
         move.profile, move.start_time = profile, self.clock.now
         move.scale, move.zero = a.scale.counts, a.scale.zero
-        a.move = move  # first: whoever ends the run in between finds none in the log that nobody has
+        a.move = move  # first: an interrupt in between then leaves no log entry without an owner
         self.log.moves.add(move)
         a.target = move.target
         for limit in a.limits:
             limit.forget()
 
     def together(self) -> Together:
-        """A block in which several axes are given their motion: limits act when all have it."""
+        """Return a block in which several axes get their motion; limits act at its end."""
         return triggers.conditions.Together(self)
 
     def append_profile(self, a: Axis, profile: Profile) -> None:
-        """Follow `profile` from now on, and be told when it is done."""
+        """Follow `profile` from now on, and schedule its end."""
         if a.arrival is not None:
             a.arrival.cancel()
         end = self.clock.now + profile.duration
@@ -139,7 +140,7 @@ class Core(Readings):
         self.extend_track(a, profile)
 
     def extend_track(self, a: Axis, profile: Profile) -> None:
-        """The axis does `profile` from now on: watches are solved anew, followers told, limits looked at."""
+        """Put `profile` on the track now: solve watches, notify followers, check limits."""
         if self.orders is not None:
             self.orders.add(a)
         now = self.clock.now
@@ -156,7 +157,7 @@ class Core(Readings):
         else:
             if a.watches.all:
                 triggers.next_watches.follow(a, self.clock)
-            if a.present is not profile:  # what was passed has given it another one, and told of that
+            if a.present is not profile:  # a crossed watch has given it another profile and notified of that
                 return
         for follower in tuple(a.followers):
             follower(profile)
@@ -168,7 +169,7 @@ class Core(Readings):
         self.log.make_room((*self.axes.values(), *self.encoders.values()))
 
     def keep_whole(self) -> None:
-        """Take back or complete what was half done as somebody ended the run."""
+        """Roll back or finish partial updates after an interrupt."""
         axes = (*self.axes.values(), *self.encoders.values())
         for a in axes:
             a.keep_whole(self.clock.now)
@@ -179,14 +180,14 @@ class Core(Readings):
             self.orders.keep_whole()
 
     def arrive(self, a: Axis) -> None:
-        """The profile of the move in progress is done."""
+        """Handle the end of the profile of the move in progress."""
         a.arrival = None
         a.move = None
         self.extend_track(a, hold(a.profiles[-1].end))
         self.go_on(a)
 
     def go_on(self, a: Axis) -> None:
-        """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
+        """Start the next entry of the buffer at rest; skip an entry that cannot begin."""
         if a.index in self.homings:
             self.homings[a.index].at_rest()
         self.start_waiting(a)
@@ -194,7 +195,10 @@ class Core(Readings):
             self.tell("idle", a.index)
 
     def start_waiting(self, a: Axis) -> None:
-        """Like `start_next`, while no statement waits for it: each entry that is refused is a run-time fault."""
+        """Start like `start_next` without a waiting statement.
+
+        Each rejected entry is a run-time fault.
+        """
         while True:
             try:
                 self.start_next(a)
@@ -203,9 +207,10 @@ class Core(Readings):
                 self.mishap(refusal)
 
     def start_next(self, a: Axis) -> None:
-        """Start what the buffer holds next, as far as it is released.
+        """Start the next entry of the buffer, if it is released.
 
-        Refusal for an entry that cannot begin: it is left out, and those behind it start once this has been handled.
+        Raises Refusal for an entry that cannot begin. It is skipped, and those behind it start once the error
+        has been handled.
         """
         while a.move is None and a.index not in self.homings and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
@@ -229,13 +234,13 @@ class Core(Readings):
                 raise
 
     def take_entry(self, a: Axis, place: int = 0) -> None:
-        """An entry, the first one unless said otherwise, leaves the move buffer."""
+        """Remove an entry, by default the first one, from the move buffer."""
         a.last_id = a.buffer.pop(place).id
         if a.buffer_low >= 0:
             moves.buffer.taken(self, a)
 
     def empty(self, a: Axis, ended: str) -> None:
-        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; the log tells."""
+        """Discard the buffer, and related entries in the buffers of other axes; log it."""
         entries, a.buffer = a.buffer, []
         for move in entries:
             gone = [move] if move.action is None else [move, *move.action.purge(a)]
@@ -245,16 +250,11 @@ class Core(Readings):
                 for each in gone:
                     self.log.dropped.add(each)
             for each in gone:
-                if (
-                    each.axis != a.index
-                ):  # what waited behind a path goes on, unless it is thrown away as well
+                if each.axis != a.index:  # entries behind a path continue, unless they are discarded too
                     self._begin_waiting(self.axes[each.axis])
 
     def _begin_waiting(self, a: Axis) -> None:
-        """Start what is first in the buffer of an axis now, once all is done that happens at this moment.
-
-        A path in progress may run or blend into it.
-        """
+        """Start the buffer of an axis at rest once all other events of this time have run."""
         if self.orders is not None:
             self.orders.prompt(a, "drop")
 
@@ -270,14 +270,14 @@ class Core(Readings):
         self.clock.at(self.clock.now, begin)
 
     def drop(self, axes: Iterable[int], command: str, line: int, ended: str) -> None:
-        """Tell of a motion that a language kept back and will not do."""
+        """Log a motion that a language held back and will not execute."""
         for axis in axes:
             move = Move(axis, command, line, self.axes[axis].target)
             move.ended = ended
             self.log.dropped.add(move)
 
     def replan_move(self, a: Axis) -> None:
-        """Go on to the same target with the settings as they are now."""
+        """Continue to the same target with the present settings."""
         assert a.move is not None
         if a.move.action is None:
             self.continue_with(a, self.plan_move(a, a.move), "")
@@ -285,34 +285,35 @@ class Core(Readings):
             a.move.action.replan(self, a)
 
     def continue_with(self, a: Axis, profile: Profile, ended: str) -> None:
-        """Replace what is left of the present move by `profile`."""
+        """Replace the rest of the present move by `profile`."""
         assert a.move is not None
         self.amend_log(a.move, profile, ended)
         self.append_profile(a, profile)
 
     def amend_log(self, move: Move, profile: Profile, ended: str) -> None:
-        """Replace what is left of a move by `profile` in the log only."""
+        """Replace the rest of a move by `profile` in the log only."""
         assert move.profile is not None
         now = self.clock.now
         done = move.profile.cut(now - move.start_time)
-        self.log.room -= 2  # what was changed is kept piece by piece, and takes three times as much
+        self.log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
         if not ended and len(done.knots) > MOST_PIECES:
             self.log.moves.split(move, done, now)
             move.profile = profile
             return
-        # Where a new zero has come between them, the two differ by it, and by its rounding.
+        # If a new zero was set in between, the two differ by it, and by its rounding.
         move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
         move.ended = ended or move.ended
 
     def end_move(self, a: Axis, ended: str) -> None:
-        """Close the log entry of a move that is about to be replaced; the motion itself goes on."""
+        """Close the log entry of a move to be replaced; the motion continues."""
         move = a.move
         if move is not None and move.profile is not None:
             if move.action is not None:
                 move.action.leave(self, a, ended)
             done = move.profile.cut(self.clock.now - move.start_time)
             exact = a.here(self.clock.now) - move.offset
-            # An axis that has not moved is where it was; one on two blended paths is not where either of them has it.
+            # An axis that has not moved is where it was; one on two blended paths is not where either of them
+            # has it.
             if done.distance and abs(exact - done.end) < triggers.watch.margin(exact):
                 done = done.ending_at(exact)
             move.profile = done
@@ -320,7 +321,7 @@ class Core(Readings):
             a.move = None
 
     def freeze(self, a: Axis, ended: str) -> None:
-        """Stand still at once where the axis is."""
+        """Stop at once where the axis is."""
         if self.orders is not None:
             self.orders.freeze(a, ended)
         triggers.conditions.release(self, a)

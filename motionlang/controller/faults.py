@@ -1,8 +1,8 @@
-"""What the controller refuses to do, and what can go wrong on an axis."""
+"""Rejected commands, and the faults of an axis."""
 
 from __future__ import annotations
 
-# Bits of `Axis.faults`, in the order in which MintMT users remember AXISERROR (docs/fidelity.md).
+# Bits of `Axis.faults`, in the order that MintMT users know from AXISERROR (docs/fidelity.md).
 ABORT = 1
 ERROR_INPUT = 2
 LIMIT_FORWARD = 4
@@ -27,18 +27,18 @@ NAMES = (
 
 
 def names(bits: int) -> str:
-    """The faults of a bit pattern in words."""
+    """Return the faults of a bit pattern as text."""
     return ", ".join(name for k, name in enumerate(NAMES) if bits >> k & 1)
 
 
 class Refusal(Exception):
-    """A command that the controller does not carry out; `code` is one of `errors.CODES`.
+    """A command that the controller rejects; `code` is one of `errors.CODES`.
 
-    The language decides what becomes of it: Mint a run-time error, MCCL a `?` code, both a diagnostic when
-    the program does not handle it.
+    The language decides how to handle it: Mint raises a run-time error, MCCL gives a `?` code, and both
+    report a diagnostic if the program does not handle it.
     """
 
     def __init__(self, code: str, message: str, hint: str = "") -> None:
         self.code, self.message, self.hint = code, message, hint
-        self.line = 0  # the program line at fault, where it is not the one being executed
+        self.line = 0  # the program line at fault, if it is not the one being executed
         super().__init__(message)

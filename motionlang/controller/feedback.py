@@ -1,39 +1,41 @@
-"""Feedback of a simulated motor: what its encoder says, and when that matters.
+"""Feedback of a simulated motor: encoder readings, and the events that they cause.
 
-Problem. A motor under servo is a sampled system: thousands of samples a second, each computed from the one before. The
-rest of the controller is solved in closed form and jumps from event to event. A program may read the position at any
-moment. A limit, a switch or a wait must act at the sample at which the motor reaches it, even if no program reads it.
+Problem. A motor under servo is a sampled system: thousands of samples a second, each computed from the one
+before. The rest of the controller is solved in closed form and jumps from event to event. A program may read
+the position at any time. A limit, a switch or a wait must act at the sample at which the motor reaches it,
+even if no program reads it.
 
-Idea. The servo is simulated ahead of the clock, in blocks, as if nothing more were done to the axis. A reading is a
-lookup in the block. Whatever waits for the motor is searched for in the block and becomes an event of the clock, at the
-time of its sample. A new profile or gain makes the rest of the block wrong. Then the simulation is rolled back to the
-present sample and continues from there.
+Idea. The servo is simulated ahead of the clock, in blocks, as if nothing more were done to the axis. A
+reading is a lookup in the block. Whatever waits for the motor is searched for in the block and becomes an
+event of the clock, at the time of its sample. A new profile or gain makes the rest of the block wrong. Then
+the simulation is rolled back to the present sample and continues from there.
 
     samples ─────────┬──────────────┬──────────────────┬───────────
              dropped │ searched     │ to come          │ not computed
                   scanned          now            end of the block
 
-Data. `_servo` is the simulation. `_sight` has the samples that are still needed: encoder, velocity, following error,
-output and current. Sample k is taken at the time k / servo rate. `changes` lists everything that was done to the loop,
-by time, so that a report or a trace can run the servo again. Three things are searched for:
+Data. `_servo` is the simulation. `_sight` has the samples that are still needed: encoder, velocity, following
+error, output and current. Sample k is taken at the time k / servo rate. `changes` lists everything that was
+done to the loop, by time, so that a report or a trace can run the servo again. Three things are searched for:
 - positions that watches wait for, such as switches, latches and limits,
 - a following error beyond its limit or its warning level,
 - windows: the motor has settled within an error, and a speed, for long enough.
 
-The simulation has coordinates of its own. `offset` leads to those of the program, which change when the program gives
-the axis another zero.
+The simulation has coordinates of its own. `offset` leads to those of the program, which change when the
+program gives the axis another zero.
 
 Invariants.
 - A sample does not depend on where a block begins or ends, nor on what is read and when.
-- All that was found up to `scanned` has happened. `_due` is the sample at which the search goes on.
+- All that was found up to `scanned` has happened. `_due` is the sample at which the search continues.
 - The present sample and those before it are never rolled back.
 - The rest at the end of a move is what the simulation assumed, so it causes no rollback.
-- A time to come is exact, or, if the block does not show it, the moment at which to ask again.
+- A future time is exact, or, if the block does not show it, the time at which to check again.
 
-Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are made up
-for. The first block after a change has `Ahead.short` samples and each further one four times as many, up to `LONG`
-seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback repeats at most the last
-block. A motor that has come to a standstill for good (`Stillness`) costs nothing until something is done to it.
+Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are
+made up for. The first block after a change has `Ahead.short` samples and each further one four times as many,
+up to `LONG` seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback
+repeats at most the last block. A motor that has come to a standstill for good (`Stillness`) costs nothing
+until something is done to it.
 """
 
 from __future__ import annotations
@@ -81,15 +83,16 @@ if TYPE_CHECKING:
 
 LONG = 0.5
 _NEVER = 1 << 62
-# Counts: an error below this is none.
+# Counts: a smaller error is rounding.
 _ROUNDING = 1e-9
 
 
 class Feedback:
-    """The motor of one axis. `model` is one of `gains.MODELS` where the program's gains are MCCL's.
+    """The motor of one axis.
 
-    `plant` and `section` are the machine file's `[axis.N.plant]` and `[axis.N.servo]`; ValueError names what is wrong
-    with the first. `tripped` is called when the following error is beyond `error_limit` (counts).
+    `model` is one of `gains.MODELS` if the program's gains are MCCL's. `plant` and `section` are the machine
+    file's `[axis.N.plant]` and `[axis.N.servo]`; ValueError names an invalid entry of the first. `tripped` is
+    called if the following error exceeds `error_limit` (counts).
     """
 
     __slots__ = (
@@ -128,11 +131,11 @@ class Feedback:
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
-        self.warn_limit, self.warning = INFINITY, False  # given once, until it is forgotten
+        self.warn_limit, self.warning = INFINITY, False  # reported once, until it is cleared
         self.warned: Callable[[], None] = lambda: None
         self.closed = True
         self.demand_shift = 0.0  # total distance by which the demand was moved to the motor, counts
-        # All that was done to the loop, by time: what a replay needs.
+        # All changes to the loop, by time, as a replay needs them.
         self.changes: list[Change] = []
         self.chosen: Chosen | None = None
         self.first_loop: Loop | None = None
@@ -144,18 +147,18 @@ class Feedback:
         self._servo: Ahead | None = None
         self._sight: Sight | None = None
         self._size = self._long = 0
-        # When something is looked at next: the event, and its sample.
+        # The event of the next check, and its sample.
         self._event: Event | None = None
         self._due = _NEVER
         self._stillness = Stillness()
-        # The last sample that was searched for events, all of which have happened.
+        # The last sample that was searched for events, all of which have run.
         self.scanned = 0
 
     # ----------------------------------------------------------------------------------------------- readings
 
     @property
     def position(self) -> float:
-        """Measured position, counts, as the program counts them."""
+        """Measured position, counts, from the program's zero."""
         if self._servo is None:
             return self._axis.position(self._clock.now)
         k = self._here()
@@ -169,7 +172,7 @@ class Feedback:
 
     @property
     def error(self) -> float:
-        """Following error: demand minus measured position, counts."""
+        """Following error: commanded minus measured position, counts."""
         error = self._read("error")
         return error if abs(error) > _ROUNDING else 0.0
 
@@ -195,17 +198,23 @@ class Feedback:
         k = self._here()
         return float(getattr(self._sight, column)[k])
 
-    # ---------------------------------------------------------------------------------------- the time to come
+    # ---------------------------------------------------------------------------------------- predictions
 
     def crossing_time(self, position: float) -> float:
-        """When the motor reaches a position, counts, as far as can be seen; else when to look again; inf if never."""
+        """Return when the motor reaches a position, counts.
+
+        If that cannot be seen yet, return when to check again; inf if never.
+        """
         if self._servo is None:
             return INFINITY
         k, sight = self._ahead()
         return self._sample_time(sight, k, crossing(sight.encoder[k:], position + self._servo.offset))
 
     def error_crossing_time(self, error: float) -> float:
-        """The same of a following error, counts, or when it comes too near to it to tell which is more."""
+        """Return when the motor reaches a following error, counts.
+
+        Also return if it comes too near to it to decide which is larger.
+        """
         if self._servo is None:
             return INFINITY
         k, sight = self._ahead()
@@ -215,7 +224,10 @@ class Feedback:
         return self._horizon(sight) if found is None else (sight.first + k + found) / self._rate
 
     def settled_time(self, name: str = "rest") -> float:
-        """When a window has been kept long enough, now where it has; else when to look again; inf if never."""
+        """Return when a window has been observed for long enough, now if it already has.
+
+        If that cannot be seen yet, return when to check again; inf if never.
+        """
         if self._servo is None:
             return self._clock.now
         k, sight = self._ahead()
@@ -225,7 +237,7 @@ class Feedback:
         return self._horizon(sight)
 
     def settled_since(self, name: str = "program") -> float:
-        """The time from which on a window has been kept to this moment; inf where it is not."""
+        """Return the time since which a window has been observed; inf if it is not."""
         if self._servo is None:
             return 0.0
         k, sight = self._ahead()
@@ -236,26 +248,26 @@ class Feedback:
         return INFINITY if outside[-1] == k else (sight.first + int(outside[-1]) + 1) / self._rate
 
     def is_settled(self, name: str = "rest") -> bool:
-        """Whether a window has been kept long enough."""
+        """True if a window has been observed for long enough."""
         return self.settled_time(name) <= self._clock.now
 
     @property
     def calm(self) -> bool:
-        """Whether the motor stands for good, as far as nothing is done to it."""
+        """True if the motor stays at standstill unless something is done to it."""
         return self._stillness.calm
 
     @property
     def resting(self) -> bool:
-        """Whether the motor has come to its demand, stands for good somewhere else, or is not under control."""
+        """True if the motor is settled, at standstill elsewhere, or not under control."""
         return self._servo is None or not self.closed or self.calm or self.is_settled()
 
     def _horizon(self, sight: Sight) -> float:
         return INFINITY if self.calm else max((sight.end - 1) / self._rate, self._clock.now)
 
-    # -------------------------------------------------------------------------------------- what is done to it
+    # -------------------------------------------------------------------------------------- commands
 
     def tune(self, gains: Gains) -> None:
-        """The program's gains are these now; Refusal where they are none."""
+        """Set the program's gains; raise Refusal if they are invalid."""
         self._gains = dict(gains)
         if self._servo is None:
             return
@@ -271,7 +283,7 @@ class Feedback:
         self.chosen = chosen
 
     def open(self, volts: float) -> None:
-        """Open the loop: the output is so many volts whatever the motor does."""
+        """Open the loop and set the output, volts, whatever the motor does."""
         if not self.closed and self.changes and self.changes[-1][1] == volts:
             return
         self.closed = False
@@ -280,7 +292,7 @@ class Feedback:
         self._do(float(volts))
 
     def take_over(self, controller: Core) -> None:
-        """Close an open loop: target and demand become the position of the motor."""
+        """Close an open loop: target and commanded position become that of the motor."""
         if self.closed:
             return
         axis, here = self._axis, self.position
@@ -292,7 +304,7 @@ class Feedback:
         self._do(len(Followed(axis).starts) - 1)
 
     def changed(self) -> None:
-        """The axis has a new profile."""
+        """Handle a new profile of the axis."""
         if self._servo is None:
             if self._axis.profiles[-1].shape == "hold":
                 return
@@ -303,7 +315,7 @@ class Feedback:
             self._take_side(watch)
 
     def settle_within(self, error: float, speed: float, hold: float, at_target: bool = False) -> None:
-        """Say when the motor counts as settled for the program, from now on."""
+        """Set the window in which the motor counts as settled for the program."""
         window = Window(error, speed, hold, at_target)
         if window.same(self.windows.get("program")):
             return
@@ -314,22 +326,22 @@ class Feedback:
             self._sight.keep(self.scanned, self._sight.end)
 
     def set_error_limit(self, limit: float) -> None:
-        """The following error, counts, beyond which the axis trips; inf for none."""
+        """Set the following error, counts, at which the axis trips; inf for none."""
         self.error_limit = limit
         self.look_again()
 
     def set_warn_limit(self, limit: float) -> None:
-        """The following error, counts, beyond which the axis warns, anew from now on; inf for none."""
+        """Set the following error, counts, of a warning and arm it again; inf for none."""
         self.warn_limit, self.warning = limit, False
         self.look_again()
 
     def look_again(self) -> None:
-        """Something else is looked for from now on: another limit, another watch, a fault that was cleared."""
+        """Search again after a change: another limit or watch, or a cleared fault."""
         if self._servo is None:
             return
         now = self._now
         due, self._due = self._due, _NEVER
-        if self.scanned < due <= now:  # time went past it in one go
+        if self.scanned < due <= now:  # time passed it in one step
             self._happen(due)
         self.scanned = max(self.scanned, now)
         self._stillness.disturb()
@@ -374,7 +386,7 @@ class Feedback:
             raise Refusal("range", f"the servo of axis {self._axis.index}: {problem}") from None
 
     def _wake(self) -> None:
-        """The first command: the servo has been running since power-up, with the gains of this moment."""
+        """Start the servo, as if run since power-up with the present gains."""
         if self._servo is not None:
             return
         self.chosen = self._choose()
@@ -394,7 +406,7 @@ class Feedback:
         self.scanned = self._now
 
     def _here(self) -> int:
-        """The place in the sight of the sample in force now."""
+        """Return the index of the present sample in `_sight`."""
         assert self._sight is not None
         sight, now = self._sight, self._now
         while now >= sight.end:
@@ -402,7 +414,7 @@ class Feedback:
         return max(now - sight.first, 0)
 
     def _ahead(self) -> tuple[int, Sight]:
-        """The same, with something to see behind it unless the motor stands for good."""
+        """Return it with samples after it, unless the motor is at standstill for good."""
         assert self._sight is not None
         k, sight = self._here(), self._sight
         if k + 1 >= len(sight) and not self.calm:
@@ -411,7 +423,7 @@ class Feedback:
         return k, sight
 
     def _extend(self, now: int) -> None:
-        """See one more block; what has been searched and is past is dropped."""
+        """Compute one more block; drop past samples that have been searched."""
         servo, sight = self._servo, self._sight
         assert servo is not None
         assert sight is not None
@@ -427,7 +439,10 @@ class Feedback:
         self._size = min(4 * self._size, self._long)
 
     def _judge(self, sight: Sight, now: int) -> None:
-        """Whether the motor stands for good: its demand rests, and the last block went nowhere new."""
+        """Decide if the motor is at standstill for good.
+
+        It is if its commanded position rests and the last block reached no new state.
+        """
         servo, was_calm = self._servo, self.calm
         assert servo is not None
         new = None
@@ -442,11 +457,11 @@ class Feedback:
             self._await(now)
 
     def _forget(self) -> None:
-        """What lies behind the present sample will be otherwise."""
+        """Drop the samples after the present one, which are now invalid."""
         servo, sight = self._servo, self._sight
         assert servo is not None
         assert sight is not None
-        here = self._here()  # which may drop what is past, so that the sight begins later
+        here = self._here()  # may drop past samples, so that `_sight` begins later
         until = sight.first + here + 1
         if until < sight.end:
             servo.back(until)
@@ -457,7 +472,7 @@ class Feedback:
     # ------------------------------------------------------------------------------------------------- events
 
     def _await(self, sample: int) -> None:
-        """Look again at a sample, or earlier where that is due already."""
+        """Schedule a check at a sample, unless an earlier one is due."""
         if self._event is not None:
             if self._due <= sample:
                 return
@@ -466,7 +481,7 @@ class Feedback:
         self._event = self._clock.at(max(sample / self._rate, self._clock.now), self._look)
 
     def _look(self) -> None:
-        """Let happen what is due, and find out when something is next."""
+        """Run what is due, and find the next event."""
         self._event, self._due = None, _NEVER
         while self._event is None:
             _, sight = self._ahead()
@@ -481,7 +496,7 @@ class Feedback:
                 self._happen(sample)
 
     def _next(self, sight: Sight) -> int | None:
-        """The next sample that brings something; None where none is seen."""
+        """Return the next sample with an event; None if none is seen."""
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
         lo = self.scanned + 1 - sight.first
@@ -496,7 +511,7 @@ class Feedback:
         return min(found, default=None)
 
     def _passes(self, sight: Sight) -> list[tuple[Watch, int | None, int]]:
-        """When the motor next passes each position that is watched, and which side it is then on."""
+        """Return when the motor next passes each watched position, and its side then."""
         assert self._servo is not None
         found = []
         seen = sight.encoder[self.scanned - sight.first :]
@@ -510,7 +525,7 @@ class Feedback:
         return self.closed and self.error_limit < INFINITY and not self._axis.faults & FOLLOWING_ERROR
 
     def _happen(self, sample: int) -> None:
-        """What a sample brings: positions passed, the following error beyond its limit."""
+        """Run the events of a sample: positions passed, following error beyond its limit."""
         sight = self._sight
         assert sight is not None
         passed = [(watch, side) for watch, at, side in self._passes(sight) if at == sample]

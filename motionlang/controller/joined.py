@@ -1,4 +1,4 @@
-"""The track of an axis from power-up on, whatever of it is packed by now, read like two lists."""
+"""The track of an axis since power-up, packed or not, read like two lists."""
 
 from __future__ import annotations
 
@@ -12,18 +12,21 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.planners import Profile
 
-# Packed profiles that are kept as objects once they have been asked for.
+# Packed profiles that are cached as objects once they have been read.
 _MOST_UNPACKED = 1024
 
 
 class Joined:
-    """The starts (column 0) or the profiles (column 1) of an axis; for one that was forgotten, the oldest one kept."""
+    """The starts (column 0) or profiles (column 1) of an axis.
+
+    A forgotten one reads as the oldest one stored.
+    """
 
     __slots__ = ("_axis", "_column", "_unpacked")
 
     def __init__(self, axis: Axis, column: int) -> None:
         self._axis, self._column = axis, column
-        # Profiles that were asked for, by their numbers: who goes along the track asks for each a few times.
+        # Unpacked profiles by number: a reader of the track needs each a few times.
         self._unpacked: dict[int, Profile] = {}
 
     def __len__(self) -> int:
@@ -58,7 +61,7 @@ class Joined:
         return found
 
     def _range(self, first: int, past: int, step: int) -> list[Any]:
-        """Those of a slice; packed ones, where they follow one another, part by part."""
+        """Return the items of a slice; consecutive packed ones are unpacked in chunks."""
         older = self._axis.older
         count = 0 if older is None else older.count
         if step != 1 or older is None or not older.first <= first < min(past, count):
@@ -82,7 +85,7 @@ class Joined:
 
 
 class Followed:
-    """The track of an axis for who follows it while it goes on, and while older parts of it are packed."""
+    """The track of an axis for a reader that follows it as it grows and is packed."""
 
     __slots__ = ("profiles", "starts")
 

@@ -1,4 +1,4 @@
-"""Who hears of what happens to the axes of a controller, and of what."""
+"""Subscribers to changes of the axes of a controller."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ if TYPE_CHECKING:
 
     Listener = Callable[[str, int], None]
 
-# What there is to hear of. With the number of an axis: it has come to rest, has a fault, has one that was not pending
-# before ("error"), its faults are cleared, it was switched on or off, has another scale, its home switch or a limit has
-# changed, its buffer has room again. With the number of a latch, or the bits of an error of the controller itself: the
-# last two.
+# The kinds of changes. With the number of an axis: it has come to rest, has a fault, has one that was not
+# pending before ("error"), its faults are cleared, it was enabled or disabled, has another scale, its home
+# switch or a limit has changed, its buffer has room again. With the number of a latch, or the bits of an
+# error of the controller itself: the last two.
 KINDS = (
     "idle",
     "fault",
@@ -28,36 +28,36 @@ KINDS = (
 
 
 class Listeners:
-    """Calls in the order in which they are told, each with what it wants to hear of."""
+    """The subscribers in order of notification, each with its kinds."""
 
     __slots__ = ("_calls", "of_rest")
 
     def __init__(self) -> None:
         self._calls: list[tuple[Listener, tuple[str, ...]]] = []
-        # Whether anybody hears of axes that come to rest, which is what happens most.
+        # True if any subscriber wants axes that come to rest, the most frequent kind.
         self.of_rest = False
 
     def __contains__(self, call: Listener) -> bool:
         return any(each == call for each, _ in self._calls)
 
     def append(self, call: Listener, *kinds: str) -> None:
-        """Have `call(what, number)` hear of `kinds`, of everything where none are given."""
+        """Call `call(what, number)` for the given kinds, or for all."""
         self._set([*self._calls, (call, kinds or KINDS)])
 
     def put_first(self, call: Listener) -> None:
-        """Have `call` hear of everything before the others do."""
+        """Call `call` for every kind, before all others."""
         self._set([(call, KINDS), *self._calls])
 
     def remove(self, call: Listener) -> None:
-        """End it; nothing where it has ended."""
+        """End a subscription; a no-op if it has ended."""
         self._set([each for each in self._calls if each[0] != call])
 
     def tell(self, what: str, number: int) -> None:
-        """Tell those who want to hear of it; one may leave while it is told."""
+        """Notify the subscribers of a kind; one may leave during its notification."""
         for call, kinds in self._calls:
             if what in kinds:
                 call(what, number)
 
     def _set(self, calls: list[tuple[Listener, tuple[str, ...]]]) -> None:
-        self._calls = calls  # another list: telling goes on with those that there were
+        self._calls = calls  # a new list, so that a notification in progress uses the old one
         self.of_rest = any("idle" in kinds for _, kinds in self._calls)

@@ -1,7 +1,8 @@
-"""Readers and writers bound to an axis: made once, at the start of a program, and called over and over.
+"""Readers and writers bound to an axis: made once per program, called repeatedly.
 
-A reader answers in the unit that it was made for. One of what changes by itself takes a `Hearing`: while anybody asks
-for what is read, it is told of each reading, with what says when that passes the level that it is compared with.
+A reader returns values in the unit that it was made for. One of a quantity that changes by itself takes a
+`Hearing`. While there is a subscriber, it is notified of each reading, with a function that gives the time at
+which the quantity passes the level it is compared with.
 """
 
 from __future__ import annotations
@@ -25,20 +26,20 @@ if TYPE_CHECKING:
     Reader = Callable[..., Any]
     Writer = Callable[[Any], object]
     Loader = Callable[[float, int], bool]
-    # What a reading is compared with; `(level,)` where its sign is taken off, None where it is not known.
+    # The level of a comparison; `(level,)` if it is with the absolute value, None if it is unknown.
     Level = float | tuple[float] | None
     Until = Callable[..., float]
 
     class Asked(Protocol):
-        """Whoever asks for what is read: `notes` is None while nobody does."""
+        """A subscriber to readings; `notes` is None while there is none."""
 
         notes: list[Any] | None
 
         def note(self, until: Until, *about: Any) -> None:
-            """Something has been read that may change at `until(*about)`."""
+            """Record a reading that may change at `until(*about)`."""
 
     class Hearing(Protocol):
-        """Who hears of readings, and after what the places of axes wrap."""
+        """The subscriber to readings, and the wrap of positions by axis."""
 
         @property
         def attention(self) -> Asked: ...
@@ -47,9 +48,10 @@ if TYPE_CHECKING:
 
 
 INFINITY = float("inf")
-# The unit of a place on the axis, which counts from its zero.
+# The unit of a position on the axis, which counts from its zero.
 PLACE = "place"
-# What tells when a reading of an axis passes a level, in counts, or turns round where that is infinite.
+# Verbs that give the time at which a reading passes a level, in counts, or has an extremum if that is
+# infinite.
 _CROSSINGS = {
     "position": "crossing_time",
     "demand": "demand_crossing_time",
@@ -62,7 +64,7 @@ _CROSSINGS = {
 
 
 class _Nobody:
-    """Nobody asks, and nothing wraps."""
+    """No subscriber and no wrap."""
 
     notes: list[Any] | None = None
 
@@ -70,14 +72,17 @@ class _Nobody:
         self.attention, self.wraps = self, dict[int, float]()
 
     def note(self, until: Until, *about: Any) -> None:
-        """Nobody hears."""
+        """Ignore the reading."""
 
 
 UNHEARD: Hearing = _Nobody()
 
 
 def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
-    """The reader of a setting of `SETTINGS` or of a verb that takes an axis; KeyError for an axis that there is not."""
+    """Return the reader of a setting of `SETTINGS` or of a verb with an axis.
+
+    Raises KeyError for an axis that does not exist.
+    """
     a = controller.axes[axis]
     if name in SETTINGS:
         return setting(attrgetter(name), a, unit)
@@ -90,10 +95,10 @@ def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing:
 
 
 def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping[int, float]) -> Until:
-    """What tells when a reading of an axis passes a level in its unit, from the clock's moment on.
+    """Return a function for the time at which a reading passes a level, in its unit.
 
-    A reading that is compared with nothing, level None, changes for as long as the axis moves. One that is more than
-    ever before, INFINITY, is so until it turns round, and no second time where it stands.
+    A reading without a comparison, level None, changes as long as the axis moves. A running maximum, level
+    INFINITY, changes until the next extremum, and not again at rest.
     """
     clock, scale, axis = controller.clock, a.scale, a.index
     crossing_time = getattr(controller, _CROSSINGS[name]) if name in _CROSSINGS else None
@@ -117,7 +122,10 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
 
 
 def passing_within(wrap: float | None, here: float, level: float, passing: Callable[[float], float]) -> float:
-    """When what is `here` now passes a level, as `passing` tells; what wraps, also when it begins again."""
+    """Return when a quantity, now `here`, passes a level, by means of `passing`.
+
+    A quantity that wraps also passes it after a wrap.
+    """
     if not wrap:
         return passing(level)
     turn = here // wrap * wrap
@@ -126,7 +134,7 @@ def passing_within(wrap: float | None, here: float, level: float, passing: Calla
 
 
 def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
-    """What `get` finds on an axis, in `unit`; with no unit, as it is."""
+    """Return a reader of an attribute of an axis, in `unit`, if it has one."""
     power = POWERS.get(unit)
     if power is None:
         return (lambda: float(get(of))) if unit else lambda: get(of)
@@ -142,7 +150,7 @@ def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
 def converted(
     read: Callable[[], Any], scale: Scale, unit: str, hearing: Hearing, until: Until = float
 ) -> Reader:
-    """Any reading, in `unit`; with no unit, as it is."""
+    """Return any reading in `unit`, if it has one."""
     if not unit and hearing is UNHEARD:
         return read
     power, factors = POWERS.get(unit), scale.factors
@@ -160,7 +168,7 @@ def converted(
 
 
 def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Writer:
-    """What `configure` does to one of `SETTINGS`, bound to an axis, of a value in `unit`."""
+    """Return a writer of one of `SETTINGS`, bound to an axis and a unit."""
     a, configure = controller.axes[axis], controller.configure
     clock, add = controller.clock, controller.log.settings.add
     blends = name in ("blend_mode", "blend_distance")
@@ -188,7 +196,10 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
 def _position(
     controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until, actual: bool = True
 ) -> Reader:
-    """The position; the piece of the profile that the axis is on is kept, as loops that poll ask for nothing else."""
+    """Return the reader of the position.
+
+    It caches the present piece of the profile, because polling loops read nothing else.
+    """
     clock, scale = controller.clock, a.scale
     asked, note, wraps, axis = hearing.attention, hearing.attention.note, hearing.wraps, a.index
     begun = since = c0 = c1 = c2 = c3 = 0.0
@@ -213,7 +224,7 @@ def _position(
                 found = a.position(clock.now)
                 profile, begun, since, until, (c0, c1, c2, c3) = _piece(a, clock.now)
                 still = c1 == c2 == c3 == 0.0
-                c0 += 0.0  # no minus zero, as there is none where the others are added
+                c0 += 0.0  # no minus zero, as a sum with the other terms gives none
         found = (found - scale.zero) / scale.counts
         if wraps:
             wrap = wraps.get(axis)
@@ -226,7 +237,7 @@ def _position(
 def _velocity(
     controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until, actual: bool = True
 ) -> Reader:
-    """The velocity, from the piece of the profile that is kept."""
+    """Return the reader of the velocity, from the cached piece of the profile."""
     clock, factors = controller.clock, a.scale.factors
     asked, note = hearing.attention, hearing.attention.note
     begun = since = c1 = twice_c2 = thrice_c3 = 0.0
@@ -255,9 +266,9 @@ def _velocity(
 
 
 def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[float, ...]]:
-    """The profile that an axis is on, its begin, from when to when (s after it) one cubic holds, and that cubic.
+    """Profile, begin, the times between which one cubic is valid, and that cubic.
 
-    What is no cubic holds for no time at all.
+    The times are in s after the begin. If the profile has no cubic there, the interval is empty.
     """
     profile, begun = a.profiles[-1], a.starts[-1]
     return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))

@@ -1,43 +1,46 @@
-"""The only door between user units and counts."""
+"""The only conversion between user units and counts."""
 
 from __future__ import annotations
 
-# Power of the length in a quantity of each unit; everything else passes the door unchanged.
+# Power of the length in a quantity of each unit; all other quantities are not converted.
 POWERS = {"uu": 0, "uu/s": 1, "uu/s2": 2, "uu/s3": 3}
 
 
 class Scale:
-    """`counts` per user unit, seconds per user time unit (`rate`), and the zero that positions count from.
+    """`counts` per user unit, seconds per user time unit (`rate`), and the `zero`.
 
-    MCCL has all three (US, UR, UO); Mint only the first, and on newer drives units of their own for speeds and for
-    accelerations and jerks: `speed` and `acceleration`, None where they go by `counts`.
+    MCCL has all three (US, UR, UO). Mint has only the first, and on newer drives separate units for speeds
+    and for accelerations and jerks: `speed` and `acceleration`, None if they use `counts`.
     """
 
     __slots__ = ("acceleration", "counts", "factors", "rate", "speed", "zero")
 
     def __init__(self, counts: float = 1.0, rate: float = 1.0, zero: float = 0.0) -> None:
-        # By the power of the length: what a value in counts and seconds is multiplied and then divided by.
+        # By the power of the length: the factor and the divisor of a value in counts and seconds.
         self.factors: list[tuple[float, float]] = []
         self.set(counts, rate, zero)
 
     def set(self, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """One unit of length for everything."""
+        """Set one unit of length for everything."""
         self.counts, self.rate, self.zero = counts, rate, zero
         self.set_units(None, None)
 
     def set_rate(self, rate: float) -> None:
-        """Another unit of time."""
+        """Set another unit of time."""
         self.rate = rate
         self.set_units(self.speed, self.acceleration)
 
     def set_units(self, speed: float | None, acceleration: float | None) -> None:
-        """Counts in the units of speeds, and of accelerations and jerks; None for those of positions."""
+        """Set the counts in the units of speed, and of acceleration and jerk.
+
+        None selects the unit of positions.
+        """
         self.speed, self.acceleration = speed, acceleration
         per_unit = [self.counts if own is None else own for own in (None, speed, acceleration, acceleration)]
         self.factors[:] = [(self.rate**power, each) for power, each in enumerate(per_unit)]
 
     def to_counts(self, value_uu: float, unit: str = "uu") -> float:
-        """A value in a user unit, in counts and seconds; `zero` is not a matter of lengths but of positions."""
+        """Return a value in counts and seconds; `zero` affects positions, not lengths."""
         power = POWERS.get(unit)
         if power is None:
             return value_uu
@@ -45,7 +48,7 @@ class Scale:
         return value_uu * per_unit / rate
 
     def to_user(self, value: float, unit: str = "uu") -> float:
-        """A value in counts and seconds, in a user unit."""
+        """Return a value in counts and seconds in a user unit."""
         power = POWERS.get(unit)
         if power is None:
             return value

@@ -1,6 +1,6 @@
-"""The narrow waist: all that a language can do to the controller, and a controller that only writes it down.
+"""The narrow interface: all commands of a language, and a recorder of them.
 
-Lengths are counts, times are seconds, axes are numbered as the dialect numbers them (Mint from 0, MCCL from 1).
+Lengths are counts, times are seconds, axes are numbered like in the dialect (Mint from 0, MCCL from 1).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.controller.readers import Hearing, Loader, Reader, Writer
     from motionlang.controller.triggers.limit import Limit
 
-# verb -> what it does. Every verb is a method of `Controller`; the dialects call no other.
+# Verb -> description. Every verb is a method of `Controller`; the dialects call no other.
 VERBS: dict[str, str] = {
     "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
     "lend_rates": "Other rates than an axis's own, for a while.",
@@ -161,10 +161,10 @@ VERBS: dict[str, str] = {
 
 
 class Recorder:
-    """A controller without physics: writes down every verb and answers readings from `answers`.
+    """A controller without physics, which records every verb.
 
-    `calls` is a list of `(verb, argument, …)` tuples. It has a clock and axes with a scale, so that a language can run
-    on it; nothing ever moves.
+    Readings return values of `answers`. `calls` is a list of `(verb, argument, …)` tuples. It has a clock and
+    axes with a scale, so that a language can run on it; nothing ever moves.
     """
 
     def __init__(self, axes: int = 8, first: int = 0, answers: dict[str, Any] | None = None) -> None:
@@ -184,16 +184,16 @@ class Recorder:
         }
 
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """Written down, and in force: it is the door that everything else passes."""
+        """Record and apply the scale, which everything else needs."""
         self.calls.append(("set_scale", axis, counts, rate, zero))
         self.axes[axis].scale.set(counts, rate, zero)
 
     def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
-        """A limit that nothing ever passes."""
+        """Return a limit that is never passed."""
         return Limit(self, axis, sign, bit, action, physical)  # type: ignore[arg-type]
 
     def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
-        """Every reading is written down."""
+        """Return a reader that records every reading."""
         a = self.axes[axis]
         if name in SETTINGS:
             return readers.setting(lambda _: self.setting(axis, name), a, unit)
@@ -203,12 +203,12 @@ class Recorder:
         return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, hearing, until)
 
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
-        """Every setting is written down, in counts."""
+        """Return a writer that records every setting, in counts."""
         scale = self.axes[axis].scale
         return lambda value: self.configure(axis, name, scale.to_counts(value, unit))
 
     def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """No move is plain: the verbs that load them are written down."""
+        """Return a loader that never loads, so that the verbs are recorded."""
         return lambda value, line: False
 
     def __getattr__(self, verb: str) -> Any:

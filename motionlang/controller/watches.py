@@ -1,4 +1,4 @@
-"""The watches of an axis: in the order in which they were set, and by place."""
+"""The watches of an axis, in order of creation and by position."""
 
 from __future__ import annotations
 
@@ -11,15 +11,16 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.watch import Watch
     from motionlang.planners import Profile
 
-    # Position and order of a watch: what those of an axis are sorted by.
+    # Position and order of a watch: the sort key.
     Key = tuple[float, int, Watch]
 
 
 class Watches:
-    """`all` as they were set; `program` and `machine` by position, as the program counts and as the machine does.
+    """`all` watches as they were set; `program` and `machine` sorted by position.
 
-    `loose` are those that have been solved since the axis's profile began, `seen` the positions, in both ways to
-    count, at which the sides of all others were right. `count` is how many were ever set.
+    The positions are those of the program and of the machine. `loose` are those that have been solved since
+    the axis's profile began, `seen` the positions, in both coordinates, at which the sides of all others were
+    right. `count` is the number of watches ever set.
     """
 
     __slots__ = ("all", "count", "crossed", "free", "loose", "machine", "program", "seen")
@@ -31,9 +32,9 @@ class Watches:
         self.machine: list[Key] = []
         self.seen = [0.0, 0.0]
         self.count = 0
-        # From where to where the axis may go and pass none, nor meet a limit; None where that is not known.
+        # The interval in which the axis passes no watch and meets no limit; None if it is not known.
         self.free: tuple[float, float] | None = None
-        # When the axis was last known to be exactly at a position, which, and on which profile.
+        # When the axis was last known to be exactly at a position, that position, and its profile.
         self.crossed: tuple[float, float, Profile] | None = None
 
     def __iter__(self) -> Iterator[Watch]:
@@ -46,7 +47,7 @@ class Watches:
         return len(self.all)
 
     def append(self, watch: Watch) -> None:
-        """Set one more; who does so solves it."""
+        """Add one; the caller solves it."""
         self.count += 1
         self.free = None
         watch.order = self.count
@@ -54,7 +55,7 @@ class Watches:
         insort_right(self.machine if watch.physical else self.program, (watch.position, watch.order, watch))
 
     def remove(self, watch: Watch) -> None:
-        """End one, and what it waits for."""
+        """End one, and cancel its event."""
         del self.all[watch]
         self.free = None
         self.loose.pop(watch, None)

@@ -1,1 +1,1 @@
-"""The world outside the axes: channels, encoders, sensors, the host, and how the machine is wired."""
+"""The world around the axes: channels, encoders, sensors, the host, the wiring."""

@@ -1,4 +1,4 @@
-"""Encoder channels that the world turns: a conveyor, a hand wheel, the web of a printing machine."""
+"""Encoder channels driven from outside: a conveyor, a hand wheel, a printing web."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
 
-# Auxiliary encoders are the channels from here on.
+# Auxiliary encoders have the channels from here on.
 AUXILIARY = 1000
 
 
 def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None:
-    """Let an encoder run at `velocity` from now on, counts/s, ramping at `accel`; 0: at once."""
+    """Run an encoder at `velocity`, counts/s, ramping at `accel`; 0: at once."""
     if not (abs(velocity) < 1e300 and 0.0 <= accel < 1e300):
         raise Refusal("range", f"an encoder cannot be turned at {velocity:g} counts/s, ramping at {accel:g}")
     state = encoder.at(controller.clock.now)
@@ -30,10 +30,10 @@ def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None
 
 
 def wrapped(position: float, wrap: float) -> float:
-    """A position as a register shows it that counts from 0 up to `wrap` and begins again; 0: it never does."""
+    """Return a position as shown by a register that wraps at `wrap`; 0: it never does."""
     return position % wrap if wrap > 0.0 else position
 
 
 def turns(position: float, wrap: float) -> int:
-    """How often the register has begun again."""
+    """Return how often the register has wrapped."""
     return int(position // wrap) if wrap > 0.0 else 0

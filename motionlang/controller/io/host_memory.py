@@ -1,8 +1,9 @@
 """The memory that a controller shares with its host: the comms array and NetData.
 
-Each element is one 32-bit word that can be read as an integer or as a float: the two views share its bits, nothing is
-converted (ABB AN00198 p. 14). To Modbus, element n is the registers 2n, the low half, and 2n + 1 (AN00198 p. 5). A text
-has four characters an element, the first one in the highest byte, and ends at a zero byte (AN00200 p. 8).
+Each element is one 32-bit word that can be read as an integer or as a float. The two views share its bits
+without conversion (ABB AN00198 p. 14). To Modbus, element n is the registers 2n, the low half, and 2n + 1
+(AN00198 p. 5). A text has four characters per element, the first one in the highest byte, and ends at a zero
+byte (AN00200 p. 8).
 """
 
 from __future__ import annotations
@@ -19,18 +20,19 @@ if TYPE_CHECKING:
 
 # Area -> (first element, last element).
 AREAS = {"comms": (1, 99), "netdata": (0, 999), "dpr": (0, 4095)}
-# What they are called, and what is counted in them.
+# Their printed names.
 _CALLED = {"comms": "the comms array", "netdata": "NetData", "dpr": "the dual-port RAM"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
 PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
-_LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
+_LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
 
 
 class HostMemory:
-    """Both areas. `listeners` hear (area, element, changed) of every element that the host writes.
+    """Both areas of shared memory.
 
-    What the program itself writes raises nothing: the documents speak of the client's writes only. `mapping` is the
-    area that a Modbus client sees.
+    `listeners` get (area, element, changed) for every element that the host writes. Writes by the program
+    itself raise nothing, because the documents mention the client's writes only. `mapping` is the area that a
+    Modbus client sees.
     """
 
     __slots__ = ("_floats", "_words", "listeners", "mapping")
@@ -60,7 +62,7 @@ class HostMemory:
         self._floats[area][_checked(area, element)] = value
 
     def text(self, area: str, element: int, length: int) -> str:
-        """The text of at most `length` characters that begins at an element."""
+        """Return the text of at most `length` characters that begins at an element."""
         elements = range(element, element + -(-length // 4))
         packed = b"".join(self.integer(area, each).to_bytes(4, "big", signed=True) for each in elements)
         return packed[:length].partition(b"\0")[0].decode("latin-1")
@@ -72,7 +74,7 @@ class HostMemory:
     # ------------------------------------------------------------------------------------------ the host's side
 
     def write(self, area: str, first: int, words: Sequence[int]) -> None:
-        """The host writes elements, as signed integers of 32 bits."""
+        """Write elements from the host, as signed integers of 32 bits."""
         changed = [self.integer(area, first + k) != word for k, word in enumerate(words)]
         for k, word in enumerate(words):
             self.set_integer(area, first + k, word)
@@ -81,12 +83,12 @@ class HostMemory:
                 listener(area, first + k, each)
 
     def registers(self, area: str, first: int, count: int) -> list[int]:
-        """Modbus registers, 16 bits each."""
+        """Return Modbus registers of 16 bits each."""
         words = self._words[area]
         return [words[n >> 1] >> 16 * (n & 1) & 0xFFFF for n in range(first, first + count)]
 
     def write_registers(self, area: str, first: int, values: Sequence[int]) -> None:
-        """The host writes registers; an element of which only one half is written keeps the other half."""
+        """Write registers from the host; the other half of an element keeps its value."""
         low, high = first >> 1, first + len(values) - 1 >> 1
         halves = self.registers(area, 2 * low, 2 * (high - low + 1))
         halves[first - 2 * low : first - 2 * low + len(values)] = values
@@ -94,24 +96,27 @@ class HostMemory:
         self.write(area, low, [_signed(half | other << 16) for half, other in pairs])
 
     def has_registers(self, area: str, first: int, count: int) -> bool:
-        """Whether all of some registers belong to elements that exist."""
+        """True if all registers of a range belong to existing elements."""
         low, high = AREAS[area]
         return 2 * low <= first and first + count <= 2 * high + 2
 
     def schedule(self, clock: Clock, area: str, entry: Mapping[str, object]) -> None:
-        """One `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file."""
+        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file."""
         words = _words(area, entry)
         time, element = float(entry.get("at", 0.0)), int(entry["address" if area == "dpr" else "element"])  # type: ignore[arg-type,call-overload]
         clock.at(max(time, clock.now), lambda: self.write(area, element, words))
 
 
 def product(model: str) -> str:
-    """The product among `PRODUCTS` that a model's name speaks of, the NextMove e100 where none; ES and ESB are "es"."""
+    """Return the product of `PRODUCTS` in a model's name; the NextMove e100 if none.
+
+    ES and ESB are "es".
+    """
     return named_product(model) or "e100"
 
 
 def named_product(model: str) -> str | None:
-    """The same, None where the name speaks of none."""
+    """Return the product of `PRODUCTS` in a model's name, or None."""
     name = "".join(letter for letter in model.lower() if letter.isalnum())
     for family in ("nextmove", "microflex", "motiflex"):
         name = name.removeprefix(family)
@@ -119,7 +124,7 @@ def named_product(model: str) -> str | None:
 
 
 def packed(text: str) -> list[int]:
-    """A text as the words of its elements, zeros after its end."""
+    """Return a text as the words of its elements, with zeros after its end."""
     raw = text.encode("latin-1", "replace")
     raw += bytes(-len(raw) % 4)
     return [int.from_bytes(raw[k : k + 4], "big", signed=True) for k in range(0, len(raw), 4)]

@@ -1,4 +1,4 @@
-"""Digital and analogue channels: what the world sets, what the program sets, and who wants to know."""
+"""Digital and analogue channels, set by the world or the program, with listeners."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ if TYPE_CHECKING:
 
 
 class Channels:
-    """Numbered values, 0 until something sets them; `changes` is where a log has them, as `Changed`.
+    """Numbered values, 0 until they are set; `changes` is their log, as `Changed`.
 
-    `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital channels that
-    are on while their level is low: an input's value is its level, an output's value is whether it is on.
+    `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital
+    channels that are on while their level is low. An input's value is its level; an output's value is true if
+    it is on.
     """
 
     __slots__ = ("_clock", "_values", "active_low", "changes", "listeners")
@@ -39,11 +40,11 @@ class Channels:
 
     @property
     def touched(self) -> list[int]:
-        """The channels that ever had another value than at power-up, in order."""
+        """The channels that ever had a value other than that at power-up, in order."""
         return sorted(self._values)
 
     def clear(self) -> None:
-        """All channels are 0, as nobody had ever set them; those that were not are told of."""
+        """Reset all channels to 0 and notify of those that were not."""
         for channel in sorted(self._values):
             self[channel] = 0
 
@@ -53,17 +54,17 @@ class Channels:
             listener(channel, value)
 
     def inverted(self, channel: int) -> bool:
-        """The channel as a logical state where its value is a level, and as a level where its value is a state."""
+        """Return a level as a logical state, or a logical state as a level."""
         return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
 
     def set_active_low(self, channels: Iterable[int]) -> None:
-        """Say which channels are on while low; those that this turns over are told of."""
+        """Set the channels that are on while low; notify of those that this inverts."""
         before, self.active_low = self.active_low, frozenset(channels)
         for channel in sorted(before ^ self.active_low):
             self._tell(channel)
 
     def bank(self, first: int, count: int) -> int:
-        """`count` channels from `first` on as the bits of a number, the first one lowest."""
+        """`count` channels from `first` on as a number, the first one the lowest bit."""
         return sum(1 << k for k in range(count) if self[first + k])
 
     def set_bank(self, first: int, count: int, bits: int) -> None:

@@ -1,6 +1,7 @@
-"""A sensor whose analogue value changes with the position of an axis: a force, a distance, the tension of a web.
+"""A sensor whose analogue value depends on the position of an axis.
 
-It is sampled at every tick of the profiler while the axis moves, so that whoever waits for the value hears of it.
+Examples are a force, a distance, the tension of a web. It is sampled at every tick of the profiler while the
+axis moves, so that waits for its value are notified.
 """
 
 from __future__ import annotations
@@ -18,14 +19,15 @@ PERIOD = 1e-3
 
 
 def next_tick(now: float) -> float:
-    """The next tick of the profiler: all that is done by ticks is done at the same moments."""
+    """Return the next tick of the profiler, which all ticked functions share."""
     return (int(now / PERIOD + 1e-6) + 1) * PERIOD
 
 
 class Sensor:
-    """While it is active, `put` is told `value` and `per_unit` for each user unit beyond `origin` (user units).
+    """A sensor that puts `value` plus `per_unit` per user unit beyond `origin`.
 
-    `origin` is a place of the machine, where `start` is the one at which it stood at power-up.
+    It does so while it is active. `origin` is a position of the machine; `start` is the machine's position at
+    power-up.
     """
 
     __slots__ = ("_controller", "_event", "active", "axis", "origin", "per_unit", "put", "value")
@@ -46,7 +48,7 @@ class Sensor:
         controller.axes[axis].followers.append(self._moved)
 
     def switch(self, active: bool) -> None:
-        """The axis came into the region in which the sensor sees something, or left it."""
+        """Switch the sensor as the axis enters or leaves its region."""
         self.active = active
         if active:
             self._sample()

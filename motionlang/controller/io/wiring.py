@@ -1,7 +1,7 @@
-"""The world the controller is wired to: switches on the axes, inputs and faults by time, position or program line.
+"""The wiring of the controller: switches, inputs and faults from outside.
 
-Lengths here are user units, as the machine file has them; they become counts with the scale that the program sets,
-and are placed anew when it sets another one.
+They depend on time, position or program line. Lengths are user units here, as in the machine file. They
+become counts with the scale that the program sets, and are converted again when it sets another one.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Pair = Sequence[float]
 
 INFINITY = float("inf")
-# What a machine file may inject, and the fault bit and action that it makes.
+# The faults that a machine file may inject, with their fault bit and action.
 FAULTS: dict[str, tuple[int, str]] = {
     "following-error": (FOLLOWING_ERROR, "off"),
     "error-input": (ERROR_INPUT, "error-stop"),
@@ -36,18 +36,18 @@ CONTROLLER = "controller"
 
 
 class World:
-    """Everything that happens to a controller from outside.
+    """All events that reach a controller from outside.
 
-    `driven` are the digital inputs that something in the world sets: a wait on another one can never end. `actions`
-    says what an axis does about a fault, by (axis, bit), where the program wants it otherwise than `FAULTS`. `lines`
-    are the faults that happen when the program comes to a line for the first time. `drive_errors` are the bits of the
-    errors of drives by axis, `misc` those of errors of the controller itself.
+    `driven` are the digital inputs with a source in the world: a wait for any other input can never end.
+    `actions` overrides `FAULTS` by (axis, bit), as the program requests. `lines` are the faults that occur
+    when the program first reaches a line. `drive_errors` are the error bits of drives by axis, `misc` those
+    of the controller itself.
     """
 
     def __init__(self, controller: Controller, settings: Settings) -> None:
         self._controller = controller
         self._settings = settings
-        # Regions in user units: (region, low, high), placed again whenever the scale changes.
+        # Regions in user units: (region, low, high), converted again whenever the scale changes.
         self._regions: list[tuple[Region, float, float]] = []
         self._limits: list[tuple[Limit, float]] = []
         self.driven: set[int] = set()
@@ -74,7 +74,7 @@ class World:
         controller.listeners.append(self._heard, "cleared", "switched", "scale")
 
     def _wire_axis(self, axis: int) -> None:
-        """Travel limits and the home switch, each with the input channel that shows it, if it has one."""
+        """Wire travel limits and home switch, each with its input channel, if it has one."""
         get = self._settings.get
         self._fit_motor(axis)
         self._controller.axes[axis].index_every = get(f"axis.{axis}.index_every", 0.0)  # type: ignore[assignment]
@@ -91,7 +91,7 @@ class World:
             self._wire_region(axis, low, high, self._home_change(axis, channel))
 
     def _wire_interlock(self, axis: int) -> None:
-        """The enable input: the drive is off while it is off."""
+        """Wire the enable input: the drive is disabled while it is off."""
         channel: int | None = self._settings.get(f"axis.{axis}.enable_input")  # type: ignore[assignment]
         if channel is None:
             return
@@ -108,7 +108,7 @@ class World:
         changed(channel, 0.0)
 
     def _fit_motor(self, axis: int) -> None:
-        """The simulated motor of an axis whose machine file describes one; it trips as its axis says."""
+        """Attach the simulated motor of the machine file; it trips with the axis's action."""
         start = f"axis.{axis}.plant."
         plant = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
         if not plant:
@@ -150,7 +150,7 @@ class World:
         return change
 
     def _wire_channel(self, entry: Entry, put: Callable[[int, float], None]) -> None:
-        """One `[[input]]` or `[[analogue]]`: by time, with an optional length, or by position."""
+        """Wire one `[[input]]` or `[[analogue]]`: by time and duration, or by position."""
         channel, value = _number(entry, "channel"), entry.get("value", 1)
         self.driven.add(int(channel))
 
@@ -178,7 +178,10 @@ class World:
             self._at(at + _number(entry, "for"), lambda: change(False))
 
     def _wire_output(self, entry: Entry) -> None:
-        """An `[[input]]` that follows the level of an output, a delay later: a valve and the sensor that sees it."""
+        """Wire an `[[input]]` that follows an output after a delay.
+
+        An example is a valve and the sensor that sees it.
+        """
         controller = self._controller
         channel, output = int(_number(entry, "channel")), int(_number(entry, "output"))
         delay, on = _number(entry, "delay", 0.0), int(_number(entry, "value", 1))
@@ -196,7 +199,7 @@ class World:
         follow(controller.outputs.inverted(output))
 
     def _wire_encoder(self, entry: Entry) -> None:
-        """An `[[encoder]]`: from some time on it turns at a velocity, counts/s."""
+        """Wire an `[[encoder]]`, which runs at a velocity, counts/s, from a time on."""
         controller = self._controller
         number = (
             int(_number(entry, "channel")) if "channel" in entry else AUXILIARY + int(_number(entry, "aux"))
@@ -218,7 +221,7 @@ class World:
             if not active:
                 return
             if kind == CONTROLLER:
-                new = value & ~self.misc  # what is pending is no new error
+                new = value & ~self.misc  # a pending error is not new
                 self.misc |= value
                 if new:
                     self._controller.tell("misc", new)
@@ -236,12 +239,12 @@ class World:
             self._at(_number(entry, "at", 0.0), happen)
 
     def reach(self, line: int) -> None:
-        """The program has come to a line."""
+        """Inject the faults of a line that the program has reached."""
         for happen in self.lines.pop(line, ()):
             happen()
 
     def _at(self, time: float, call: Callable[[], None]) -> None:
-        """Now, for what is true from the beginning; an event otherwise."""
+        """Call now if the time is that of power-up; schedule it if not."""
         if time <= self._controller.clock.now:
             call()
         else:
@@ -254,14 +257,18 @@ class World:
         self._regions.append((region, low, high))
 
     def _start(self, axis: int) -> float:
-        """Where the machine stood at power-up, which is where its counts begin."""
+        """Return the machine's position at power-up, where its counts begin."""
         return self._settings.get(f"axis.{axis}.start", 0.0)  # type: ignore[return-value]
 
     def _scale(self, axis: int) -> float:
         return self._controller.axes[axis].scale.counts
 
     def _heard(self, what: str, axis: int) -> None:
-        """A new scale puts every switch of the axis at its new count; a drive whose fault is cleared has no error."""
+        """Follow changes of an axis.
+
+        A new scale moves every switch of the axis to its new count; a drive whose fault is cleared has no
+        error.
+        """
         if what in ("cleared", "switched") and not self._controller.faults(axis) & DRIVE:
             self.drive_errors.pop(axis, None)
         if what != "scale":
@@ -281,7 +288,7 @@ def _entries(settings: Settings, name: str) -> Sequence[Entry]:
 
 
 def _again(entry: Entry) -> Iterator[Entry]:
-    """An entry as often as it happens: so many seconds later, or so much further on."""
+    """Yield an entry for each repetition, in time or along the travel."""
     for n in range(int(_number(entry, "times"))):
         later = n * _number(entry, "every")
         if "between" in entry:
@@ -297,7 +304,7 @@ def _number(entry: Entry, key: str, default: float | None = None) -> float:
 
 
 def _span(entry: Entry) -> tuple[float, float]:
-    """The region that `above`, `below` or `between` names."""
+    """Return the region that `above`, `below` or `between` names."""
     if "between" in entry:
         between: Pair = entry["between"]  # type: ignore[assignment]
         return between[0], between[1]

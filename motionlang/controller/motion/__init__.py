@@ -1,4 +1,4 @@
-"""Motion that is not a move to a position: jogs, following, references; stopping, suspending, overriding."""
+"""Motion other than moves: jogs, following, references, stops, suspension."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.motion import feedrate, halt
 
-# A program whose moves are plain comes to none of these.
+# A program with plain moves only needs none of these.
 __getattr__ = door(__name__, "feedrate", "halt")
 
 __all__ = ["feedrate", "halt"]

@@ -1,7 +1,8 @@
-"""Speeds that change while an axis moves: at once, for moves loaded from now on, or by a percentage.
+"""Speeds that change in motion: at once, for later moves, or by a percentage.
 
-Mint's FEEDRATE page (MN1270 p. 79-81): in speed mode a new speed acts at once on the move in progress and on those
-loaded; in feed rate mode a move keeps the speed it was loaded with; the override multiplies either, at once.
+Mint's FEEDRATE page (MN1270 p. 79-81): in speed mode a new speed acts at once on the move in progress and on
+loaded ones. In feed rate mode a move keeps the speed it was loaded with. The override multiplies either, at
+once.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
 
 
 def changed(controller: Core, a: Axis, name: str) -> None:
-    """One of `LIVE` was set while a move is in progress; an axis that is suspended hears of it later."""
+    """Apply one of `LIVE` set during a move; a suspended axis applies it later."""
     entries = a.entries
     if name == "feedrate_mode":
         for move in entries:
@@ -32,9 +33,9 @@ def changed(controller: Core, a: Axis, name: str) -> None:
 
 
 def unchanged(a: Axis, name: str, value: object) -> bool:
-    """Whether one of `LIVE` has its value already: a loop that writes it again and again changes no motion.
+    """True if one of `LIVE` already has this value, as when a loop rewrites it.
 
-    A speed or rate of 0 stands for no motion at all; it is refused as often as it is written.
+    A speed or rate of 0 means no motion; it is rejected every time it is written.
     """
     if getattr(a, name) != value or (not value and name in ("speed", "accel", "decel")):
         return False
@@ -44,7 +45,7 @@ def unchanged(a: Axis, name: str, value: object) -> bool:
 
 
 def _concerns(move: Move, name: str) -> bool:
-    """Whether a move in progress goes by the setting."""
+    """True if a move in progress depends on the setting."""
     if move.action is not None and not move.action.live:
         return name in move.action.live_limits
     if name == "speed":
@@ -53,9 +54,10 @@ def _concerns(move: Move, name: str) -> bool:
 
 
 def _new_rates(controller: Core, a: Axis) -> None:
-    """New rates hold for what the move still has to do, except where they would carry it past its target.
+    """Apply new rates to the rest of the move, unless they would cause an overshoot.
 
-    A braking that they come too late for goes on as it was planned; no source says what a controller does there.
+    A deceleration for which they come too late continues as planned; no source says what a controller does
+    there.
     """
     move = a.move
     assert move is not None

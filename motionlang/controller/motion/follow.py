@@ -1,38 +1,39 @@
 """Following a master: gearing, and the basis of cams and flying shears.
 
-Problem. A slave follows an axis or an encoder, at a ratio or on a curve over the master's position. The master may be
-a slave itself, and may change its motion at any moment. An OFFSET may add a motion of its own on top.
+Problem. A slave follows an axis or an encoder, at a ratio or on a curve over the master's position. The
+master may be a slave itself, and may change its motion at any time. An OFFSET may add a motion of its own on
+top.
 
-Idea. Nothing is sampled. The master's motion is a profile, so the slave's is known exactly: the master's times the
-ratio, or the curve at the master's position. Each new profile of the master calls its slaves, and each computes its own
-from that moment on (`renew`). An offset is a profile as well, and is added.
+Idea. Nothing is sampled. The master's motion is a profile, so the slave's is known exactly: the master's
+times the ratio, or the curve at the master's position. Each new profile of the master calls its slaves, and
+each computes its own from that time on (`renew`). An offset is a profile as well, and is added.
 
     master's profile ── × ratio, or curve(master) ──▶ base ──┐
                                                              + ──▶ slave's profile ──▶ its own slaves
     offset's profile ────────────────────────────────────────┘
 
-A gear with a `ramp` first comes to its velocity at the slave's own rates: a straight ramp, up to the moment at which it
-meets ratio × master's velocity (`_chased`). `locked` is that moment.
+A gear with a `ramp` first comes to its velocity at the slave's own rates: a straight ramp, up to the time at
+which it meets ratio × master's velocity (`_chased`). `locked` is that time.
 
-Data. `Follow` ties a slave to its master. It is the action of the slave's move in progress. `Gear` and the cams and
-shears of `cam.py` are its subclasses. Each says in `base` what the slave does while the master does what is `coming`.
-`FollowMove` is the slave's entry in the log. It stores the profiles that the slave has followed, and joins them when it
-is read.
+Data. `Follow` ties a slave to its master. It is the action of the slave's move in progress. `Gear` and the
+cams and shears of `cam.py` are its subclasses. Each says in `base` what the slave does while the master does
+what is `coming`. `FollowMove` is the slave's entry in the log. It stores the profiles that the slave has
+followed, and joins them when it is read.
 
-A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`, offsets that are
-ordered meanwhile wait in `_later`. A cam or a shear cannot be suspended.
+A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`; offsets
+commanded meanwhile wait in `_later`. A cam or a shear cannot be suspended.
 
 Invariants.
-- The base of a gear begins at the slave's position, less the offset done so far, so no position jumps. A curve is
-  always read at the master's position.
-- One offset is in progress at a time. A new one adds what the one before has left; what that has done becomes part of
-  the base (`fold`).
+- The base of a gear begins at the slave's position, less the offset done so far, so no position jumps. A
+  curve is always read at the master's position.
+- One offset is in progress at a time. A new one adds what the one before has left; what that has done becomes
+  part of the base (`fold`).
 - No axis follows itself, directly or through others (`check_chain`).
 - `renew` acts only while the tie is in force (`tied`). A stop replaces the tie and keeps the move.
 - A slave that leaves its master completes the profile in force (`leave_master`).
 
-Cost. One profile for each new profile of the master, for each slave along a chain. An entry of the log with more than
-`MOST_PARTS` profiles continues as a further entry.
+Cost. One profile for each new profile of the master, for each slave along a chain. An entry of the log with
+more than `MOST_PARTS` profiles continues as a further entry.
 """
 
 from __future__ import annotations
@@ -56,15 +57,15 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.planners import Profile
 
-# A difference of velocities, counts/s, that is none.
+# A smaller difference of velocities, counts/s, counts as zero.
 _STILL = 1e-9
-# Profiles that a slave has followed after which its move goes on as another entry of the log: ten seconds of one a
+# Profiles of a slave after which its move continues as a new entry of the log: ten seconds at one per
 # millisecond.
 MOST_PARTS = 10_000
 
 
 class FollowMove(Move):
-    """The log entry of a slave: its profile is put together from all that it did when somebody asks."""
+    """The log entry of a slave, whose profile is joined from its history on demand."""
 
     __slots__ = ("parts", "shape")
 
@@ -74,20 +75,20 @@ class FollowMove(Move):
         super().__init__(axis, command, line, target)
 
     def add(self, time: float, profile: Profile) -> None:
-        """It follows `profile` from `time` on."""
+        """Append `profile`, which begins at `time`."""
         if self.parts and self.parts[-1][0] == time:
             self.parts.pop()
         self.parts.append((time, profile.shifted(-self.offset) if self.offset else profile))
 
     def begin_anew(self, controller: Core, now: float) -> None:
-        """Be another entry of the log from now on, where this one has become long."""
+        """Become a new entry of the log, because this one is long."""
         if len(self.parts) > MOST_PARTS and self.profile is not None:
             controller.log.moves.split(self, self.profile.cut(now - self.start_time), now)
             self.parts = []
 
     @property
     def profile(self) -> Profile | None:
-        """Everything in a row."""
+        """The sequence of all profiles."""
         if not self.parts:
             return None
         starts = [time for time, _ in self.parts]
@@ -103,37 +104,37 @@ class FollowMove(Move):
 
 
 class Follow(Action):
-    """A slave's tie to the axis, or the encoder, that it follows; a subclass says how in `base`."""
+    """A slave's tie to the axis or encoder that it follows; `base` defines how."""
 
     __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began", "offset_entry")
 
     def __init__(self, controller: Core, a: Axis, master: Axis, move: FollowMove) -> None:
         self.controller, self.a, self.master, self.move = controller, a, master, move
-        # The offset under way, from 0 to its distance, and when it began.
+        # The offset in progress, from 0 to its distance, and its start time.
         self.offset: Profile | None = None
         self.offset_began = 0.0
-        self.offset_entry: Move | None = None  # that of the log
+        self.offset_entry: Move | None = None  # its log entry
         self._callback = lambda _: self.renew()
         move.action = self
 
     keeps_rates = False
 
-    # -- what a subclass says
+    # -- defined by a subclass
 
     def base(self, coming: Profile, position: float) -> Profile:
-        """What the slave does from `position` on while the master does what is `coming`."""
+        """Return the slave's motion from `position` on for the master's motion `coming`."""
         raise NotImplementedError
 
     def arm(self, coming: Profile) -> None:
-        """Set the events that the tie itself needs."""
+        """Schedule the events of the tie itself."""
 
     def disarm(self) -> None:
-        """Cancel them."""
+        """Cancel these events."""
 
     # -- the tie
 
     def engage(self) -> None:
-        """Take up the master's motion; the axis has been left by what it did before."""
+        """Start to follow; the axis's previous motion has been left."""
         self.controller.log_move(self.a, self.move, rest(self.move.shape, self._here(), 0.0))
         if self.a.arrival is not None:
             self.a.arrival.cancel()
@@ -144,7 +145,7 @@ class Follow(Action):
         self.more(self.controller, self.a)
 
     def renew(self) -> None:
-        """Work the slave's motion out anew from now on."""
+        """Plan the slave's motion again from now on."""
         if not self.tied:
             return
         self.disarm()
@@ -159,22 +160,22 @@ class Follow(Action):
 
     @property
     def tied(self) -> bool:
-        """Whether the tie still holds: a slave that is stopping has the same move, but not this tie."""
+        """True while the tie is in force; a stopping slave keeps only the move."""
         return self.a.move is self.move and self.move.action is self
 
     def coming(self) -> Profile:
-        """What the master does from now on."""
+        """Return the master's motion from now on."""
         return self.master.profiles[-1].after(self.controller.clock.now - self.master.starts[-1])
 
     def detach(self) -> None:
-        """Cut the tie; the slave's profile stays as it is until something else is said."""
+        """End the tie; the slave's profile stays until another motion replaces it."""
         self.disarm()
         if self._callback in self.master.followers:
             self.master.followers.remove(self._callback)
 
     @property
     def resting(self) -> bool:
-        """Whether the slave stands still, and will unless its master moves."""
+        """True if the slave is at rest and stays there unless its master moves."""
         return self.a.profiles[-1].end == self.a.profiles[-1].start and not self.a.profiles[-1].peak_speed
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
@@ -192,7 +193,7 @@ class Follow(Action):
         )
 
     def more(self, controller: Core, a: Axis) -> None:
-        """Entries that lie on top begin while the axis goes on following, each when the one before it is done."""
+        """Start superposed entries while the axis follows, one after the other."""
         while a.buffer and tie_of(a) is self and self.offset is None and not a.suspended:
             move = next((m for m in a.buffer if m.released and m.action and m.action.lies_on_top), None)
             if move is None:
@@ -203,11 +204,11 @@ class Follow(Action):
             action.begin_on_top(controller, a, move)
 
     def put_off(self, begin: Callable[[], None]) -> bool:
-        """Whether an offset has to wait, and will `begin` later: what cannot be suspended knows no wait."""
+        """True if an offset has to wait and will `begin` later; false if it cannot wait."""
         return False
 
     def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
-        """Lay an offset, which begins at 0, on top from now on; it takes the place of one under way."""
+        """Superpose an offset, which begins at 0; it replaces the one in progress."""
         now = self.controller.clock.now
         if self.offset is not None:
             self.fold(self.offset.position(now - self.offset_began))
@@ -216,22 +217,22 @@ class Follow(Action):
         self.renew()
 
     def end_offset(self, ended: str) -> None:
-        """Close the log entry of an offset that does not come to its end."""
+        """Close the log entry of an offset that does not reach its end."""
         entry, self.offset_entry = self.offset_entry, None
         if entry is not None and entry.profile is not None:
             entry.profile = entry.profile.cut(self.controller.clock.now - entry.start_time)
             entry.ended = ended
 
     def carry(self, profile: Profile, began: float, entry: Move | None = None) -> None:
-        """Have an offset on top that began then, and be told of its end."""
+        """Superpose an offset that began earlier, and schedule its end."""
         self.offset, self.offset_began, self.offset_entry = profile, began, entry
         self.controller.clock.at(began + profile.duration, lambda: self._offset_done(profile))
 
     def fold(self, distance: float) -> None:
-        """What an offset has done is now a part of the base."""
+        """Add the distance of an offset to the base."""
 
     def offset_left(self) -> tuple[float, float]:
-        """What the offset under way still has to do, and its velocity."""
+        """Return the remaining distance of the offset in progress, and its velocity."""
         if self.offset is None:
             return 0.0, 0.0
         elapsed = self.controller.clock.now - self.offset_began
@@ -258,7 +259,10 @@ class Follow(Action):
 
 
 class Gear(Follow):
-    """`ratio` times the master's motion; with `ramp` the slave ramps to that velocity at its own rates first."""
+    """`ratio` times the master's motion.
+
+    With `ramp` the slave first ramps to that velocity at its own rates.
+    """
 
     __slots__ = ("_chased_at", "_halt", "_later", "_locks_at", "_paused", "ramp", "ratio")
 
@@ -267,11 +271,12 @@ class Gear(Follow):
     ) -> None:
         super().__init__(controller, a, master, move)
         self.ratio, self.ramp = ratio, ramp
-        # When the slave will have, or has, the velocity that the ratio wants.
+        # The time at which the slave has the velocity of the ratio.
         self._locks_at = INFINITY if ramp else 0.0
-        # What the offset under way still has to do when the slave is suspended no longer, and those that wait for it.
+        # The remaining distance of the offset for the end of the suspension, and the offsets that wait for
+        # it.
         self._paused = 0.0
-        # What the offset does as it comes to rest in a suspension, and from when on.
+        # The ramp of the offset to rest in a suspension, and its start time.
         self._halt: tuple[Profile, float] | None = None
         self._later: list[Callable[[], None]] = []
         # The rates of the ramp to that velocity.
@@ -279,11 +284,11 @@ class Gear(Follow):
 
     @property
     def locked(self) -> float:
-        """The time from which the slave has, or will have, the velocity that the ratio wants."""
+        """The time from which the slave has the velocity of the ratio."""
         return self._locks_at
 
     def set_ratio(self, ratio: float, ramp: bool) -> None:
-        """Another ratio from now on; the one in force changes nothing."""
+        """Set another ratio from now on; the present one is a no-op."""
         if ratio == self.ratio and ramp == self.ramp:
             locked = self._locks_at <= self.controller.clock.now
             if locked or self._chased_at == self.controller.rates(self.a, self.a.speed):
@@ -298,10 +303,10 @@ class Gear(Follow):
         return True
 
     def resume(self, controller: Core, a: Axis) -> None:
-        """Ramp to the ratio again, and do what an offset still has to; others that came meanwhile follow it."""
+        """Ramp to the ratio again, and complete the offset; later offsets follow it."""
         self._locks_at = INFINITY
         (left, velocity), now = self.offset_left(), controller.clock.now
-        if self._halt is not None:  # it may not have come to rest yet
+        if self._halt is not None:  # it may not be at rest yet
             stop, began = self._halt
             left, velocity = left + stop.end - stop.position(now - began), stop.velocity(now - began)
         self._paused, self._halt = 0.0, None
@@ -318,17 +323,17 @@ class Gear(Follow):
         self.more(controller, a)
 
     def put_off(self, begin: Callable[[], None]) -> bool:
-        """Whether an offset has to wait until the slave is suspended no longer."""
+        """True if an offset has to wait for the end of the suspension."""
         if self.a.suspended:
             self._later.append(begin)
         return self.a.suspended
 
     def offset_left(self) -> tuple[float, float]:
-        """The same; an offset that waits while the slave is suspended stands."""
+        """Return the offset left; a waiting offset has no velocity."""
         return (self._paused, 0.0) if self._paused else super().offset_left()
 
     def _pause_offset(self) -> None:
-        """The offset slows down with the slave, in the same time; what it has not done then waits with it."""
+        """Slow the offset down with the slave, in the same time; the rest of it waits."""
         left, velocity = self.offset_left()
         if self.offset is None:
             return
@@ -340,7 +345,7 @@ class Gear(Follow):
         self._halt = done, self.controller.clock.now
 
     def _log_offset(self, profile: Profile) -> None:
-        """The log entry of the offset goes on with a profile from now on."""
+        """Extend the log entry of the offset by a profile."""
         entry = self.offset_entry
         if entry is None or entry.profile is None:
             return
@@ -360,7 +365,7 @@ class Gear(Follow):
         return relabelled(coming.scaled(position, self.ratio), self.move.shape)
 
     def _chased(self, coming: Profile, position: float) -> Profile:
-        """A straight ramp until the slave is as fast as the ratio wants it, then geared."""
+        """Return a linear ramp to the velocity of the ratio, followed by gearing."""
         now = self.controller.clock.now
         wanted = coming.scaled(0.0, self.ratio)
         have = self.a.velocity(now) - self.offset_left()[1]
@@ -382,13 +387,13 @@ class Gear(Follow):
 
 
 def _ramp(position: float, velocity: float, sign: float, accel: float, decel: float) -> Profile:
-    """Ever faster in a direction, without end; what runs the other way is slowed down first."""
+    """Return an endless acceleration in a direction; opposite motion slows down first."""
     far = plan_velocity("trapezoid", position, velocity, sign * (abs(velocity) + accel * 1e6), accel, decel)
     return far.cut(far.knots[-2] * 0.999)
 
 
 def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
-    """Let an axis follow a master, or change the ratio at which it does."""
+    """Make an axis follow a master, or change its ratio."""
     _check_ratio(ratio)
     tie = tie_of(a)
     if isinstance(tie, Gear) and tie.master is master:
@@ -403,7 +408,7 @@ def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, comm
 
 
 def set_ratio(a: Axis, ratio: float) -> None:
-    """Let an axis that follows a master at a ratio do so at another one, at once."""
+    """Change the ratio of an axis that follows a master, at once."""
     tie = tie_of(a)
     if isinstance(tie, Gear):
         _check_ratio(ratio)
@@ -416,7 +421,7 @@ def _check_ratio(ratio: float) -> None:
 
 
 def leave_master(controller: Core, a: Axis) -> None:
-    """Follow no master any more: what the axis does it goes on doing to its end; at rest it is idle."""
+    """Stop following; the present profile continues to its end. At rest it is idle."""
     tie = tie_of(a)
     if tie is None:
         return
@@ -436,13 +441,13 @@ def leave_master(controller: Core, a: Axis) -> None:
 
 
 def tie_of(a: Axis) -> Follow | None:
-    """What ties an axis to its master, None while it follows none."""
+    """Return the tie of an axis to its master, or None."""
     action = a.move.action if a.move is not None else None
     return action if isinstance(action, Follow) else None
 
 
 def follows(link: Axis | None, a: Axis) -> bool:
-    """Whether `link` is the axis `a`, or follows it, directly or through others."""
+    """True if `link` is the axis `a`, or follows it, directly or through others."""
     while link is not None and link is not a:
         tie = tie_of(link)
         link = tie.master if tie is not None else None
@@ -450,6 +455,6 @@ def follows(link: Axis | None, a: Axis) -> bool:
 
 
 def check_chain(a: Axis, master: Axis) -> None:
-    """Refuse a master that follows the slave itself."""
+    """Reject a master that follows the slave itself."""
     if follows(master, a):
         raise Refusal("axis", f"axis {a.index} cannot follow axis {master.index}: it would follow itself")

@@ -1,4 +1,4 @@
-"""Coming to rest before the end, and going on: stop, suspend, resume, and a new end for the move in progress."""
+"""Early rest and continuation: stop, suspend, resume, and a changed end of a move."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
 
 class Stopping(Action):
-    """Coming to rest after a stop: nothing changes that any more but a harder one. `rate` is one of its own, or 0."""
+    """Coming to rest after a stop; only a harder stop changes it.
+
+    `rate` is a rate of its own, or 0.
+    """
 
     __slots__ = ("hard", "rate")
 
@@ -34,7 +37,10 @@ class Stopping(Action):
 
 
 def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
-    """Decelerate to rest at the set rate; a `hard` stop is at `error_decel`, within `max_decel` unless in a fault."""
+    """Decelerate to rest at the set rate; a `hard` stop uses `error_decel`.
+
+    It observes `max_decel` unless in a fault.
+    """
     move = a.move
     if move is None:
         return
@@ -51,7 +57,7 @@ def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
 
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
-    """From the state of the axis to rest."""
+    """Return the motion from the state of the axis to rest."""
     from motionlang.planners.ramp_down import stop_under_way
 
     now, jerks = controller.clock.now, (a.accel_jerk, a.decel_jerk)
@@ -65,12 +71,12 @@ def braking(controller: Core, a: Axis, decel: float) -> Profile:
 
 
 def to_rest(controller: Core, a: Axis) -> Profile:
-    """From the state of the axis to rest at the rate that it has set."""
+    """Return the motion from the state of the axis to rest at its set rate."""
     return braking(controller, a, _decel(controller, a))
 
 
 def standing(controller: Core, a: Axis) -> Profile:
-    """From the state of the axis to rest, and at rest for as long as nothing else is said."""
+    """Return the motion to rest, followed by rest until another command."""
     return halted(to_rest(controller, a), "suspend")
 
 
@@ -83,10 +89,11 @@ def _decel(controller: Core, a: Axis) -> float:
 
 
 def suspend(controller: Core, a: Axis, reason: int) -> None:
-    """Ramp to rest and keep the moves; what is started while the axis is suspended waits too.
+    """Ramp to rest and keep the moves; motion started meanwhile waits too.
 
-    A word concerns all axes of a path, an input its own axis, and the path with it. What a word is refused for an
-    input tells as a mishap: its reason stays, and holds the axis when that motion is over.
+    A keyword concerns all axes of a path, an input its own axis, and the path with it. If a keyword would be
+    rejected, an input raises a run-time fault: its reason remains and holds the axis once that motion is
+    over.
     """
     move, sharing = a.move, _sharing(a)
     fresh = not any(each.suspended for each in sharing)
@@ -110,7 +117,7 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
 
 
 def resume(controller: Core, a: Axis, reason: int) -> None:
-    """Take a reason off; where none is left go on to where the axis was going."""
+    """Remove a reason; if none remains, continue to the target."""
     sharing = _sharing(a)
     if reason == BY_WORD:
         if not any(each.held & reason for each in sharing):
@@ -136,7 +143,7 @@ def _sharing(a: Axis) -> tuple[Axis, ...]:
 
 
 def retarget(controller: Core, a: Axis, position: float, command: str, line: int) -> None:
-    """Give the position move in progress another end; at rest it is a move of its own."""
+    """Change the end of the position move in progress; at rest start a new move."""
     move = a.move
     if move is None:
         controller.move_to(a.index, position, command, line)

@@ -1,4 +1,4 @@
-"""Jogging: an axis ramps to a velocity and keeps it until something else is said."""
+"""Jogging: an axis ramps to a velocity and keeps it until another command."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
 
     Rates = tuple[float | None, float | None]
 
-# The part of a velocity that rounding may be worth.
+# The relative rounding of a velocity.
 _ROUNDING = 1e-12
 
 
 class Jog(Action):
-    """Running at a velocity, counts/s; `ends`: a velocity of 0 is the end of it."""
+    """Running at a velocity, counts/s; with `ends` a velocity of 0 ends the jog."""
 
     __slots__ = ("_way", "ends", "velocity")
     live_limits = ("max_speed", "max_accel", "max_decel")
 
     def __init__(self, velocity: float, ends: bool) -> None:
         self.velocity, self.ends = velocity, ends
-        # The settings that the ramp to the velocity goes by.
+        # The settings on which the ramp to the velocity depends.
         self._way: tuple[object, ...] = ()
 
     def plan(self, controller: Core, a: Axis) -> Profile:
@@ -43,13 +43,13 @@ class Jog(Action):
         self.aim(a)
 
     def aim(self, a: Axis) -> None:
-        """The end of a jog that ends is known."""
+        """Set the known end of a jog that ends."""
         end = a.profiles[-1].end
         if self.ends and abs(end) < INFINITY and a.move is not None:
             a.target = a.move.target = end
 
     def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
-        """From the state of the axis to the velocity."""
+        """Return the motion from the state of the axis to the velocity."""
         self._way = way = _way(controller, a, own)
         accel, decel = way[0], way[1]
         eased, position, velocity, bent = onset(
@@ -59,7 +59,7 @@ class Jog(Action):
             bent = admitted(bent, velocity, accel, decel)
         wanted = _wanted(a, self.velocity)
         if eased is not None and isclose(velocity, wanted, rel_tol=_ROUNDING):
-            velocity = wanted  # the flank leads to it, and leaves no ramp
+            velocity = wanted  # the flank leads to it, and no ramp remains
         try:
             made = plan_velocity(
                 a.shape,
@@ -82,7 +82,7 @@ class Jog(Action):
         return made
 
     def goes_on(self, controller: Core, a: Axis, velocity: float, own: Rates | None) -> bool:
-        """Whether a jog at a velocity is what the axis does already: at speed, or on the same ramp to it."""
+        """True if the axis already jogs at this velocity, or is on the same ramp to it."""
         if velocity != self.velocity:
             return False
         wanted, state = _wanted(a, velocity), a.at(controller.clock.now)
@@ -93,9 +93,9 @@ class Jog(Action):
 def jog(
     controller: Core, a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool
 ) -> None:
-    """Ramp to a velocity and keep it, at rates of its own where it has some.
+    """Ramp to a velocity and keep it, at given rates or those of the axis.
 
-    To say it again, as the loop of a jog panel does, changes nothing: neither the profile nor the log.
+    Repeating the command, as the loop of a jog panel does, is a no-op for profile and log.
     """
     present = a.move
     if present is None:
@@ -122,7 +122,7 @@ def _wanted(a: Axis, velocity: float) -> float:
 
 
 def _way(controller: Core, a: Axis, own: Rates | None) -> tuple[float, float, object, object, object, object]:
-    """Acceleration and deceleration in force, and what else the ramps go by."""
+    """Return acceleration, deceleration and the other settings of the ramps."""
     accel, decel = own or (None, None)
     if accel is None or decel is None:
         rates = controller.rates(a, a.speed)

@@ -1,7 +1,7 @@
-"""OFFSET: a distance added on top of following, by the four modes of the MN1274 page (mint-2 §7.5).
+"""OFFSET: a superposed distance, in the four modes of the MN1274 page.
 
-The master's speed when the offset begins is the one it reckons with; what the master does later the base follows, the
-offset does not.
+The calculation uses the master's speed at the start of the offset. Later changes affect the base, not the
+offset.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.controller.motion.follow import Follow
 
-# Bits of the answer to how the last offset went (Mint's _os constants).
+# Bits of the status of the last offset (Mint's _os constants).
 MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bit for bit in range(6))
 STANDARD, SPEED_LIMIT, ACCEL_MODE, SPEED_MODE = range(4)
 
 
 class OffsetMove(Move):
-    """The log entry of an offset on top of following: its positions count from where the slave would else be."""
+    """The log entry of an offset, with positions relative to the slave without it."""
 
     __slots__ = ()
     overlaid = True
@@ -34,7 +34,7 @@ class OffsetMove(Move):
 def offset(
     controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
 ) -> None:
-    """Add `distance` to what a slave does; an axis that follows nobody moves by it.
+    """Superpose `distance` on a slave's motion; another axis moves by it.
 
     Modes 2 and 3 spread it over `over` counts of the master.
     """
@@ -66,7 +66,7 @@ def offset(
 
 
 def crossing_time(controller: Core, a: Axis, left: float) -> float:
-    """The time at which so much is left of the offset under way, infinite where that never comes."""
+    """Return when `left` remains of the offset in progress; infinite if never."""
     tie = tie_of(a)
     if tie is None or tie.offset is None:
         return INFINITY
@@ -77,7 +77,10 @@ def crossing_time(controller: Core, a: Axis, left: float) -> float:
 def _limits(
     controller: Core, a: Axis, tie: Follow, distance: float, mode: int, over: float
 ) -> tuple[float, float, float] | None:
-    """Speed and rates of the offset relative to the base; None where it cannot be done, and the status says why."""
+    """Return speed and rates of the offset relative to the base.
+
+    None if it is impossible; the status gives the reason.
+    """
     accel, decel = controller.rates(a, a.speed)
     if mode == STANDARD:
         return a.speed, accel, decel
@@ -108,7 +111,10 @@ def _limits(
 def _triangle(
     controller: Core, a: Axis, distance: float, time: float, most: float, slower: bool
 ) -> tuple[float, float, float] | None:
-    """Half the time speeding up, half slowing down; where that is too fast a plateau at what is allowed."""
+    """Return speed and rates of a triangle, or of a plateau if that is too fast.
+
+    The triangle speeds up for half the time and slows down for the other half.
+    """
     peak = 2.0 * distance / time
     speed = _clipped(controller, a, peak, most, slower)
     ramp = time - distance / speed

@@ -1,7 +1,7 @@
-"""Following a ready-made profile: what suspends it is its own time, which runs slower and slower until it stands.
+"""Playback of a ready-made profile; suspension slows its time to a standstill.
 
-So an axis stays on its profile, and axes that play together stay together, however often they are suspended. A
-spline goes on with the rest of its segment in a time of its own.
+So an axis stays on its profile, and axes that play together stay together, however often they are suspended.
+A spline continues with the rest of its segment in a time of its own.
 """
 
 from __future__ import annotations
@@ -27,10 +27,11 @@ if TYPE_CHECKING:
 
 
 class Played(Action):
-    """A profile that is played; with `on_path` stop too comes to rest on it, in the axis's `suspend_time`.
+    """The playback of a profile.
 
-    `ordered` are the points, velocities and times that it was made of, where it was made of such; `step` is the
-    velocity at which a stepper starts and stops at once, 0.0 where there is no such step.
+    With `on_path` a stop also comes to rest on it, in the axis's `suspend_time`. `ordered` are the points,
+    velocities and times that it was made of, if any. `step` is the velocity at which a stepper starts and
+    stops at once, 0.0 for none.
     """
 
     __slots__ = ("_is_paced", "on_path", "ordered", "step")
@@ -38,12 +39,12 @@ class Played(Action):
 
     def __init__(self, on_path: bool = False, step: float = 0.0) -> None:
         self.on_path, self.step = on_path, step
-        # Whether the profile of the axis is one that is travelled at a pace, both of which it knows.
+        # True if the axis's profile is played at a varying rate, and both are known.
         self._is_paced = False
         self.ordered: Timed | None = None
 
     def suspend(self, controller: Core, a: Axis) -> bool:
-        """Slow the profile's own time to a standstill within the axis's `suspend_time`."""
+        """Slow the playback to a standstill within the axis's `suspend_time`."""
         path, pace = self._on_the_way(controller, a)
         if pace.end_velocity == 0.0:
             pace = halted(pace, "suspend")
@@ -52,11 +53,14 @@ class Played(Action):
         return True
 
     def waiting(self, controller: Core, profile: Profile) -> Profile:
-        """Begun while the axis is suspended: the profile, its time standing at its start."""
+        """Return the profile with its playback at a standstill, for a suspended axis."""
         return self._made(controller, profile, halted(hold(0.0).cut(0.0), "suspend"), "suspend")
 
     def plan(self, controller: Core, a: Axis) -> Profile:
-        """The way on at full pace; on a path the rest of the segment first, in the axis's `suspend_time`."""
+        """Return the rest at full rate.
+
+        On a path the rest of the segment comes first, in the axis's `suspend_time`.
+        """
         path, place, rate = self.state(controller, a)
         if self.on_path and a.suspend_time > 0.0 and rate < 1.0 and place < path.knots[-1]:
             self._aim(a, path)
@@ -71,12 +75,15 @@ class Played(Action):
         return self._made(controller, path, _to_the_end(path, pace), path.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
-        """Come to rest on the profile, the buffer emptied; False for a fault, and where it is no path."""
+        """Come to rest on the profile and empty the buffer.
+
+        False for a fault, and if it is not on a path.
+        """
         if not self.on_path or ended == "fault":
             return False
         path, pace = self._on_the_way(controller, a)
         controller.empty(a, ended)
-        self.ordered = None  # it will not come to its last point
+        self.ordered = None  # it will not reach its last point
         self._follow(controller, a, path, pace, path.shape, ended)
         move = a.move
         assert move is not None
@@ -85,7 +92,7 @@ class Played(Action):
         return True
 
     def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
-        """The profile, how far its time has come, and how fast that runs."""
+        """Return the profile, its playback time, and its playback rate."""
         elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
         if self._is_paced and isinstance(last, Composed):
             return last.path, last.along.position(elapsed), last.along.velocity(elapsed)
@@ -94,7 +101,7 @@ class Played(Action):
         return last.after(elapsed), 0.0, 1.0
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
-        """The same points have positions `shift` counts higher, and those that are past count no more."""
+        """Shift positions by `shift` counts and drop the points that are past."""
         last, elapsed = a.profiles[-1], controller.clock.now - a.starts[-1]
         if not self._is_paced and elapsed < last.duration:
             self._count_from_here(controller, a, last, elapsed)
@@ -105,7 +112,10 @@ class Played(Action):
     # -- inside
 
     def _segment_in_time(self, controller: Core, a: Axis, path: Profile, place: float) -> Profile:
-        """The rest of the segment that holds `place` as one cubic of `suspend_time`, then the path as it was."""
+        """Return the rest of the present segment as one cubic, then the path unchanged.
+
+        The segment is the one that contains `place`; the cubic takes `suspend_time`.
+        """
         state = a.at(controller.clock.now)
         self._count_from_here(controller, a, path, place, a.suspend_time)
         end = path.knots[bisect_right(path.knots, place)]
@@ -117,9 +127,9 @@ class Played(Action):
     def _count_from_here(
         self, controller: Core, a: Axis, path: Profile, place: float, time: float = 0.0
     ) -> None:
-        """From now on its points are where the axis is, and those of the path after `place`, the next one in `time`.
+        """Restart the points at the axis, followed by those of the path after `place`.
 
-        Without a time that is the one at which the path has it.
+        The next one comes after `time`, by default at its time on the path.
         """
         if self.ordered is None:
             return
@@ -133,21 +143,24 @@ class Played(Action):
         )
 
     def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
-        """The profile, with what goes on behind it, and its time coming to rest, or to the end where nothing does."""
+        """Return the profile with its continuation, and its playback time.
+
+        The playback comes to rest, or runs to the end if nothing follows.
+        """
         path, place, rate = self.state(controller, a)
         pace = self._slowing(a, place, rate)
         path = self._long_enough(a, path, pace.end)
         return path, _to_the_end(path, pace) if pace.end > path.duration else pace
 
     def _long_enough(self, a: Axis, path: Profile, duration: float) -> Profile:
-        """The profile, and behind it what the next entry of the buffer goes on with, as far as one does."""
+        """The profile followed by the continuation from the buffer, if there is one."""
         head = a.buffer[0] if a.buffer else None
         while path.duration < duration and head is not None and head.released and head.action is not None:
             more = head.action.prolong(path.end)
             if more is None:
                 break
             path = path.then(more)
-            self.ordered = None  # it goes on beyond its last point
+            self.ordered = None  # it continues beyond its last point
         return path
 
     def _aim(self, a: Axis, path: Profile) -> None:
@@ -155,7 +168,7 @@ class Played(Action):
             a.target = a.move.target = path.end
 
     def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
-        """The time of the profile coming to rest."""
+        """Return a playback time that comes to rest."""
         if a.suspend_time <= 0.0 or rate <= 0.0:
             return hold(place).cut(0.0)
         return plan_stop("trapezoid", place, rate, 1.0 / a.suspend_time)
@@ -171,7 +184,10 @@ class Played(Action):
 
 
 def _to_the_end(path: Profile, pace: Profile) -> Profile:
-    """A time of the profile that passes its end, up to there: to the last bit, so that it ends where it should."""
+    """Return a playback time that ends exactly at the end of the profile.
+
+    Rounding must not end it elsewhere.
+    """
     end = pace.crossing(path.duration)
     assert end is not None, "a pace above zero comes to every end"
     made = pace.cut(end)

@@ -1,7 +1,7 @@
-"""References: an axis whose velocity, or position, is what somebody writes, again and again.
+"""References: an axis with a velocity or position that is written repeatedly.
 
-A speed reference ramps to the new velocity; a position reference goes there in a straight line within one period of
-the profiler. All that is written until the axis moves otherwise is one entry of the log.
+A speed reference ramps to the new velocity; a position reference moves there in a straight line within one
+period of the profiler. All writes until another motion form one entry of the log.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
     Slopes = tuple[Slope, Slope]
 
-# The period of the profiler, seconds: a reference that does not ramp is reached within one.
+# The period of the profiler, seconds: a reference without a ramp is reached within one.
 PERIOD = 1e-3
 
 
 class Reference(Action):
-    """What the axis does by its reference; a new one takes the place of the rest of its profile."""
+    """The motion by a reference; a new one replaces the rest of its profile."""
 
     __slots__ = ("move",)
     keeps_rates = False
@@ -38,7 +38,7 @@ class Reference(Action):
         move.action = self
 
     def engage(self, controller: Core, a: Axis, profile: Profile) -> None:
-        """Begin with a profile, or go on with it where the reference is under way."""
+        """Begin with a profile, or continue a reference in progress with it."""
         if a.move is not self.move:
             controller.end_move(a, "retarget")
             controller.log_move(a, self.move, profile)
@@ -53,7 +53,10 @@ class Reference(Action):
 
 
 class SpeedReference(Reference):
-    """A velocity, counts/s, reached by the slopes `up` and `down`; `error_rate` brakes after an error, 0 for none."""
+    """A velocity, counts/s, reached by the slopes `up` and `down`.
+
+    `error_rate` brakes after an error; 0 for none.
+    """
 
     __slots__ = ("error_rate", "slopes", "velocity")
     live_limits = ("max_speed",)
@@ -63,7 +66,7 @@ class SpeedReference(Reference):
         self.velocity, self.slopes, self.error_rate = velocity, slopes, error_rate
 
     def plan(self, controller: Core, a: Axis) -> Profile:
-        """The ramp from the state of the axis; to a velocity of 0 it ends when the axis stands."""
+        """Return the ramp from the state of the axis; at a velocity of 0 it ends at rest."""
         if a.suspended:
             return halt.standing(controller, a)
         wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
@@ -78,7 +81,10 @@ class SpeedReference(Reference):
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
-        """After an error brake at `error_rate`, counts/s2; False where that is 0, and for other stops."""
+        """Brake at `error_rate`, counts/s², after an error.
+
+        False if that is 0, and for other stops.
+        """
         if ended != "fault" or not hard or not self.error_rate:
             return False
         controller.empty(a, ended)
@@ -98,7 +104,7 @@ def refer_speed(
     command: str,
     line: int,
 ) -> None:
-    """Let an axis ramp to a velocity; to write the one in force changes nothing."""
+    """Ramp an axis to a velocity; writing the current one is a no-op."""
     action = a.move.action if a.move is not None and a.move.command == command else None
     if isinstance(action, SpeedReference):
         action.error_rate = error_rate
@@ -141,7 +147,7 @@ class PositionReference(Reference):
 
 
 def refer_position(controller: Core, a: Axis, place: float, command: str, line: int) -> None:
-    """Let an axis go to a position within a period; where it stands already nothing happens."""
+    """Move an axis to a position within a period; a no-op if it is there."""
     if not abs(place) < INFINITY:
         raise Refusal("range", f"axis {a.index} cannot go to {place:g}")
     action = a.move.action if a.move is not None else None
@@ -165,7 +171,7 @@ def refer_position(controller: Core, a: Axis, place: float, command: str, line: 
 
 
 def _last(controller: Core, a: Axis, command: str) -> FollowMove | None:
-    """The entry of the log that goes on: the axis's last one, where nothing else has moved it since."""
+    """The log entry to extend: the axis's last one, if no other motion followed."""
     if a.move is not None:
         return None
     for move in reversed(controller.log.moves[-len(controller.axes) :]):

@@ -1,7 +1,7 @@
-"""An axis whose velocity is decided anew at every tick of the profiler, such as one that holds to an analogue input.
+"""A velocity recomputed at every profiler tick, as for an analogue input.
 
-Between two ticks the velocity changes evenly, as far as the rates of the axis allow. While it stands and nothing is to
-be done there are no ticks: whoever knows of a reason to move wakes it.
+Between two ticks the velocity changes linearly, within the rates of the axis. At standstill with nothing to
+do there are no ticks; the cause of the next motion wakes it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 
 class Track(Reference):
-    """The motion: `decide` answers with the velocity that is wanted, counts/s, and whether it may yet change."""
+    """The motion of an axis with a velocity function.
+
+    `decide` returns the desired velocity, counts/s, and true if it may still change.
+    """
 
     __slots__ = ("a", "awake", "controller", "decide")
 
@@ -43,11 +46,11 @@ class Track(Reference):
 
     @property
     def holds(self) -> bool:
-        """Whether the axis is still its own."""
+        """True while the axis is under its control."""
         return self.a.move is self.move and self.move.action is self
 
     def wake(self) -> None:
-        """There is a reason to look again."""
+        """Resume the ticks."""
         if self.holds and not self.awake:
             self.awake = True
             self._await()
@@ -80,7 +83,7 @@ class Track(Reference):
             self._await()
 
     def _within(self, velocity: float, wanted: float) -> float:
-        """The velocity a period later: as wanted, within the rates."""
+        """Return the velocity a period later: the desired one, within the rates."""
         accel, decel = self.controller.rates(self.a, self.a.speed)
         change = wanted - velocity
         rises = change * velocity >= 0.0
@@ -91,7 +94,7 @@ class Track(Reference):
 def track(
     controller: Core, a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int
 ) -> Track:
-    """Let an axis that stands be moved by what `decide` says, from the next tick on."""
+    """Move an axis at standstill by `decide`, from the next tick on."""
     if a.move is not None:
         raise Refusal("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
     controller.rates(a, a.speed)

@@ -1,4 +1,4 @@
-"""Play that the motor takes up on top of its axis's motion: how much of it, and which way the axis went last."""
+"""Backlash taken up by the motor: its amount, and the last direction of the axis."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.planners import Profile
 
-# Seconds behind a turn at which the axis goes the other way, or rests.
+# Seconds after a reversal at which the axis moves back, or rests.
 _MOMENT = 1e-9
 
 
 class Takeup:
-    """The play of one axis, counts: it is on the side that `size` has as its sign, and taken up in `ramp` seconds.
+    """The backlash of one axis, counts, taken up in `ramp` seconds.
 
-    With a `size` above zero the motor stands at the negative end: going forward it needs the whole size, going in
-    reverse nothing; below zero the other way round. Play is taken up only while the axis moves.
+    With a positive `size` the motor rests at the negative end: forward motion needs the complete size,
+    reverse motion nothing. A negative size is the opposite. Backlash is taken up only while the axis moves.
     """
 
     __slots__ = ("_axis", "_time", "heading", "ramp", "size", "taken")
@@ -26,7 +26,7 @@ class Takeup:
         self.heading = 0
 
     def advance(self, now: float, on: bool) -> float:
-        """What is taken up by now, counts."""
+        """Return the amount taken up by now, counts."""
         while self._time < now:
             end, heading = self._stretch(now)
             if heading:
@@ -37,7 +37,7 @@ class Takeup:
         return self.taken
 
     def rate(self) -> float:
-        """How fast it is being taken up, counts/s, as far as `advance` has come."""
+        """Return its rate of change, counts/s, at the time of the last `advance`."""
         left = self._goal(self.heading) - self.taken
         if not left or not self.ramp or not self._axis.velocity(self._time):
             return 0.0
@@ -52,11 +52,11 @@ class Takeup:
         self.taken += max(-most, min(most, left))
 
     def _stretch(self, now: float) -> tuple[float, int]:
-        """Up to when the axis goes one way, and which."""
+        """Return the time until which the axis keeps its direction, and the direction."""
         begin = self._time
         start, profile = self._axis.in_force(begin)
         end = min(now, self._axis.next_start(begin))
-        if start > begin:  # a session that has run for long has forgotten what was in force
+        if start > begin:  # a long session has dropped the profile that was in force
             return min(start, end), 0
         turn, after = None, begin - start + _MOMENT
         if profile.peak_speed:
@@ -69,5 +69,5 @@ class Takeup:
 
 
 def _next_knot(profile: Profile, after: float) -> float | None:
-    """When the next piece of a profile begins, before which one that rests does not move."""
+    """Return the start of the next piece; a profile at rest does not move before it."""
     return next((knot for knot in profile.knots if knot > after), None)

@@ -1,4 +1,4 @@
-"""What the move buffer holds: moves, paths, cams, offsets, dwells."""
+"""The contents of the move buffer: moves, paths, cams, offsets, dwells."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.moves import buffer
 
-# A program whose moves are plain comes to none of these.
+# A program with plain moves only needs none of these.
 __getattr__ = door(__name__, "buffer")
 
 __all__ = ["buffer"]

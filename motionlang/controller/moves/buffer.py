@@ -1,4 +1,4 @@
-"""The move buffer: what may stand in it beside moves to a position, and how entries get into it and out."""
+"""The move buffer: entries other than moves, loading, and removal."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ if TYPE_CHECKING:
 
 
 def put(a: Axis, move: Move) -> None:
-    """Put an entry into the buffer, stamped with the settings that it keeps."""
+    """Load an entry, with a copy of the settings that apply to it."""
     if len(a.buffer) >= a.buffer_size:
         raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
     a.buffer.append(stamped(a, move))
 
 
 def put_action(a: Axis, action: Action, command: str, line: int) -> None:
-    """Put something that is no move into the buffer: it ends where the entry before it does."""
+    """Load an entry that is no move; it ends where the entry before it does."""
     move = counted(a, 0.0, command, line)
     move.action = action
     put(a, move)
 
 
 def counted(a: Axis, distance: float, command: str, line: int) -> Move:
-    """An entry that ends `distance` from where the one before it does."""
+    """Return an entry that ends `distance` from the end of the one before it."""
     base = end(a)
     move = Move(a.index, command, line, base + distance)
     if abs(base) < INFINITY:
@@ -37,7 +37,7 @@ def counted(a: Axis, distance: float, command: str, line: int) -> Move:
 
 
 def resolve(a: Axis, move: Move) -> None:
-    """A relative entry is about to start: its end counts from where the axis is now."""
+    """Fix the end of a relative entry, counted from the axis's position at its start."""
     move.target = _end_from(move, a.target)
 
 
@@ -46,7 +46,7 @@ def _end_from(move: Move, start: float) -> float:
 
 
 def keep_ends(a: Axis, shift: float) -> None:
-    """The move in progress will end `shift` further on: the relative entries behind it end where they would have."""
+    """Preserve the ends of relative entries when the present move ends further on."""
     for move in a.buffer:
         if move.base is None:
             return
@@ -58,7 +58,7 @@ def keep_ends(a: Axis, shift: float) -> None:
 
 
 def stamped(a: Axis, move: Move) -> Move:
-    """The move with what it remembers from the moment at which it is loaded."""
+    """Return the move with the settings at the time it is loaded."""
     move.id = a.move_id
     mode = a.feedrate_mode
     if mode & 1:
@@ -71,7 +71,10 @@ def stamped(a: Axis, move: Move) -> Move:
 
 
 def end(a: Axis) -> float:
-    """Where the axis will be when its buffer is empty: relative moves count from there."""
+    """Return the position of the axis once its buffer is empty.
+
+    Relative moves count from there.
+    """
     there = a.target
     for move in a.buffer:
         there = _end_from(move, there)
@@ -79,7 +82,7 @@ def end(a: Axis) -> float:
 
 
 def known_end(a: Axis) -> float:
-    """The same, for what counts from there: the refusal where the axis runs without an end."""
+    """Like `end`, but raise Refusal while the axis is jogging."""
     there = end(a)
     if not abs(there) < 1e300:
         raise Refusal(
@@ -89,18 +92,18 @@ def known_end(a: Axis) -> float:
 
 
 def taken(controller: Core, a: Axis) -> None:
-    """An entry has left the buffer: tell, when with it the free places came to exceed the level set."""
+    """Notify if the removal of an entry makes the free entries exceed the level set."""
     if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
         controller.tell("buffer-low", a.index)
 
 
 def motions(a: Axis) -> list[Move]:
-    """The entries without the outputs, which hold no path up."""
+    """Return the entries without the outputs, which delay no path."""
     return [move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse))]
 
 
 def reach(controller: Core, a: Axis, move: Move) -> None:
-    """Let an entry leave the buffer; outputs that stand before it are set."""
+    """Remove an entry from the buffer; set the outputs before it."""
     while a.buffer[0] is not move:
         head = a.buffer[0]
         assert head.action is not None
@@ -126,7 +129,7 @@ class Dwell(Action):
 
 
 class Outputs(Action):
-    """Set digital outputs, in no time."""
+    """Set digital outputs, without duration."""
 
     __slots__ = ("values",)
 
@@ -139,7 +142,7 @@ class Outputs(Action):
 
 
 class Pulse(Action):
-    """Turn a digital output on and, `duration` seconds later, off again; a second pulse meanwhile prolongs it."""
+    """Turn a digital output on for `duration` seconds; another pulse prolongs it."""
 
     __slots__ = ("channel", "duration")
 

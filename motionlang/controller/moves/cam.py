@@ -1,4 +1,7 @@
-"""Cams and flying shears: a slave on a curve over its master's distance, one cycle or segment after another."""
+"""Cams and flying shears: a slave on a curve over its master's distance.
+
+Cycles or segments follow one another.
+"""
 
 from __future__ import annotations
 
@@ -27,19 +30,20 @@ if TYPE_CHECKING:
 
     Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
-# Parts of a cycle by which the master must go back to leave it, and may lack to be at its end.
+# Fraction of a cycle by which the master must reverse to leave it, and may fall short of its end.
 _NEAR = 1e-9
 _AT_END = 1e-13
-# A cycle shorter than this, in counts of the master, would be over before anything could be done.
+# A shorter cycle, in counts of the master, would be over before anything could be done.
 _SHORTEST = 1.0
 
 
 class CurveFollow(Follow):
-    """A slave on `curve` (counts over counts of the master); `direction` is the one in which the master travels it.
+    """A slave on `curve` (counts over counts of the master).
 
-    `origin` is the master's position at which the curve begins; it moves when the master's zero does, and when its
-    demand is taken to where its motor is: neither is a motion that the slave follows. `ordered` is what the curve was
-    made of: places of the master, the slave's values there, and how they are joined.
+    `direction` is the master's direction of travel. `origin` is the master's position at which the curve
+    begins. It moves with the master's zero, and if the master's commanded position is set to its motor:
+    neither is a motion that the slave follows. `ordered` is the source of the curve: master positions, slave
+    values there, and how they are joined.
     """
 
     __slots__ = ("_event", "curve", "datum", "direction", "ordered", "origin")
@@ -54,24 +58,27 @@ class CurveFollow(Follow):
         self._event: Event | None = None
 
     def over(self, forward: bool) -> bool:
-        """The master has come to the end of the curve, or back to its beginning; whether to go on."""
+        """Handle the end of the curve, or its beginning in reverse; True to continue."""
         raise NotImplementedError
 
     # -- the tie
 
     def base(self, coming: Profile, position: float) -> Profile:
-        """The slave stands on the curve where the master is; `position` only says so again."""
+        """Return the slave's position on the curve at the master's position.
+
+        `position` equals it.
+        """
         along = self._along(coming)
         if along.shape == "hold":
             return rest(self.move.shape, self._at(along.start), INFINITY)
         return travelled(along, self.curve, self.move.shape)
 
     def place(self) -> float:
-        """How far the master has come along the curve, counts."""
+        """Return the master's distance along the curve, counts."""
         return self._along(self.coming()).start
 
     def arm(self, coming: Profile) -> None:
-        """Set the event for when the master leaves the curve, at either end where it may go back."""
+        """Schedule the master's exit from the curve, at either end if it may reverse."""
         along, clock = self._along(coming), self.controller.clock
         length = self.curve.duration
         times: list[tuple[float, bool]] = []
@@ -105,13 +112,13 @@ class CurveFollow(Follow):
             self.a.target = self.move.target = self.curve.end
 
     def next_curve(self, curve: Profile, forward: bool) -> None:
-        """Go on along another curve, which begins (or, backwards, ends) where this one does."""
+        """Continue on a curve that begins (or, backwards, ends) where this one does."""
         length = self.curve.duration if forward else -curve.duration
         self.origin += self.direction * length
         self.curve = curve
 
     def finish(self) -> None:
-        """The curve is over: the slave stops, at once where it is slow enough to stand already."""
+        """End the curve: the slave stops, at once if it is slow enough."""
         controller, a = self.controller, self.a
         self.end_offset("stop")
         self.detach()
@@ -144,7 +151,7 @@ class CurveFollow(Follow):
             self.finish()
 
     def _along(self, coming: Profile) -> Profile:
-        """The master's motion as a distance along the curve."""
+        """Return the master's motion as a distance along the curve."""
         datum = _datum(self.master)
         self.origin += datum - self.datum
         self.datum = datum
@@ -158,12 +165,12 @@ class CurveFollow(Follow):
 
 
 def _datum(master: Axis) -> float:
-    """How far the positions of a master have moved that are not motion."""
+    """Return how far a master's positions have changed without motion."""
     return master.datum + (master.feedback.demand_shift if master.feedback is not None else 0.0)
 
 
 class Cam(CurveFollow):
-    """A cam table, once or over and over."""
+    """A cam table, once or repeatedly."""
 
     __slots__ = ("cyclic", "first")
 
@@ -182,7 +189,7 @@ class Cam(CurveFollow):
 
     @property
     def rise(self) -> float:
-        """How far a whole cycle takes the slave, counts."""
+        """The slave's travel in a complete cycle, counts."""
         return self.curve.end - self.curve.start
 
     @property
@@ -196,13 +203,13 @@ class Cam(CurveFollow):
 
     @property
     def index(self) -> int:
-        """The segment of the table that the master is in."""
+        """The segment of the table at the master's position."""
         inner = self.curve.knots[1:-1]
         return self.first + bisect_right(inner, self.place())
 
 
 class Fly(Action):
-    """An entry of the buffer: `distance` of the slave while the master goes `over`, both in counts."""
+    """A buffer entry: `distance` of the slave while the master travels `over`, counts."""
 
     __slots__ = ("distance", "master", "over")
     can_stand = False
@@ -211,7 +218,7 @@ class Fly(Action):
         self.master, self.distance, self.over = master, distance, over
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Tie the axis to its master from here on; a Refusal bears the line of the entry."""
+        """Tie the axis to its master; a Refusal carries the line of the entry."""
         try:
             check_chain(a, self.master)
             self.follow(controller, a, move, 0.0).engage()
@@ -220,7 +227,7 @@ class Fly(Action):
             raise
 
     def follow(self, controller: Core, a: Axis, move: Move, ratio: float) -> Shear:
-        """The tie for this segment, which begins at a ratio of slave to master."""
+        """Return the tie of this segment, which begins at a ratio of slave to master."""
         here = a.position(controller.clock.now)
         entry = FollowMove(a.index, move.command, move.line, "fly", here + self.distance)
         entry.id = move.id
@@ -231,19 +238,19 @@ class Fly(Action):
 
 
 class Shear(CurveFollow):
-    """One segment of a flying shear; the next one in the buffer goes on where it ends."""
+    """One segment of a flying shear; the next one in the buffer continues at its end."""
 
     __slots__ = ()
 
     def over(self, forward: bool) -> bool:
-        """Go on with the next segment of the buffer, in the ratio this one ends with; or False."""
+        """Continue with the next segment of the buffer at the present ratio; or False."""
         controller, a = self.controller, self.a
         head = self._next_entry()
         if head is None or not isinstance(head.action, Fly):
             return False
         following = head.action
         if follows(following.master, a):
-            return False  # it is refused when it begins by itself
+            return False  # it is rejected when it begins by itself
         controller.take_entry(a)
         ratio = self.curve.end_velocity
         if (following.over > 0.0) is not (self.direction > 0) or following.master is not self.master:
@@ -260,7 +267,7 @@ class Shear(CurveFollow):
         return True
 
     def _next_entry(self) -> Move | None:
-        """The entry that follows; outputs on the way to it are set."""
+        """Return the next entry; outputs before it are set."""
         buffered = self.a.buffer
         while buffered and buffered[0].released:
             head = buffered[0]
@@ -271,7 +278,7 @@ class Shear(CurveFollow):
         return None
 
     def _close(self) -> None:
-        """End this segment's entry of the log."""
+        """Close this segment's entry of the log."""
         self.detach()
         move, now = self.move, self.controller.clock.now
         whole = move.profile
@@ -281,7 +288,10 @@ class Shear(CurveFollow):
 
 
 def _runs_back(along: Profile, edge: float, least: float) -> float | None:
-    """The time at which a master that starts at `edge` is `least` before it; None if it goes as far forward first."""
+    """Return when a master that starts at `edge` is `least` before it.
+
+    None if it first travels as far forward.
+    """
     if along.start < edge - least:
         return 0.0
     if along.extrema()[0] >= edge - least or (time := along.crossing(edge - least)) is None:
@@ -291,16 +301,16 @@ def _runs_back(along: Profile, edge: float, least: float) -> float | None:
 
 
 def _beginning(along: Profile, least: float) -> float | None:
-    """The time at which a master passes the beginning of a cycle backwards; None if it stays within `least` of it.
+    """Return when a master passes the beginning of a cycle backwards.
 
-    A cycle is left for the one before it only if it does not end at once again: so `least` is more than what counts as
-    running back at the end of that one.
+    None if it stays within `least` of it. A cycle is left for the one before it only if that does not end
+    again at once. So `least` exceeds the distance that counts as a reversal at the end of that one.
     """
     if along.extrema()[0] >= -least:
         return None
     if along.start > least:
         return along.crossing(0.0)
-    # At the beginning but for rounding: where it goes first counts, as it did at the end of the cycle before.
+    # At the beginning within rounding, its first direction decides, as at the end of the cycle before.
     if _runs_back(along, 0.0, least) is not None:
         return along.crossing(0.0) if along.start > 0.0 else 0.0
     ahead = along.crossing(least)
@@ -308,7 +318,10 @@ def _beginning(along: Profile, least: float) -> float | None:
 
 
 def _segment(start: float, distance: float, over: float, ratio: float) -> Profile:
-    """A ratio that changes evenly from `ratio` on so that the slave goes `distance` while the master goes `over`."""
+    """Return a curve from `ratio` on with a linear change of the ratio.
+
+    The slave travels `distance` while the master travels `over`.
+    """
     last = 2.0 * distance / over - ratio
     piece = (start, ratio, 0.5 * (last - ratio) / over, 0.0, 0.0, 0.0, 0.0)
     return from_curve("fly", start, start + distance, ((0.0, over), (piece,), (("fly", 0),)), ratio, last)
@@ -329,7 +342,7 @@ def start_cam(
     command: str,
     line: int,
 ) -> None:
-    """Follow a table from segment `first` to segment `last`, which begins where both axes are now."""
+    """Follow a table from segment `first` to `last`, from both axes' positions."""
     check_chain(a, master)
     end = len(places) if last is None else last + 2
     if not 0 <= first < end - 1 < len(places):
@@ -354,7 +367,7 @@ def start_cam(
 def load_fly(
     controller: Core, a: Axis, master: Axis, distance: float, over: float, command: str, line: int
 ) -> None:
-    """Put a segment of a flying shear into the buffer."""
+    """Load a segment of a flying shear into the buffer."""
     if not (_SHORTEST <= abs(over) < 1e300 and abs(distance) < 1e300):
         raise Refusal(
             "range",

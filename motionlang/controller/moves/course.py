@@ -1,7 +1,7 @@
-"""A course: one path under way and those ahead of it that are run through without coming to rest.
+"""A course: one path in progress and those ahead that it enters without a stop.
 
-A course plans the distance along its paths over time and knows what each axis does for it. It sets no event and moves
-no axis: `path_run.PathRun` does that, with the sum of all courses that are blended.
+A course plans the distance along its paths over time and derives the motion of each axis. It schedules no
+event and moves no axis: `path_run.PathRun` does that, with the superposition of all blended courses.
 """
 
 from __future__ import annotations
@@ -27,23 +27,23 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.path import PathMove
     from motionlang.planners.lookahead import Pace
 
-# What a path may overshoot its end by, as a part of its length, before it counts as overshooting.
+# How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.
 SLACK = 1e-9
 
 
 class Course:
     """The path `here`, laid out as `segment`, and the paths `ahead`.
 
-    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are those of the
-    paths ahead. It was planned to the end of the path `goal` (None: to rest wherever that is); times and distances are
-    rounded on the way there, and tell neither which path has ended nor whether it was the last one. `part` is the
-    profile up to the end of `here`, which comes at the time `due`.
+    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are
+    those of the paths ahead. It was planned to the end of the path `goal` (None: to rest anywhere). Times and
+    distances are rounded on the way there, so they cannot decide which path has ended or if it was the last
+    one. `part` is the profile up to the end of `here`, which comes at the time `due`.
 
-    `starts` is where the course was laid out from, on each axis, and `begins` where it begins: at the end of the course
-    that it is blended with, which may be cut short. `entered` are the paths that it has run along since. `planned_at`
-    is when its profile was last planned: settings that do not act at once have no effect on it before the next plan.
-    `is_stopping` is set once it shall only come to rest, and `is_over` when it is done, which a course that it is
-    blended with may outlast.
+    `starts` is where the course was laid out from, on each axis. `begins` is where it begins: at the end of
+    the course that it is blended with, which may be cut short. `entered` are the paths that it has run along
+    since. `planned_at` is when its profile was last planned: settings that do not act at once have no effect
+    on it before the next plan. `is_stopping` is set once it only has to come to rest, and `is_over` when it
+    is done, before or after a course that it is blended with.
     """
 
     __slots__ = (
@@ -85,7 +85,7 @@ class Course:
 
     @property
     def due(self) -> float:
-        """When the present path ends, if nothing else happens; infinite while the course is suspended."""
+        """The end time of the present path if undisturbed; infinite in suspension."""
         return self.began + self.part.duration
 
     @property
@@ -95,7 +95,7 @@ class Course:
 
     @property
     def remaining(self) -> float:
-        """The distance along the present path still to go, user units."""
+        """The remaining distance along the present path, user units."""
         return max(0.0, self.segment.length - self.profile.position(self.elapsed))
 
     @property
@@ -105,7 +105,7 @@ class Course:
 
     @property
     def leads_on(self) -> bool:
-        """Whether the profile goes beyond the end of this path."""
+        """True if the profile continues beyond the end of this path."""
         if self.goal is not None:
             return self.here is not self.goal
         return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + SLACK)
@@ -118,7 +118,7 @@ class Course:
 
     @property
     def stops_at_corner(self) -> bool:
-        """Whether it comes to rest at the end of this path only because of the angle to the next."""
+        """True if it stops at the end of this path only because of the angle to the next."""
         following, master = self.following(), self.axes[0]
         if following is None or not master.contour_mode or self.ahead:
             return False
@@ -127,11 +127,11 @@ class Course:
 
     @property
     def ends(self) -> list[float]:
-        """Where each axis is at the end of the present path."""
+        """The end positions of the axes on the present path."""
         return [self._at(k, end) for k, end in enumerate(self.segment.ends)]
 
     def of(self, k: int) -> Profile:
-        """The motion of axis number k along its curve, from the time `began` to the end of this path."""
+        """Return the motion of axis index k on this path, from the time `began`."""
         end = self._at(k, self.segment.ends[k])
         part = self.part
         if not self.segment.length:  # it takes no time, unless it is suspended
@@ -147,7 +147,7 @@ class Course:
         return made
 
     def places_at_rest(self) -> list[float]:
-        """Where its axes will be when it has come to rest."""
+        """Return the positions of its axes once it is at rest."""
         place = self.profile.end
         for segment in (self.segment, *(each for _, each in self.ahead)):
             if place <= segment.length * (1.0 + SLACK):
@@ -160,19 +160,19 @@ class Course:
         return [self._at(k, each) for k, each in enumerate(places)]
 
     def _at(self, k: int, place: float) -> float:
-        """Where a place of axis number k is, as the course has been laid out, now that it begins elsewhere."""
+        """The position of axis index k at a laid-out position, for the actual start."""
         begin, start = self.begins[k], self.starts[k]
         return place if begin == start else begin + (place - start)
 
-    # -------------------------------------------------------------------------------------------- being run
+    # -------------------------------------------------------------------------------------------- execution
 
     def change(self, profile: Profile, goal: PathMove | None) -> None:
-        """Go by a profile that was planned now."""
+        """Use a profile that was planned now."""
         self.planned_at = self._controller.clock.now
         self.follow(profile, goal)
 
     def follow(self, profile: Profile, goal: PathMove | None) -> None:
-        """Go by another profile, or the rest of the present one, from now on."""
+        """Use another profile, or the rest of the present one, from now on."""
         self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
         self.part = self.profile
         if self.leads_on:
@@ -180,24 +180,27 @@ class Course:
             self.part = profile if time is None else profile.cut(time)
 
     def leave(self, whole: bool) -> None:
-        """The path is under way no more; `whole` says whether it has come to its end."""
+        """Leave the path; `whole` is true if it has reached its end."""
         if self.here.guide is not None:
             self.here.guide.ends(whole)
 
     def cut_log(self) -> None:
-        """End the entries of the present path in the log now."""
+        """Close the log entries of the present path now."""
         now = self._controller.clock.now
         for move in self.here.moves:
             assert move.profile is not None
             move.profile = move.profile.cut(now - move.start_time)
 
     def begin_next(self) -> None:
-        """Be on the next path."""
+        """Enter the next path."""
         self.here, self.segment = self.ahead.pop(0)
         self.entered.append(self.here)
 
     def go_on(self, rest: Profile) -> None:
-        """Follow what is left of the profile along the path just reached, as far as what has come since allows."""
+        """Follow the rest of the profile along the path just reached.
+
+        Paths released since may change it.
+        """
         known = len(self.ahead)
         self.look_ahead()
         self.profile = rest.shifted(-rest.start)
@@ -205,14 +208,14 @@ class Course:
             self.plan_afresh()
 
     def shift(self, k: int, by: float) -> None:
-        """Axis number k counts from another zero, `by` counts higher: the course stays where it is."""
+        """Shift positions of axis index k by `by` counts for a new zero; the course stays."""
         self.starts[k] += by
         self.begins[k] += by
         for segment in (self.segment, *(each for _, each in self.ahead)):
             segment.shift(k, by)
 
     def begin_at(self, places: Sequence[float]) -> None:
-        """Begin at `places`, since the course that this one is blended with ends there now; the log says so, too."""
+        """Begin at `places`, the new end of the course it is blended with; adjust the log."""
         if list(places) == self.begins:
             return
         self.begins = list(places)
@@ -229,9 +232,9 @@ class Course:
     # ------------------------------------------------------------------------------------------------ planning
 
     def look_ahead(self, begins: bool = False) -> None:
-        """Lay out the paths of the buffers that can be entered without coming to rest.
+        """Lay out the paths of the buffers that can be entered without a stop.
 
-        A course that `begins` on top of another one has its own path in the buffers still.
+        A course that `begins` superposed on another one still has its own path in the buffers.
         """
         if not self.here.may_join or self.is_stopping:
             return
@@ -248,17 +251,17 @@ class Course:
             self.ahead.append(before)
 
     def plan_afresh(self) -> None:
-        """Plan from what the profile begins with; without room for that it goes on as it is."""
+        """Plan from the start of the profile; without enough distance it stays unchanged."""
         planned = self.planned(0.0)
         if planned is not None:
             self.profile, self.goal = planned
             self.planned_at = self._controller.clock.now
 
     def planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
-        """From what the present profile does at `time` to rest at the end of the paths, and the last of them.
+        """Return a profile from the state at `time` to rest, and its last path.
 
-        None where there is no room left to come to rest there. What is coming to rest already, with an acceleration
-        that can only be taken back at rest, goes on from there.
+        None if the distance does not suffice to stop there. A ramp to rest whose acceleration can only be
+        reduced to zero at rest continues from that rest.
         """
         pace = self.here.pace(self._controller, self.segment)
         if self.is_suspended or not pace.speed:
@@ -279,7 +282,7 @@ class Course:
     def _from_rest(
         self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
     ) -> tuple[Profile, PathMove | None] | None:
-        """The same after the rest that a stop leads to within the paths; None where none does."""
+        """Plan from the rest that a stop reaches within the paths; None if there is none."""
         still = self.profile.velocity_crossing(0.0, time)
         if self.goal is not None or still is None or still == INFINITY:
             return None
@@ -287,7 +290,10 @@ class Course:
         return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
 
     def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
-        """Length and pace of what is run as one, up to a path that may not move now; and the last path of it."""
+        """Return length and pace of the paths run as one, and the last path.
+
+        They end at a path that may not move now.
+        """
         stretches, goal = [(self.segment.length, pace)], self.here
         for action, segment in self.ahead:
             following = action.pace(self._controller, segment)
@@ -302,27 +308,28 @@ class Course:
         return stretches, goal
 
     def stopped(self, decel: float | None, beyond: bool = False) -> Profile | None:
-        """To rest as soon as it can, by `braking`; None where its plan does not change."""
+        """A stop as soon as possible, by `braking`; None if the plan does not change."""
         profile = self.braking(self.elapsed, decel, beyond)
         if profile is None and self.profile.duration == INFINITY:
-            # What was to stand at the end until it is resumed ends there.
+            # A profile that rested at its end until it is resumed ends there.
             rest = self.profile.after(self.elapsed)
             profile = rest.cut(rest.knots[-2])
         return profile
 
     def standing(self, time: float) -> Profile | None:
-        """To rest from what the profile does at `time`, and to stand there; None where the paths end before."""
+        """A stop from the state at `time`, followed by rest; None if the paths end first."""
         profile = self.braking(time)
         return None if profile is None else halted(profile, "suspend")
 
     def braking(
         self, time: float, decel: float | None = None, beyond: bool = False, first: int = 0
     ) -> Profile | None:
-        """To rest from what the present profile does at `time`, at `decel` or that of the paths it takes.
+        """Return a stop from the state at `time`, at `decel` or that of its paths.
 
-        The limits of the axes hold for both, unless it goes `beyond` them, as in a fault. The profile is on path number
-        `first` then. A stop that would come into a path ahead faster than that allows begins there, since the present
-        plan brakes harder before it. None where the paths end before, which the course brakes for by itself.
+        The limits of the axes apply to both, unless it goes `beyond` them, as in a fault. The profile is then
+        on path number `first`. A stop that would enter a path ahead faster than allowed begins there, since
+        the present plan brakes harder before it. None if the paths end before, for which the course brakes by
+        itself.
         """
         if self.profile.velocity(time) <= 0.0:
             return hold(self.profile.position(time)).cut(0.0)
@@ -348,11 +355,11 @@ class Course:
 
 
 def _speed_at(profile: Profile, place: float) -> float:
-    """The speed with which a profile passes a place; 0 where it does not come to it."""
+    """Return a profile's speed at a position; 0 if it does not reach it."""
     time = profile.crossing(place)
     return 0.0 if time is None else profile.velocity(time)
 
 
 def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
-    """Whether an entry of the buffer is a path of the same axes, released, and next on all of them."""
+    """True if a buffer entry is a released path of the same axes, next on all of them."""
     return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined]

@@ -1,7 +1,7 @@
-"""Entries of the move buffer that are neither moves nor paths: cams, offsets, points at times.
+"""Buffer entries that are neither moves nor paths: cams, offsets, timed points.
 
-Each begins when it is first of its buffer and released. An offset on an axis that follows a master does not wait for
-that to end: it begins as soon as it is released and the offset before it is done.
+Each begins when it is first in its buffer and released. An offset on an axis that follows a master does not
+wait for that to end: it begins as soon as it is released and the offset before it is done.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 
     Points = tuple[Sequence[float], Sequence[float]]
     Table = Callable[[float], Points]
-    # Positions, the velocities there, and the times from each to the next one.
+    # Positions, velocities there, and the times from each to the next one.
     Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
     Make = Callable[[float], Timed]
 
-# A cycle shorter than this, in counts of the master, would be over before anything could be done.
+# A shorter cycle, in counts of the master, would be over before anything could be done.
 _SHORTEST = 1.0
 
 
@@ -39,14 +39,14 @@ _SHORTEST = 1.0
 
 
 class TableCam(Cam):
-    """A cam whose table is looked at again for every cycle, so that a program may rewrite it meanwhile."""
+    """A cam that reads its table again in every cycle, so a program may change it."""
 
     __slots__ = ("table",)
 
     table: Table
 
     def over(self, forward: bool) -> bool:
-        """Go on with the next cycle, whose table is read now, or with the one before."""
+        """Continue with the next cycle, whose table is read now, or with the one before."""
         if self.cyclic:
             if forward:
                 start = self.curve.end
@@ -59,7 +59,10 @@ class TableCam(Cam):
 
 
 class CamEntry(Action):
-    """Follow a table, from where both axes are when it begins; `first` is the number of its first segment."""
+    """Follow a table from both axes' positions at its start.
+
+    `first` is the number of its first segment.
+    """
 
     __slots__ = ("cyclic", "first", "master", "table")
     can_stand = False
@@ -68,7 +71,10 @@ class CamEntry(Action):
         self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Tie the axis to its master on a table read now. Refusal where it cannot be followed."""
+        """Tie the axis to its master on a table read now.
+
+        Raises Refusal if it cannot be followed.
+        """
         check_chain(a, self.master)
         here = a.position(controller.clock.now)
         points = self.table(here)
@@ -81,7 +87,7 @@ class CamEntry(Action):
 
 
 def curve_of(a: Axis, points: Points, start: float) -> Profile:
-    """The curve through a table that begins at `start`."""
+    """Return the curve through a table that begins at `start`."""
     places, values = points
     try:
         curve = table_curve(places, [start + value - values[0] for value in values])
@@ -102,7 +108,7 @@ def load_cam(
     command: str,
     line: int,
 ) -> None:
-    """Put a cam into the buffer; `table` gives its points, places and values, for where the slave then is."""
+    """Load a cam; `table` gives its points for the slave's position then."""
     start = _start(controller, a)
     curve = curve_of(a, table(start), start)
     move = Move(a.index, command, line, INFINITY if cyclic else curve.end)
@@ -112,7 +118,7 @@ def load_cam(
 
 
 def _start(controller: Core, a: Axis) -> float:
-    """Where an entry will begin, as far as that is known when it is loaded."""
+    """Return where an entry will begin, if that is known when it is loaded."""
     end = buffer.end(a)
     return end if abs(end) < INFINITY else a.position(controller.clock.now)
 
@@ -121,7 +127,7 @@ def _start(controller: Core, a: Axis) -> float:
 
 
 class OffsetEntry(Action):
-    """Add a distance on top of what a slave does; an axis that follows nobody moves by it."""
+    """Superpose a distance on a slave's motion; another axis moves by it."""
 
     __slots__ = ("distance", "mode", "over")
     lies_on_top = True
@@ -141,7 +147,7 @@ class OffsetEntry(Action):
 def load_offset(
     controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
 ) -> None:
-    """Put an offset into the buffer, in one of the modes of OFFSETMODE."""
+    """Load an offset, in one of the modes of OFFSETMODE."""
     move = buffer.counted(a, distance, command, line)
     move.action = OffsetEntry(distance, mode, over)
     buffer.put(a, move)
@@ -151,7 +157,10 @@ def load_offset(
 
 
 class PointsEntry(Action):
-    """Run through points that are made when it begins, from where the axis then is; `again` and again if it is set."""
+    """Run through points made from the axis's position at the start.
+
+    If `again` is set, it repeats with new points.
+    """
 
     __slots__ = ("again", "make")
 
@@ -166,7 +175,7 @@ class PointsEntry(Action):
         return plan_pvt(*self.make(end)) if self.again is not None else None
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Make the profile and play it; one that is made `again` waits in the buffer behind it."""
+        """Make the profile and play it; an entry for `again` waits in the buffer."""
         points = self.make(a.position(controller.clock.now))
         profile = through(a, points)
         if self.again is not None:
@@ -181,7 +190,7 @@ class PointsEntry(Action):
 
 
 def through(a: Axis, points: Timed) -> Profile:
-    """The profile through points at times; Refusal for points that no axis can be at."""
+    """Return the profile through timed points; Refusal for unreachable points."""
     try:
         return plan_pvt(*points)
     except ValueError as problem:
@@ -189,7 +198,7 @@ def through(a: Axis, points: Timed) -> Profile:
 
 
 def load_points(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
-    """Put points at times into the buffer; `make` is called with the position where they begin."""
+    """Load timed points; `make` is called with the position at which they begin."""
     start = _start(controller, a)
     move = Move(a.index, command, line, through(a, make(start)).end)
     move.base = start

@@ -1,4 +1,7 @@
-"""Where a path leads: straight lines and arcs of several axes, measured in user units, run in counts."""
+"""The geometry of paths: lines and arcs of several axes.
+
+They are measured in user units and run in counts.
+"""
 
 from __future__ import annotations
 
@@ -18,10 +21,10 @@ if TYPE_CHECKING:
 
 
 class Segment:
-    """One path laid out: its `length` in user units, and each axis's curve over that length, in counts.
+    """One path laid out: `length` in user units and each axis's curve in counts.
 
-    `entry` and `leaving` are tangents in user units per unit of length; `turn` is the curvature (1/radius) of the path.
-    `starts` are where it begins, to the last figure, of an arc that arrives where a language says.
+    `entry` and `leaving` are tangents in user units per unit of length; `turn` is the curvature (1/radius) of
+    the path. `starts` are the exact start positions of an arc whose end a language gives.
     """
 
     __slots__ = ("curves", "ends", "entry", "leaving", "length", "starts", "turn")
@@ -41,11 +44,11 @@ class Segment:
 
     @property
     def stretch(self) -> float:
-        """The way in space per unit of length: 1, but where a language counts the length of a path otherwise."""
+        """The distance in space per unit of length; 1 unless a language redefines length."""
         return hypot(*self.entry) if self.length else 1.0
 
     def shift(self, k: int, by: float) -> None:
-        """Axis number k of the path counts from another zero: the same places have positions `by` counts higher."""
+        """Add `by` counts to the positions of axis index k, for another zero."""
         if self.length:
             self.curves = [each.shifted(by) if i == k else each for i, each in enumerate(self.curves)]
         self.ends = [each + by if i == k else each for i, each in enumerate(self.ends)]
@@ -53,12 +56,12 @@ class Segment:
             self.starts = [each + by if i == k else each for i, each in enumerate(self.starts)]
 
     def steepest(self, k: int) -> float:
-        """The largest number of counts that axis number k of the path moves per user unit of path."""
+        """Return the largest number of counts of axis index k per user unit of path."""
         return self.curves[k].peak_speed
 
 
 class Line:
-    """Straight to `targets`, counts; `length` is what it counts as where that is not the way in space."""
+    """A line to `targets`, counts; `length` replaces the distance in space, if given."""
 
     __slots__ = ("length", "targets")
 
@@ -66,19 +69,19 @@ class Line:
         self.targets, self.length = targets, length
 
     def moved(self, starts: Sequence[float]) -> Line:
-        """The same with its numbers counted from `starts`."""
+        """Return the geometry with its numbers counted from `starts`."""
         return Line([start + target for start, target in zip(starts, self.targets, strict=True)], self.length)
 
     def shift(self, k: int, by: float) -> None:
-        """Axis number k counts from another zero, `by` counts higher."""
+        """Add `by` counts to the positions of axis index k."""
         self.targets = [each + by if i == k else each for i, each in enumerate(self.targets)]
 
     def ends(self, starts: Sequence[float], scales: Sequence[float]) -> Sequence[float]:
-        """Where it ends, counts."""
+        """Return the end positions, counts."""
         return self.targets
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
-        """The segment from `starts`."""
+        """Return the segment from `starts`."""
         way = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
         length = hypot(*way) if self.length is None else self.length
         if length == 0.0:
@@ -89,10 +92,11 @@ class Line:
 
 
 class Arc:
-    """About `centre` (counts of two axes) by `angle` degrees, positive from the first of them to the second.
+    """An arc about `centre` (counts of two axes) by `angle` degrees.
 
-    Further axes go evenly to `rest`: a helix, whose length is that of the line in space unless `length` says what it
-    counts as. `plane` are the places of the two among the axes; `arrives` is where they end, where a language says so.
+    The angle is positive from the first of them to the second. Further axes move linearly to `rest`: a helix,
+    whose length is that of the line in space unless `length` is given. `plane` are the indices of the two
+    among the axes; `arrives` is their end, if a language gives it.
     """
 
     __slots__ = ("angle", "arrives", "centre", "length", "plane", "rest")
@@ -110,7 +114,7 @@ class Arc:
         self.length, self.plane, self.arrives = length, plane, arrives
 
     def moved(self, starts: Sequence[float]) -> Arc:
-        """The same with its numbers counted from `starts`."""
+        """Return the geometry with its numbers counted from `starts`."""
         (x, y), others = self._split(starts)
         rest = [start + value for start, value in zip(others, self.rest, strict=True)]
         arrives = None if self.arrives is None else (self.arrives[0] + x, self.arrives[1] + y)
@@ -118,7 +122,7 @@ class Arc:
         return Arc(centre, self.angle, rest, self.length, self.plane, arrives)
 
     def shift(self, k: int, by: float) -> None:
-        """Axis number k counts from another zero, `by` counts higher."""
+        """Add `by` counts to the positions of axis index k."""
         if k not in self.plane:
             place = [i for i in range(len(self.rest) + 2) if i not in self.plane].index(k)
             self.rest = [each + by if i == place else each for i, each in enumerate(self.rest)]
@@ -129,7 +133,7 @@ class Arc:
             self.arrives = self.arrives[0] + ways[0], self.arrives[1] + ways[1]
 
     def ends(self, starts: Sequence[float], scales: Sequence[float]) -> Sequence[float]:
-        """Where it ends, counts."""
+        """Return the end positions, counts."""
         start, _ = self._split(starts)
         if self.arrives is not None:
             return self._joined(self.arrives, self.rest)
@@ -140,7 +144,7 @@ class Arc:
         return self._joined((cx + x * kx, cy + y * ky), self.rest)
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
-        """The segment from `starts`."""
+        """Return the segment from `starts`."""
         (cx, cy), ((kx, ky), along) = self.centre, self._split(scales)
         start, others = self._split(starts)
         x, y = (start[0] - cx) / kx, (start[1] - cy) / ky
@@ -171,23 +175,23 @@ class Arc:
         return laid
 
     def _split(self, values: Sequence[float]) -> tuple[tuple[float, float], list[float]]:
-        """Those of the two axes that go round, and those of the others."""
+        """Return the values of the two axes of the circle, and those of the others."""
         i, j = self.plane
         return (values[i], values[j]), [each for k, each in enumerate(values) if k not in self.plane]
 
     def _joined(self, plane: Sequence[_Value], others: Sequence[_Value]) -> list[_Value]:
-        """The reverse: one for each axis."""
+        """Merge the values of the circle and of the others, one for each axis."""
         left = iter(others)
         i, j = self.plane
         return [plane[0] if k == i else plane[1] if k == j else next(left) for k in range(2 + len(others))]
 
 
 def corner(before: Segment, after: Segment) -> float:
-    """The angle, degrees, by which the direction changes from one segment to the next."""
+    """Return the angle, degrees, between the directions of two segments."""
     if not before.length or not after.length:
         return 180.0
     cosine = total(a * b for a, b in zip(before.leaving, after.entry, strict=True))
-    if cosine > 0.9:  # the chord says more about a small angle than its cosine
+    if cosine > 0.9:  # for a small angle the chord is more precise than the cosine
         chord = hypot(*(a - b for a, b in zip(before.leaving, after.entry, strict=True)))
         return 2.0 * degrees(acos(sqrt(max(0.0, 1.0 - 0.25 * chord * chord))))
     return degrees(acos(max(-1.0, cosine)))
@@ -196,10 +200,11 @@ def corner(before: Segment, after: Segment) -> float:
 def limits(
     segment: Segment, speeds: Sequence[float], accels: Sequence[float], decels: Sequence[float]
 ) -> tuple[float, float, float]:
-    """Speed, acceleration and deceleration along the path at which every axis keeps its own limits (infinite: none).
+    """Return speed and rates along the path at which every axis observes its limits.
 
-    On an arc an axis turns and changes its speed at once: each may take the same share of its limit, as large as lets
-    both keep it wherever on the arc they meet (half of its square each, on a whole circle).
+    Infinite means no limit. On an arc an axis changes direction and speed at once. Each may use the same
+    share of its limit, as large as observes it wherever on the arc they coincide (half of its square each, on
+    a complete circle).
     """
     speed = accel = decel = inf
     if not segment.length:
@@ -218,7 +223,10 @@ def limits(
 
 
 def _bend(curve: Profile) -> tuple[float, float]:
-    """The largest second derivative of a curve over its way, and the share of a limit for it, and for the slope."""
+    """Return the largest second derivative of a curve, and its shares of a limit.
+
+    The shares are those of the curvature and of the slope.
+    """
     slope = bend = 0.0
     angles: list[float] = []
     for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):

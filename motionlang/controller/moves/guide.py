@@ -1,4 +1,4 @@
-"""What a language says of its paths itself, where they do not go by the settings of their first axis."""
+"""Path policies of a language, in place of the settings of the first axis."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 class Guide:
-    """The pace of a path and which one it goes on into; and it is told what becomes of the path.
+    """The pace and the joins of a path, with notifications of its progress.
 
-    `scales` are the counts per user unit of each of its axes, as they were when the path was described.
+    `scales` are the counts per user unit of each of its axes when the path was described.
     """
 
     __slots__ = ("scales",)
@@ -22,21 +22,21 @@ class Guide:
         self.scales = list(scales)
 
     def pace(self) -> Pace:
-        """Speed and rates along the path now, user units."""
+        """Return speed and rates along the path now, user units."""
         raise NotImplementedError
 
     def joins(self, own: Segment, following: Guide, its: Segment) -> bool:
-        """Whether the path goes on into the next one without coming to rest."""
+        """True if the path continues into the next one without a stop."""
         raise NotImplementedError
 
     def starts(self) -> None:
-        """A run is about to be planned that starts with the path, at rest."""
+        """Handle the planning of a run that starts with the path, at rest."""
 
     def begins(self) -> None:
-        """The path is under way."""
+        """Handle the start of the path."""
 
     def stops(self) -> None:
-        """It comes to rest before its end, or at it where that is nearer."""
+        """Handle a stop before the end of the path, or at it if that is nearer."""
 
     def ends(self, whole: bool) -> None:
-        """It is under way no more; `whole`: it has come to its end."""
+        """Handle the end of motion on the path; `whole` is true if it reached its end."""

@@ -1,6 +1,7 @@
-"""Paths in the move buffer: an entry in the buffer of each axis, which begin together when all of them are first.
+"""Paths in the move buffer: one entry per axis, begun together.
 
-The first axis of a path is its master: its speed and rates are those of the path, and GO on it releases the whole.
+They begin when all of them are first in their buffers. The first axis of a path is its master: its speed and
+rates are those of the path, and GO on it releases all entries.
 """
 
 from __future__ import annotations
@@ -26,11 +27,12 @@ if TYPE_CHECKING:
 
 
 class PathMove(Action):
-    """One path: its `moves`, one an axis, and its geometry; `run` once it is under way.
+    """One path: its `moves`, one per axis, its geometry, and its `run` once started.
 
-    The geometry of a `relative` one counts from where its axes are when it begins. A path with a `guide` goes by what
-    that says, and not by the settings of its axes. `scales` are the counts per user unit of each axis as it was loaded.
-    `displaced` is how far it lies from its geometry, on each axis, since a path that it is blended with was cut short.
+    The geometry of a `relative` one counts from the positions of its axes at its start. A path with a `guide`
+    uses that and not the settings of its axes. `scales` are the counts per user unit of each axis as it was
+    loaded. `displaced` is how far it was moved from its geometry, on each axis, since a path that it is
+    blended with was cut short.
     """
 
     __slots__ = ("axes", "displaced", "geometry", "guide", "moves", "relative", "run", "scales")
@@ -55,11 +57,11 @@ class PathMove(Action):
 
     @property
     def may_join(self) -> bool:
-        """Whether it may go on into the next path at all."""
+        """True if it may join the next path."""
         return self.guide is not None or self.axes[0].contour_mode
 
     def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
-        """Whether it goes on into the next path without coming to rest, both laid out."""
+        """True if it continues into the next path, both laid out, without a stop."""
         if not its.length or self.scales != following.scales:
             return False
         if self.guide is None or following.guide is None:
@@ -67,12 +69,15 @@ class PathMove(Action):
         return self.guide.joins(own, following.guide, its)
 
     def lay(self, starts: Sequence[float]) -> Segment:
-        """The path from where its axes are, or will be."""
+        """Lay out the path from the positions of its axes, now or later."""
         geometry = self.geometry.moved(starts) if self.relative else self.geometry
         return geometry.lay(starts, self.scales)
 
     def pace(self, controller: Core, segment: Segment) -> Pace:
-        """Speed and rates along the path in user units: the master's, as far as the limits of each axis allow."""
+        """Return speed and rates along the path in user units.
+
+        They are the master's, within the limits of each axis.
+        """
         if self.guide is not None:
             return self.guide.pace()
         master, move = self.axes[0], self.moves[0]
@@ -100,7 +105,7 @@ class PathMove(Action):
         )
 
     def max_decel(self, segment: Segment) -> float:
-        """The deceleration along the path up to which its axes keep their limits."""
+        """Return the highest deceleration along the path within the limits of its axes."""
         return INFINITY if self.guide is not None else self._limits(segment)[2]
 
     def _limits(self, segment: Segment) -> tuple[float, float, float]:
@@ -116,7 +121,7 @@ class PathMove(Action):
                 each.released = True
 
     def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
-        """A straight line ends where it would have; an arc stays the arc it is, further on."""
+        """True for a line, which keeps its end; an arc keeps its shape and is displaced."""
         if not isinstance(self.geometry, Line) or move.base is None:
             return False
         move.base += shift
@@ -125,7 +130,7 @@ class PathMove(Action):
         return True
 
     def purge(self, a: Axis) -> list[Move]:
-        """One axis's entry has been thrown away: the others go too."""
+        """Remove the entries of the other axes when one has been discarded."""
         gone = []
         for other, move in zip(self.axes, self.moves, strict=True):
             if move in other.buffer:
@@ -134,7 +139,7 @@ class PathMove(Action):
         return gone
 
     def stands_at(self, place: int) -> bool:
-        """Whether it is released and number `place` in the buffer of every axis, outputs not counted."""
+        """True if it is released and number `place` in every buffer, without outputs."""
         return all(
             move.released and buffer.motions(a)[place : place + 1] == [move]
             for a, move in zip(self.axes, self.moves, strict=True)
@@ -144,19 +149,19 @@ class PathMove(Action):
         return all(each.move is None for each in self.axes) and self.stands_at(0)
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Take the entry out of every axis's buffer and run the path with all of them."""
+        """Take the entry out of every axis's buffer and run the path."""
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
                 buffer.reach(controller, other, each)
         PathRun(controller, self, [each.target for each in self.axes]).start()
 
-    # -- under way
+    # -- in motion
 
     def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
         return (move,) if self.run is None else self.run.entries(a)
 
     def displace(self, controller: Core, by: Sequence[float]) -> None:
-        """The path lies elsewhere than it was ordered to, as the one that it is blended with was cut short."""
+        """Displace the path, as the one that it is blended with was cut short."""
         self.displaced = by
         if controller.orders is not None:
             controller.orders.displace(self)
@@ -188,7 +193,7 @@ class PathMove(Action):
             self.run.resume()
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
-        """Give up the path on all axes; a new target for one of them is refused."""
+        """Abandon the path on all axes; reject a new target for one of them."""
         if self.run is None:
             return
         if ended == "retarget":
@@ -200,7 +205,10 @@ class PathMove(Action):
         self.run.abandon(a, ended)
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
-        """The axis gets another zero: the places of guided paths stay, those of others are not given one."""
+        """Shift the positions of guided paths for a new zero of the axis.
+
+        Other paths do not get a new zero.
+        """
         if self.guide is not None and self.run is not None:
             self.run.shift(a, shift)
             return
@@ -217,7 +225,7 @@ class PathMove(Action):
 def load_line(
     controller: Core, axes: Sequence[int], targets: Sequence[float], command: str, line: int
 ) -> None:
-    """Put a straight line to `targets`, counts, into the buffers of its axes."""
+    """Load a straight line to `targets`, counts, into the buffers of its axes."""
     members = _members(controller, axes)
     _put(members, Line(list(targets)), list(targets), command, line)
 
@@ -225,7 +233,7 @@ def load_line(
 def load_line_by(
     controller: Core, axes: Sequence[int], distances: Sequence[float], command: str, line: int
 ) -> None:
-    """Put a straight line by `distances`, counted from the ends of the moves before it."""
+    """Load a straight line by `distances`, counted from the ends of the moves before."""
     members = _members(controller, axes)
     targets = [start + distance for start, distance in zip(_starts(members), distances, strict=True)]
     _put(members, Line(list(distances)), targets, command, line, relative=True)
@@ -241,7 +249,10 @@ def load_arc(
     command: str,
     line: int,
 ) -> None:
-    """Put an arc or a helix into the buffers of its axes; `relative`: centre and rest count from its start."""
+    """Load an arc or a helix into the buffers of its axes.
+
+    If it is `relative`, centre and rest count from its start.
+    """
     members = _members(controller, axes)
     starts = _starts(members)
     if not all(abs(value) < 1e300 for value in (*centre, angle, *rest)):
@@ -255,7 +266,7 @@ def load_arc(
 def load_guided(
     controller: Core, axes: Sequence[int], geometry: Line | Arc, guide: Guide, command: str, line: int
 ) -> None:
-    """Put a path that goes by its guide, its geometry in counts, into the buffers of its axes."""
+    """Load a guided path, with its geometry in counts, into the buffers of its axes."""
     members = [controller.movable(axis) for axis in axes]
     ends = geometry.ends(_starts(members), guide.scales)
     _put(members, geometry, ends, command, line, guide=guide)
@@ -268,7 +279,7 @@ def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
 
 
 def _starts(members: Sequence[Axis]) -> list[float]:
-    """Where each axis will be when the path begins."""
+    """Return the positions of the axes when the path begins."""
     starts = [buffer.end(a) for a in members]
     for a, start in zip(members, starts, strict=True):
         if not abs(start) < 1e300:
@@ -287,7 +298,10 @@ def _put(
     relative: bool = False,
     guide: Guide | None = None,
 ) -> None:
-    """Put a path into the buffers of its axes; `targets` are its ends, counted from where those before it end."""
+    """Load a path into the buffers of its axes.
+
+    `targets` are its ends, counted from the ends of the entries before.
+    """
     for a, target in zip(members, targets, strict=True):
         if len(a.buffer) >= a.buffer_size:
             raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
@@ -302,6 +316,6 @@ def _put(
 
 
 def run_of(a: Axis) -> PathRun | None:
-    """The run of paths that an axis is on."""
+    """Return the run of paths that an axis is on."""
     action = a.move.action if a.move is not None else None
     return action.run if isinstance(action, PathMove) else None

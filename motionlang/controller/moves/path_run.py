@@ -1,13 +1,14 @@
 r"""Running along paths: several axes on one path after another, joined or blended.
 
-Problem. The axes of a path stay on one line or arc, while the program sets the speed along it. Between two paths the
-axes come to rest, run through the corner (contour mode), or blend: the next path begins while the one before still has
-a distance to go. A stop, a suspension or another speed must change all axes at the same moment, and the log must say
-what was run of each path.
+Problem. The axes of a path stay on one line or arc, while the program sets the speed along it. Between two
+paths the axes come to rest, run through the corner (contour mode), or blend: the next path begins while the
+one before still has a distance to go. A stop, a suspension or another speed must change all axes at the same
+time, and the log must record what was run of each path.
 
 Idea. One profile is planned for the distance along the path; axis k is at curve[k](distance(t)). A `Course`
-(`course.py`) is the path in progress, the paths ahead that it runs into without coming to rest, and that profile. A run
-has one course. It has two while a path is blended into the next, and each axis then does the sum of both.
+(`course.py`) is the path in progress, the paths ahead that it runs into without coming to rest, and that
+profile. A run has one course. It has two while a path is blended into the next, and each axis then does the
+sum of both.
 
     speed      course 1          course 2
              _____________     _____________
@@ -18,26 +19,28 @@ has one course. It has two while a path is blended into the next, and each axis 
         ──────────────────|───|────────────────── time
                       blend   end of course 1
 
-Data. `courses` has the oldest first. Lengths and speeds along a path are in user units, positions of axes in counts. A
-path has an entry in the log for each axis, which its course extends and closes. There are two events: the next end of
-a course (`_event`) and the next blend (`_blend_event`).
+Data. `courses` has the oldest first. Lengths and speeds along a path are in user units, positions of axes in
+counts. A path has an entry in the log for each axis, which its course extends and closes. There are two
+events: the next end of a course (`_event`) and the next blend (`_blend_event`).
 
-Life of a run. `start` enters the first course. At the end of a path its course enters the next one on the rest of the
-same profile (`_go_on`), or is over. When all courses are over, the axes are at rest and each takes the next move of its
-buffer (`_finish`). Changes arrive through `replan`, `more`, `stop`, `suspend` and `resume`. They plan new profiles for
-the courses in progress, and `_change` puts all of them in force. `blend` begins the next path now.
+Life of a run. `start` enters the first course. At the end of a path its course enters the next one on the
+rest of the same profile (`_go_on`), or is over. When all courses are over, the axes are at rest and each
+takes the next move of its buffer (`_finish`). Changes arrive through `replan`, `more`, `stop`, `suspend` and
+`resume`. They plan new profiles for the courses in progress, and `_change` puts all of them in force. `blend`
+begins the next path now.
 
 Invariants.
-- All axes of a run get their new profiles at the same moment, and limits are checked when all have theirs (`together`).
+- All axes of a run get their new profiles at the same time, and limits are checked when all have theirs
+  (`together`).
 - At most two courses overlap. A blend that is due earlier waits for the end of the one before.
 - BLENDDISTANCE counts up to `MAX_SHARE` of a path; an explicit `blend` takes effect at any distance.
-- A course that runs through corners refuses `blend`.
-- A course begins where the one before it ends. If a stop cuts the first one short, the second is moved back by what is
-  missing (`_join`). So the last entry of the log ends where the axis comes to rest.
-- If new settings leave no room to come to rest at the end, the course goes on as planned.
+- A course that runs through corners rejects `blend`.
+- A course begins where the one before it ends. If a stop cuts the first one short, the second is moved back
+  by what is missing (`_join`). So the last entry of the log ends where the axis comes to rest.
+- If new settings leave too little distance to stop at the end, the course continues as planned.
 
-Cost. A change plans each course again over all its paths ahead, linear in their number, and makes one profile for each
-axis. Entering a path plans again only if further paths have been released. Nothing is sampled.
+Cost. A change plans each course again over all its paths ahead, linear in their number, and makes one profile
+for each axis. Entering a path plans again only if further paths have been released. Nothing is sampled.
 """
 
 from __future__ import annotations
@@ -64,7 +67,7 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.path import PathMove
     from motionlang.planners import Profile
 
-    # A course, the profile that it goes by from now on, and the path at whose end that comes to rest, if any.
+    # A course, its new profile, and the path at whose end that comes to rest, if any.
     Plan = tuple[Course, Profile, PathMove | None]
 
 # The largest share of a path that is blended into the next one. The rest is left for the path before it.
@@ -72,7 +75,10 @@ MAX_SHARE = 0.5
 
 
 class PathRun:
-    """A run of `axes` along paths, from rest to rest; `ended` says what has cut it short, `hard` how."""
+    """A run of `axes` along paths, from rest to rest.
+
+    `ended` is the cause of an early end, `hard` its manner.
+    """
 
     __slots__ = (
         "_asked",
@@ -96,13 +102,13 @@ class PathRun:
         self._over = False
         self._event: Event | None = None
         self._blend_event: Event | None = None
-        # The distance that was left of the path when `blend` was given, while that has to wait. Of the next blend:
-        # whether it comes later than at its distance, and that distance, where the path does not allow as much.
+        # The remaining distance of the path when `blend` was given, if that has to wait. For the next blend:
+        # true if it comes later than at its distance, and the distance that the path allows, if it is less.
         self._wanted: float | None = None
         self._is_late = False
         self._asked: float | None = None
 
-    # -------------------------------------------------------------------------------------------- from outside
+    # -------------------------------------------------------------------------------------------- commands
 
     def start(self) -> None:
         """Begin."""
@@ -111,14 +117,14 @@ class PathRun:
         self._enter(course)
 
     def replan(self) -> None:
-        """Go on with the settings as they are now; a change that would overshoot comes too late."""
+        """Apply the present settings; a change that would overshoot comes too late."""
         if self._over or self.ended:
             return
         plans = [(course, course.planned(course.elapsed)) for course in self._live]
         self._change([(course, *planned) for course, planned in plans if planned is not None])
 
     def more(self) -> None:
-        """Something further was released: it may prolong the run, or be blended into."""
+        """Handle a further release, which may prolong the run or be blended into."""
         newest = self.courses[-1]
         if self._over or self.ended or newest.is_over or newest.is_suspended:
             return
@@ -129,9 +135,10 @@ class PathRun:
         self._plan_blend()
 
     def stop(self, a: Axis, ended: str, hard: bool) -> None:
-        """Come to rest on the paths; the buffer of `a` is emptied.
+        """Come to rest on the paths and empty the buffer of `a`.
 
-        Whichever axis is stopped, the rates are the first one's: DECEL as the path has it, ERRORDECEL for a hard stop.
+        The rates are those of the first axis, whichever axis is stopped: DECEL as of the path, ERRORDECEL for
+        a hard stop.
         """
         for each in self.axes:
             release(self._controller, each)
@@ -167,12 +174,12 @@ class PathRun:
         self._change([(course, profile, None) for course, profile in plans if profile is not None])
 
     def resume(self) -> None:
-        """Go on."""
+        """Continue."""
         self.replan()
         self.more()
 
     def abandon(self, leaving: Axis, ended: str) -> None:
-        """One axis is held where it is, so all are."""
+        """Halt all axes where they are, because one is."""
         if self._over:
             return
         self._over = True
@@ -188,7 +195,7 @@ class PathRun:
                 self._controller.freeze(a, ended)
 
     def shift(self, a: Axis, by: float) -> None:
-        """An axis counts from another zero, `by` counts higher: the paths stay where they are."""
+        """Shift the positions of an axis by `by` counts for a new zero; the paths stay."""
         k = self.axes.index(a)
         for course in self.courses:
             course.shift(k, by)
@@ -197,9 +204,10 @@ class PathRun:
             move.target += by
 
     def blend(self) -> None:
-        """Begin the next path now, on top of what remains of this one; no more than two paths overlap.
+        """Begin the next path now, superposed on the rest of this one.
 
-        While the path before this one is still blended with it, the next one begins as soon as that has ended.
+        At most two paths overlap: while the path before this one is still blended with it, the next one
+        begins as soon as that has ended.
         """
         newest = self.courses[-1]
         if self._over or self.ended or newest.is_over or newest.is_suspended or newest.following() is None:
@@ -217,29 +225,30 @@ class PathRun:
             self._blend()
 
     def entries(self, a: Axis) -> tuple[Move, ...]:
-        """The entries of an axis in the log that may still change, the oldest first."""
+        """Return the log entries of an axis that may still change, oldest first."""
         k = self.axes.index(a)
         return tuple(path.moves[k] for course in self.courses for path in course.entered)
 
     @property
     def present(self) -> Course:
-        """The course that began last, of those that are not over."""
+        """The course that began last, among those that are not over."""
         live = self._live
         return live[-1] if live else self.courses[-1]
 
     @property
     def stops_at_corner(self) -> bool:
-        """Whether it comes to rest at the end of this path only because of the angle to the next."""
+        """True if it stops at the end of this path only because of the angle to the next."""
         return not self.ended and self.present.stops_at_corner
 
-    # ----------------------------------------------------------------------------------------------- following
+    # -----------------------------------------------------------------------------------------------
+    # execution
 
     @property
     def _live(self) -> list[Course]:
         return [course for course in self.courses if not course.is_over]
 
     def _enter(self, course: Course) -> None:
-        """Let every axis follow its curve of the path that a course has just reached."""
+        """Put every axis on its curve of the path that a course has just reached."""
         controller = self._controller
         course.here.run = self
         if course.here.guide is not None:
@@ -256,7 +265,7 @@ class PathRun:
             self._aim()
 
     def _change(self, plans: Sequence[Plan]) -> None:
-        """Have courses follow other profiles from now on."""
+        """Put other profiles of courses in force from now on."""
         if not plans:
             return
         controller = self._controller
@@ -270,7 +279,7 @@ class PathRun:
             self._await()
 
     def _join(self, changed: Sequence[Course] = ()) -> None:
-        """Have each course begin where the one before it ends, and the log say how those that have changed go on."""
+        """Make each course begin where the one before it ends, and update the log."""
         before: Course | None = None
         for course in self.courses:
             if before is not None:
@@ -281,14 +290,14 @@ class PathRun:
             before = course
 
     def _aim(self) -> None:
-        """What stops is on its way to where it will rest: what is described next counts from there."""
+        """Set the targets of a stop to its rest positions, from which later ones count."""
         if self._over:
             return
         for a, place in zip(self.axes, self.courses[-1].places_at_rest(), strict=True):
             a.target = place
 
     def _total(self, k: int) -> Profile:
-        """What axis number k does from now on: the newest course, and what the one before it still has to do."""
+        """The motion of axis index k: the newest course and the rest of the one before."""
         now = self._controller.clock.now
         newest = self.courses[-1]
         made = newest.of(k).after(now - newest.began)
@@ -297,12 +306,12 @@ class PathRun:
             tail = rest.shifted(-following.begins[k])
             both = added(made, tail, "blend")
             if not made.end_velocity:
-                both.end = made.end  # the tail comes to nothing
+                both.end = made.end  # the tail vanishes
             made = both
         return made
 
     def _await(self) -> None:
-        """Set the events of the next end of a course and of the next blend."""
+        """Schedule the next end of a course and the next blend."""
         if self._event is not None:
             self._event.cancel()
         due = min(course.due for course in self._live)
@@ -310,9 +319,9 @@ class PathRun:
         self._plan_blend()
 
     def _reached(self) -> None:
-        """A course has come to the end of its path.
+        """Handle the end of a path of a course.
 
-        If the later one of two is over first, the move in progress is the earlier one's again.
+        If the later one of two is over first, the move in progress is that of the earlier one again.
         """
         self._event = None
         now, newest = self._controller.clock.now, self.courses[-1]
@@ -337,7 +346,7 @@ class PathRun:
         self._await()
 
     def _go_on(self, course: Course) -> None:
-        """Enter the next path of a course without coming to rest, on the rest of the profile."""
+        """Enter the next path of a course without a stop, on the rest of the profile."""
         controller, rest = self._controller, course.profile.after(course.elapsed)
         course.leave(True)
         for a in self.axes:
@@ -352,7 +361,7 @@ class PathRun:
         self._enter(course)
 
     def _finish(self) -> None:
-        """All axes are at rest at their ends, or where they were stopped."""
+        """Finish with all axes at rest, at their ends or where they were stopped."""
         controller = self._controller
         self._over = True
         self._cancel()
@@ -375,7 +384,7 @@ class PathRun:
     # ------------------------------------------------------------------------------------------------ blending
 
     def _plan_blend(self) -> None:
-        """Set the event of the next blend: at its distance before the end of the path, now where that is past.
+        """Schedule the next blend at its distance before the end of the path, or now.
 
         BLENDDISTANCE counts up to `MAX_SHARE` of a path. No blend begins before the one before it is over.
         """
@@ -404,7 +413,7 @@ class PathRun:
             self._blend_event = clock.at(max(due, free), self._blend)
 
     def _blend(self) -> None:
-        """Begin the next path on top of what remains of the present one."""
+        """Begin the next path, superposed on the rest of the present one."""
         controller, newest = self._controller, self.courses[-1]
         following = newest.following()
         if following is None or len(self.courses) > 1:
@@ -416,7 +425,7 @@ class PathRun:
         course = Course(controller, following, newest.segment.ends)
         try:
             _prepare(course, begins=True)
-        except Refusal as refusal:  # the entry is left out, and the one behind it may be blended into
+        except Refusal as refusal:  # the entry is skipped, and the one behind it may be blended into
             for a, move in zip(self.axes, following.moves, strict=True):
                 reach(controller, a, move)
             controller.mishap(refusal)
@@ -430,7 +439,7 @@ class PathRun:
         self._enter(course)
 
     def _limited(self, asked: float, got: float) -> None:
-        """Report a blend that is shorter than the program has asked for."""
+        """Report a blend that is shorter than commanded."""
         if got < asked * (1.0 - SLACK):
             line = self.courses[-1].here.moves[0].line
             clamped_blend(self._controller, self.axes[0], line, asked, got)
@@ -443,7 +452,10 @@ class PathRun:
 
 
 def _prepare(course: Course, begins: bool = False) -> None:
-    """Plan a course from rest on its first path; one that `begins` on top of another has not left the buffers."""
+    """Plan a course from rest on its first path.
+
+    One that `begins` superposed on another has not left the buffers.
+    """
     if course.here.guide is not None:
         course.here.guide.starts()
     try:

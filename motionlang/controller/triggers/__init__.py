@@ -1,4 +1,4 @@
-"""What happens at a position: watches, zones, limits, latches, homing."""
+"""Triggers by position: watches, zones, limits, latches, homing."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.triggers import conditions, events, next_watches, watch
 
-# A program whose moves are plain comes to none of these.
+# A program with plain moves only needs none of these.
 __getattr__ = door(__name__, "conditions", "events", "next_watches", "watch")
 
 __all__ = ["conditions", "events", "next_watches", "watch"]

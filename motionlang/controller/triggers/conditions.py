@@ -1,8 +1,8 @@
-"""What holds an axis back, declared once and asked by all: conditions of its errors, and reasons to be suspended.
+"""Conditions that stop an axis: errors, and reasons for suspension.
 
-No kind of motion knows of a limit. Every new profile of an axis passes `Core.extend_track`, which has its conditions
-looked at; a condition is looked at by itself when its state, its place, its mode or whether it is in force changes;
-and where a profile turns into one that is met, an event looks again at that very moment.
+No kind of motion knows of a limit. Every new profile of an axis passes `Core.extend_track`, which checks its
+conditions. A condition is also checked when its state, position, mode or enablement changes. If a profile
+reverses into one that is met, an event checks again at that time.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.core import Core
 
-# What an axis does about a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only tells of it.
+# The actions of an axis on a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only notifies.
 ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")
-# Seconds by which a turn may be early: an event's time is as fine as the clock's numbers are.
+# Seconds by which a reversal may be early: an event's time has the resolution of the clock.
 _NOW = 1e-9
 
 
 class Condition:
-    """Something that is a fault `bit` of an axis while it is `met`: the axis then does what `action` says.
+    """A condition that is the fault `bit` of an axis while it is `met`.
 
-    `sign` is the direction that it bars, +1 or -1; a motion the other way, and an axis at rest, is none of its
-    business. 0 is a condition that no direction matters to. It acts once when it comes to hold, and again when it
-    holds anew or another motion is begun into it, not as often as it is looked at.
+    `sign` is the direction that it bars, +1 or -1; it ignores motion the other way, and an axis at rest. With
+    0 the direction does not matter. It acts once when it becomes true, and again when it becomes true again
+    or another motion is begun into it, but not at every check.
     """
 
     __slots__ = ("_action", "_enabled", "_event", "_raised", "axis", "bit", "controller", "sign")
@@ -42,12 +42,12 @@ class Condition:
 
     @property
     def met(self) -> bool:
-        """Whether the switch is closed, the place is passed, the value is beyond its bounds."""
+        """True if the switch is closed, the position passed, or a value out of bounds."""
         raise NotImplementedError
 
     @property
     def action(self) -> str:
-        """What the axis does; another one is in force at once."""
+        """The action of the axis; a change takes effect at once."""
         return self._action
 
     @action.setter
@@ -59,7 +59,7 @@ class Condition:
 
     @property
     def enabled(self) -> bool:
-        """Whether it is in force."""
+        """True if it is in force."""
         return self._enabled
 
     @enabled.setter
@@ -68,9 +68,9 @@ class Condition:
         self.look()
 
     def look(self, towards: int = 0) -> None:
-        """Act where it has come to hold, unless several axes are just given their motion: then when all have it.
+        """Act if it has become true; within `together`, act at the end of the block.
 
-        `towards` is the direction in which the axis has just come upon it.
+        `towards` is the direction in which the axis has just reached it.
         """
         self.controller.axes[self.axis].watches.free = None
         if self._event is not None:
@@ -89,7 +89,7 @@ class Condition:
 
     @property
     def is_quiet(self) -> bool:
-        """Whether it has nothing to say of an axis that neither moves nor passes anything."""
+        """True if it cannot concern an axis that neither moves nor passes anything."""
         return self._event is None and not self._raised and not self.met
 
     def act(self) -> None:
@@ -97,12 +97,12 @@ class Condition:
         self.controller.fault(self.axis, self.bit, self._action)
 
     def forget(self) -> None:
-        """Another motion begins: to go into what it bars is a fault again."""
+        """Forget a previous action, because another motion begins."""
         if self.sign:
             self._raised = False
 
     def _bars(self, towards: int) -> bool:
-        """Whether the axis goes where it must not; an event looks again when it turns that way."""
+        """True if the axis moves in the barred direction; a reversal checks again."""
         if not self.sign:
             return True
         a, clock = self.controller.axes[self.axis], self.controller.clock
@@ -117,7 +117,7 @@ class Condition:
 
 
 class Undirected(Condition):
-    """An error that no direction matters to, such as an error input, for as long as it is `active`."""
+    """An error independent of direction, such as an error input, while it is `active`."""
 
     __slots__ = ("_active",)
 
@@ -130,13 +130,13 @@ class Undirected(Condition):
         return self._active
 
     def set_active(self, active: bool) -> None:
-        """What it goes by has changed."""
+        """Set its state."""
         self._active = active
         self.look()
 
 
 class Together:
-    """A block in which several axes are given their motion: their conditions are looked at when all have it."""
+    """A block in which several axes get their motion; its end checks conditions."""
 
     __slots__ = ("_controller", "_outer")
 
@@ -159,7 +159,10 @@ class Together:
 
 
 def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
-    """Take the word off that suspends an axis, and off those that it has suspended with it; the axes concerned."""
+    """End suspension by a keyword for an axis and those suspended with it.
+
+    Return these axes.
+    """
     freed = (a, *(each for each in controller.suspended_with.get(a.index, ()) if each is not a))
     for each in freed:
         each.held &= ~BY_WORD
@@ -168,7 +171,7 @@ def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
 
 
 def refuse_motion(controller: Core, a: Axis) -> None:
-    """Refusal of a motion while the axis has an error that locks it, is off, or its brake is set."""
+    """Raise Refusal if the axis is locked by an error, disabled, or its brake is set."""
     if a.faults & a.locks:
         what = names(a.faults)
         raise Refusal("axis-error", f"axis {a.index} has an error: {what}", "clear the error before it moves")

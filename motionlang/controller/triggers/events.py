@@ -1,6 +1,6 @@
-"""What happened to an axis that a person wants to be told of: limits, faults, clamps, jumps of its velocity, stops.
+"""Reported events of an axis: limits, faults, clamps, velocity jumps, stops.
 
-Each is written into the log where it happens, as an `Event` in user units by the scale of that moment.
+Each is written to the log where it happens, as an `Event` in user units by the scale of that time.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
 
-# What a fault of each bit is called; the others are "fault".
+# The name of a fault of each bit; the others are "fault".
 KINDS = {
     ABORT: "abort",
     ERROR_INPUT: "e-stop",
@@ -31,7 +31,7 @@ KINDS = {
     SOFT_LIMIT_REVERSE: "soft limit",
     FOLLOWING_ERROR: "following error",
 }
-# What is said of a limit that a homing has looked for.
+# The name of a limit that homing has searched for.
 HOMING = "homing"
 
 
@@ -43,13 +43,13 @@ def note(
     limit: float | None = None,
     text: str = "",
 ) -> None:
-    """Write an event of an axis; `value` and `limit` are in user units."""
+    """Log an event of an axis; `value` and `limit` are in user units."""
     line = 0 if a.move is None else a.move.line
     controller.log.note(controller.clock.now, kind, a.index, value, limit, line, text)
 
 
 def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
-    """A fault is about to be raised, and `action` to be taken."""
+    """Log a fault that is about to be raised, and its `action`."""
     kind, value, limit = KINDS.get(bit, "fault"), None, None
     if kind in ("limit", "soft limit"):
         value = a.scale.position_to_user(a.here(controller.clock.now))
@@ -63,31 +63,31 @@ def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
 
 
 def cleared(controller: Core, a: Axis) -> None:
-    """The faults of an axis are about to be forgotten."""
+    """Log that the faults of an axis are about to be cleared."""
     if a.faults:
         note(controller, "cleared", a, text=names(a.faults))
 
 
 def jumped(controller: Core, a: Axis, ended: str) -> None:
-    """An axis is about to stand at once: with a velocity that is an infinite acceleration."""
+    """Log an immediate stop; at a velocity it is an infinite acceleration."""
     velocity = a.velocity(controller.clock.now)
     if velocity:
         note(controller, "velocity jump", a, _speed(a, velocity), 0.0, f"{ended}, an infinite acceleration")
 
 
 def stopped(controller: Core, a: Axis, kind: str) -> None:
-    """A word stops an axis: "stop" by decelerating, "cancel" at once."""
+    """Log a stop by a keyword: "stop" decelerates, "cancel" is immediate."""
     if a.move is not None:
         note(controller, kind, a, _speed(a, a.velocity(controller.clock.now)))
 
 
 def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
-    """A motion that a line ordered asks for more speed, counts/s, than its axis may have; told once."""
+    """Log a commanded speed, counts/s, above the limit of the axis; reported once."""
     _clamped(controller, a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
 
 
 def clamped_blend(controller: Core, a: Axis, line: int, asked: float, got: float) -> None:
-    """A path of the master `a` is blended over less than the distance asked for, user units; reported once."""
+    """Log a path of master `a` blended over less than commanded, user units; once."""
     _clamped(controller, a, "blend distance", line, asked, got)
 
 

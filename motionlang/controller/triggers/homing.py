@@ -1,9 +1,9 @@
-"""Homing: find the switch, leave it slowly, find the index mark if asked to, and call that place the datum.
+"""Homing: find the switch, leave it slowly, take an edge or index mark as datum.
 
-The sequence of a MintMT controller as its users know it: run at the homing speed towards the switch and stop on it,
-back off at a lower speed until it opens, then, for an index, creep on in the same direction to the next mark. The
-position becomes that of the datum at the exact moment of the last edge; the axis runs on to its stop and, where an
-offset is given, goes to the place that lies that far from the datum.
+This is the sequence of a MintMT controller as its users know it: run at the homing speed towards the switch
+and stop on it, back off at a lower speed until it opens, then, for an index, creep on in the same direction
+to the next mark. The position becomes that of the datum at the exact time of the last edge. The axis runs on
+to its stop and, if an offset is given, moves to the position that far from the datum.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.limit import Limit
     from motionlang.controller.triggers.watch import Watch
 
-# What the search looks for: the home switch, the limit switch of its direction, or only an index mark.
+# The target of the search: the home switch, the limit switch of its direction, or only an index mark.
 HOME, LIMIT, INDEX = "home", "limit", "index"
-# In the order in which they come; "done" at the end and after whatever else ended the homing.
+# In order of occurrence; "done" is also the state after any other end of the homing.
 STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
 
-# What an axis does for ever that has nothing ahead of it any more.
+# The endless motion of an axis that has nothing ahead of it.
 _IN_VAIN = {
     "search": "homes away from its {0} and never meets it",
     "back-off": "backs off its {0} and never leaves it",
@@ -45,12 +45,12 @@ _SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
 
 
 class Homing:
-    """One homing in progress on one axis; `found` turns true when the datum is known.
+    """One homing in progress on one axis; `found` is set when the datum is known.
 
-    `direction` is that of the search, speeds are counts/s, `datum` is the position that the found place gets, `offset`
-    how far from it the axis ends (None: where it stops). `before` is the position that the found place had until then;
-    `line` is that of the program which began it, `provided` says whether the machine has what is looked for. `ended` is
-    called at the end, whatever it was.
+    `direction` is that of the search, speeds are counts/s, `datum` is the position given to the datum,
+    `offset` how far from it the axis ends (None: where it stops). `before` is the datum's position until
+    then; `line` is that of the program that began it, `provided` is true if the machine has the target of the
+    search. `ended` is called at the end, whatever its cause.
     """
 
     __slots__ = (
@@ -103,7 +103,7 @@ class Homing:
         self.found = False
         self.before = 0.0
         self.state = "done"
-        # Asked first whenever the axis comes to rest: others never see it at rest in between.
+        # Called first when the axis comes to rest, so that no other subscriber sees it at rest in between.
         controller.homings[axis] = self
         controller.listeners.put_first(self._heard)
         self._allow_limit(False)
@@ -121,7 +121,7 @@ class Homing:
         return self._controller.axes[self.axis]
 
     def cancel(self) -> None:
-        """Give up, or be done; the axis is left to whatever ended the homing."""
+        """End the homing, complete or not; the cause of its end controls the axis."""
         self.state = "done"
         if self._heard not in self._controller.listeners:
             return
@@ -138,7 +138,7 @@ class Homing:
 
     @property
     def in_vain(self) -> str:
-        """Why the axis runs on for ever if nobody stops it; "" while something lies ahead of it, or it will stop."""
+        """The reason for endless motion; "" if something lies ahead, or it will stop."""
         a = self._axis
         velocity = a.profiles[-1].end_velocity
         if self.state not in _IN_VAIN or not velocity:
@@ -167,7 +167,7 @@ class Homing:
         self._move = self._axis.move
 
     def _search(self) -> None:
-        """Towards the switch; an axis that already stands on it backs off at once."""
+        """Move towards the switch; an axis already on it backs off at once."""
         if self._on_switch():
             self._back_off()
             return
@@ -179,14 +179,14 @@ class Homing:
         self._jog(-self._direction * self.back_off_speed)
 
     def _seek_index(self, direction: int, speed: float) -> None:
-        """On to the next mark of the encoder, which is where the machine has it."""
+        """Move on to the next mark of the encoder, a position of the machine."""
         self.state = "index"
         mark = next_index(self._controller, self.axis, direction)
         self._jog(direction * speed)
         self._watch = self._controller.watch(self.axis, mark, lambda _: self._datum_found(), physical=True)
 
     def _datum_found(self) -> None:
-        """The last edge: this place is the datum; the axis runs on to its stop and keeps counting from it."""
+        """Set the datum at the last edge; the axis runs on to its stop and counts from it."""
         controller = self._controller
         self._unwatch()
         self.state = "stopping"
@@ -196,7 +196,7 @@ class Homing:
         controller.come_to_rest(self.axis)
 
     def _go_to_offset(self, offset: float) -> None:
-        """From where the axis has stopped to its place, at the creep speed."""
+        """Move from the stop to the offset position, at creep speed."""
         self.state = "offset"
         a, controller = self._axis, self._controller
         accel, decel = controller.rates(a, self._creep_speed)
@@ -218,7 +218,7 @@ class Homing:
         return any(limit.active for limit in self._limits())
 
     def _allow_limit(self, allowed: bool) -> None:
-        """A limit switch that is looked for is no error, nor is a software limit before its zero is known."""
+        """Permit or forbid the limit switch of the search, and software limits until then."""
         looked_for = self._limits() if self._switch == LIMIT else []
         for limit in [*looked_for, *(each for each in self._axis.limits if each.bit in _SOFT)]:
             limit.enabled = allowed
@@ -242,9 +242,9 @@ class Homing:
                 self._datum_found()
 
     def at_rest(self) -> None:
-        """The axis has stopped: past the switch or on it after the search, or at the end."""
+        """Handle a stop: past the switch or on it after the search, or at the end."""
         if self.state == "on-switch":
-            self._back_off()  # also where the stop ran over the whole switch: it comes back over it
+            self._back_off()  # also if the stop ran across the complete switch: it returns across it
             return
         offset = self._offset
         here = self._controller.position(self.axis) - self._datum
@@ -255,7 +255,7 @@ class Homing:
 
 
 def next_index(controller: Controller, axis: int, direction: int) -> float:
-    """The next index mark in a direction, in counts of the machine; infinite where the encoder has none."""
+    """The next index mark in a direction, counts of the machine; infinite if none."""
     a = controller.axes[axis]
     pitch = a.index_pitch
     if not pitch > 0:

@@ -1,4 +1,4 @@
-"""Latches: a position captured at the very moment of an edge, of an input or of an encoder's index mark."""
+"""Latches: positions captured exactly at an edge of an input or an index mark."""
 
 from __future__ import annotations
 
@@ -20,10 +20,11 @@ RISING, FALLING, BOTH = 1, -1, 0
 
 
 class Latch:
-    """One latch channel. `value` is the position at the last edge that counted, `time` when that was.
+    """One latch channel: `value` is the position at the last valid edge, `time` when.
 
-    `enabled` arms it. `automatic` latches again and again; otherwise one edge disarms it. After an edge others do not
-    count for `inhibit_time` seconds and `inhibit_distance` counts. `fired` turns true with an edge, false by `take`.
+    `enabled` arms it. If it is `automatic` it latches repeatedly; if not, one edge disarms it. After an edge,
+    others are ignored for `inhibit_time` seconds and `inhibit_distance` counts. An edge sets `fired`, `take`
+    resets it.
     """
 
     __slots__ = (
@@ -65,7 +66,7 @@ class Latch:
         self._marks = IndexMarks(self._controller, track.index, self)
 
     def release(self) -> None:
-        """Look for nothing any more."""
+        """End all captures."""
         if self._channel is not None:
             self._controller.inputs.listeners.remove(self._changed)
             self._channel = None
@@ -74,12 +75,12 @@ class Latch:
             self._marks = None
 
     def take(self) -> bool:
-        """Whether it has fired since it was last asked."""
+        """Return and reset `fired`."""
         fired, self.fired = self.fired, False
         return fired
 
     def capture(self) -> None:
-        """An edge: the position now, unless the edge does not count."""
+        """Capture the position at an edge, unless the edge is inhibited."""
         if not self.enabled or self._track is None:
             return
         now = self._controller.clock.now
@@ -98,7 +99,7 @@ class Latch:
 
 
 class IndexMarks:
-    """Watches the index marks next to where an axis is, and those next to them when it passes one."""
+    """Watches of the index marks next to the axis, moved on when it passes one."""
 
     __slots__ = ("_controller", "_latch", "_watches", "axis")
 
@@ -123,7 +124,7 @@ class IndexMarks:
         self._window([mark for mark in marks if abs(mark) < inf])
 
     def _window(self, marks: list[float]) -> None:
-        """Watch these marks and no others; the ones already watched stay as they are."""
+        """Watch these marks only; existing watches of them stay."""
         for mark in [mark for mark in self._watches if mark not in marks]:
             self._controller.unwatch(self.axis, self._watches.pop(mark))
         for mark in marks:
@@ -146,7 +147,7 @@ class IndexMarks:
 
 
 class Compare:
-    """A digital output that is on while an axis is between two positions, switched at the exact moments."""
+    """A digital output that is on between two positions, switched at the exact times."""
 
     __slots__ = ("_cells", "_controller", "_inside", "axis", "enabled", "high", "low", "output")
 
@@ -157,7 +158,7 @@ class Compare:
         self.place(low, high)
 
     def place(self, low: float, high: float) -> None:
-        """Put the two positions elsewhere."""
+        """Set the two positions."""
         self.remove()
         self.low, self.high = min(low, high), max(low, high)
         track = self._controller.axes[self.axis]
@@ -165,7 +166,7 @@ class Compare:
         self._moved(self._cells.index)
 
     def enable(self, enabled: bool) -> None:
-        """Let it switch the output, or leave that alone."""
+        """Enable or disable control of the output."""
         self.enabled = enabled
         if enabled:
             self._show()
@@ -177,7 +178,7 @@ class Compare:
             self._cells = None
 
     def _moved(self, index: int) -> None:
-        """Below both positions, between them, or above both; a new zero may jump from one to another."""
+        """Handle a change between below, between and above; a new zero may skip one."""
         inside = index == 1
         if inside is not self._inside:
             self._inside = inside

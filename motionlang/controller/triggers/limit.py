@@ -1,7 +1,7 @@
-"""Travel limits: software limits that the program sets and switches that the machine has.
+"""Travel limits: software limits of the program and limit switches of the machine.
 
-A limit that is passed, or already active when a motion heads into it, raises a fault on its axis, and the axis does
-what the limit's `action` says. Moving away from an active limit is always allowed.
+A limit that is passed, or already active when a motion begins towards it, raises a fault on its axis, and the
+axis takes the limit's `action`. Moving away from an active limit is always allowed.
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ if TYPE_CHECKING:
 
 
 class Limit(Condition):
-    """One end of an axis's travel: `sign` +1 or -1 says which, `bit` is the fault it raises.
+    """One end of an axis's travel: `sign` is +1 or -1, `bit` its fault.
 
-    `position` is in counts; a `physical` limit stays where the machine has it. A limit may have no position at all and
-    only be a switch that somebody opens and closes. Listeners of the controller hear "limit" when it changes.
+    `position` is in counts; a `physical` limit stays at its position on the machine. A limit without a
+    position is a switch that is operated from outside. Listeners of the controller get "limit" when it
+    changes.
     """
 
     __slots__ = ("_switch", "physical", "watch")
@@ -33,18 +34,18 @@ class Limit(Condition):
 
     @property
     def active(self) -> bool:
-        """Whether the axis is beyond the limit or its switch is closed."""
+        """True if the axis is beyond the limit or its switch is closed."""
         return self._switch or self.passed
 
     met = active
 
     @property
     def passed(self) -> bool:
-        """Whether the axis is beyond the limit; to stand on it is to have reached it."""
+        """True if the axis is at the limit or beyond it."""
         return self.watch is not None and self.watch.side in (self.sign, 0)
 
     def place(self, position: float | None) -> None:
-        """Set where the limit is; None takes it away."""
+        """Set the position of the limit; None removes it."""
         controller = self.controller
         if self.watch is not None:
             controller.unwatch(self.axis, self.watch)
@@ -54,7 +55,7 @@ class Limit(Condition):
         self.look()
 
     def set_active(self, active: bool) -> None:
-        """The switch has opened or closed."""
+        """Open or close the switch."""
         changed, self._switch = self._switch is not active, active
         self.look()
         if changed:

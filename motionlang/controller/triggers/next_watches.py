@@ -1,7 +1,7 @@
-"""The watches of an axis at a new profile: only those next to the axis are solved, the others when it comes to them.
+"""Watches of an axis at a new profile: only the nearest are solved, others later.
 
-What is passed, when, in which order and in which direction is exactly what solving all of them gives: an axis comes to
-the far ones by way of the near ones, and each has its place in the order of events from the begin of the profile on.
+The passes, their times, order and directions equal those of solving all of them: an axis reaches the far ones
+after the near ones, and each has its order number from the beginning of the profile on.
 """
 
 from __future__ import annotations
@@ -18,19 +18,20 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.watch import Watch
     from motionlang.controller.watches import Key
 
-# What runs through every position between two; others (tables, points, sums) may jump, and all is solved on them.
+# Shapes that run through every position between two. Others (tables, points, sums) may jump, so all watches
+# are solved on them.
 _UNBROKEN = {"trapezoid", "sinusoidal", "scurve", "parabolic", "jog", "hold", "reference"}
 # Counts and seconds, far above rounding, within which two watches may be passed in either order.
 _NEAR, _SOON = 1e-3, 1e-9
 _RELATIVE = 1e-9
-# So many watches are solved sooner than the next of them are found.
+# Up to this many watches are solved sooner than the next of them are found.
 _FEW = 6
 
 
 class Front:
-    """The next watches above (`direction` 1) or below (-1) an axis among those that lie still together.
+    """The next watches above (`direction` 1) or below (-1) an axis.
 
-    Solved are the first and as many as may come with it, and one that surely comes later.
+    Solved are the first, those that may coincide with it, and one that is certainly later.
     """
 
     __slots__ = ("_axis", "_base", "_clock", "_datum", "_direction", "_here", "_keys", "_last", "_over", "_profile",
@@ -44,18 +45,18 @@ class Front:
         self._here = self._profile.position(0.0)
         self._waiting: list[tuple[float, float, Watch]] = []  # time, position
         self._over = False
-        # The last that was looked at, or the next one the other way: the first to look at comes after it.
+        # The last one checked, or the next one the other way; the first one to check follows it.
         before = begin - direction
         self._last = keys[before][:2] if 0 <= before < len(keys) else (-direction * float("inf"), -direction)
 
     def leave(self, watch: Watch) -> None:
-        """A watch has been passed, has ended, or is solved otherwise: the next ones move up."""
+        """Remove a watch that is passed, ended or solved elsewhere; the next ones move up."""
         watch.front = None
         self._waiting = [each for each in self._waiting if each[2] is not watch]
         self.extend()
 
     def extend(self) -> bool:
-        """Solve as many as are needed; whether one is waiting."""
+        """Solve as many as are needed; True if one is waiting."""
         while not self._over and not self._enough():
             watch = self._following()
             if watch is None:
@@ -96,7 +97,7 @@ class Front:
             self._over = True
 
     def _misses(self, position: float) -> bool:
-        """Whether a watch that is not reached shows that none beyond it is."""
+        """True if a watch that is not reached proves that none beyond it is."""
         if self._waiting:
             near = self._waiting[0][1]
         else:
@@ -109,7 +110,7 @@ def _sorted_by(key: Key) -> tuple[float, int]:
 
 
 def free_way(axis: Axis, here: float) -> tuple[float, float]:
-    """From where to where an axis that stands `here` passes no watch, and no limit has to be looked at; it is kept."""
+    """Return the interval around `here` without a watch or limit check, and cache it."""
     low, high = -float("inf"), float("inf")
     if all(limit.is_quiet for limit in axis.limits):
         for watch in axis.watches:
@@ -126,7 +127,7 @@ def free_way(axis: Axis, here: float) -> tuple[float, float]:
 
 
 def follow(axis: Axis, clock: Clock) -> None:
-    """The axis has a new profile: what falls due in this very moment happens first, then the next ones are solved."""
+    """Solve the next watches on a new profile, after the events due at this time."""
     watches, now = axis.watches, clock.now
     if len(watches.all) <= _FEW:
         _each(axis, clock)
@@ -180,7 +181,7 @@ def follow(axis: Axis, clock: Clock) -> None:
 
 
 def _each(axis: Axis, clock: Clock) -> None:
-    """Every watch in the order in which they were set: what is passed in this very moment may end others."""
+    """Solve every watch in the order of creation; a pass due now may end others."""
     every, now = axis.watches.all, clock.now
     each = tuple(every)
     for watch in each:

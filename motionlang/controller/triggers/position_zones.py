@@ -1,7 +1,8 @@
-"""Which stretch of its travel a track is in: the stretches lie between edges, which may repeat turn after turn.
+"""The interval of its travel that a track is in; the edges may repeat cyclically.
 
-Only the two edges next to the track are watched, however many there are, and each change is told at the very moment
-at which the track reaches an edge, in either direction. A new zero that puts the track elsewhere is told as well.
+Only the two edges next to the track are watched, however many there are. Each change is notified at the exact
+time at which the track reaches an edge, in either direction. A new zero that puts the track elsewhere is
+notified too.
 """
 
 from __future__ import annotations
@@ -21,11 +22,12 @@ if TYPE_CHECKING:
 
 
 class Cells:
-    """`index` is the number of edges that lie below the track, edge 0 the first of the turn that begins at 0.
+    """The `index` of the present interval: the number of edges below the track.
 
-    `edges` rise; with a `period` above 0 they repeat, and span less than it. Counts as the program counts them, or
-    with `physical` as the machine does. `change(index)` is called when the track comes into another stretch. With a
-    `view` it is what that makes of the demanded motion that decides: a position further on, or a velocity.
+    Edge 0 is the first of the cycle that begins at 0. `edges` rise; with a `period` above 0 they repeat, and
+    span less than it. They are counts of the program, or with `physical` of the machine. `change(index)` is
+    called when the track enters another interval. With a `view`, the position is that of a transformed
+    commanded motion: a position further on, or a velocity.
     """
 
     __slots__ = ("_controller", "_follow", "_source", "_track", "_watches", "change", "edges", "index", "period",
@@ -60,7 +62,7 @@ class Cells:
             self._unwatch(k)
 
     def edge(self, k: int) -> float | None:
-        """Where edge k is; None where there is none."""
+        """Return the position of edge k; None if there is none."""
         if self.period:
             turn, place = divmod(k, len(self.edges))
             return self.edges[place] + turn * self.period
@@ -69,7 +71,7 @@ class Cells:
     # ------------------------------------------------------------------------------------------------- inside
 
     def _seen(self, view: Callable[[Profile], Profile]) -> Axis:
-        """A track of what the source does as it is viewed."""
+        """Return a track of the source's motion transformed by a view."""
         source, controller = self._source, self._controller
         made = Axis(source.index)
         made.put_on(source.starts[-1], view(source.profiles[-1]))
@@ -90,7 +92,7 @@ class Cells:
         return place - track.datum if self.physical else place
 
     def _count(self) -> int:
-        """The edges below the track; it has passed the one that it stands on."""
+        """Return the number of edges below the track; an edge at its position counts."""
         here = self._here()
         here += margin(here)
         if not self.period:
@@ -99,7 +101,7 @@ class Cells:
         return turn * len(self.edges) + bisect_right(self.edges, here - turn * self.period)
 
     def _window(self) -> None:
-        """Watch the edges next to the track and no others; those that are watched already stay as they are."""
+        """Watch the edges next to the track only; existing watches of them stay."""
         wanted = [k for k in (self.index - 1, self.index) if self.edge(k) is not None]
         for k in [k for k in self._watches if k not in wanted]:
             self._unwatch(k)
@@ -127,7 +129,7 @@ class Cells:
         self.change(index)
 
     def _followed(self, profile: Profile) -> None:
-        """The track goes on otherwise: a new zero may have put it beyond the edges that are watched."""
+        """Handle a new profile: a new zero may have moved the track past watched edges."""
         here = self._here()
         slack = margin(here)
         low, high = self.edge(self.index - 1), self.edge(self.index)

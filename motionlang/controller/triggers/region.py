@@ -1,4 +1,4 @@
-"""A region of an axis's travel, such as the length of a home switch: inside or not, with the exact time of a change."""
+"""A region of an axis's travel, such as a home switch, with exact change times."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ INFINITY = float("inf")
 
 
 class Region:
-    """`low` to `high` counts on an axis, either end may be infinite; `change(inside)` is called when it changes.
+    """`low` to `high` counts on an axis, possibly infinite; calls `change(inside)`.
 
     A region stays where the machine has it when the program gives the axis a new zero.
     """
@@ -35,7 +35,7 @@ class Region:
         self.place(low, high)
 
     def place(self, low: float, high: float) -> None:
-        """Put the region elsewhere; tells of a change that this makes."""
+        """Move the region, and notify of a change that this causes."""
         self.remove()
         self.low, self.high = low, high
         for end in (low, high):
@@ -54,7 +54,7 @@ class Region:
         return self._controller.position(self.axis) - self._controller.axes[self.axis].datum
 
     def _pass(self, direction: int) -> None:
-        """A side was changed: the axis is inside when it is above the low end and below the high one."""
+        """Handle a change of side: inside is above the low end and below the high one."""
         sides = [watch.side for watch in self._watches]
         if len(sides) == 2:
             self._set(sides[0] >= 0 >= sides[1])

@@ -1,7 +1,7 @@
-"""Watches: something that happens when an axis passes a position, at the exact time at which it passes.
+"""Watches: calls at the exact time at which an axis passes a position.
 
-Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Each time an
-axis gets a new profile those next to it are solved anew (see `next_watches`); nothing polls.
+Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Each
+new profile of an axis solves the nearest ones again (see `next_watches`); nothing polls.
 """
 
 from __future__ import annotations
@@ -17,32 +17,34 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.next_watches import Front
     from motionlang.planners import Profile
 
-# Counts within which an axis stands on a position: far below any encoder, far above rounding.
+# Counts within which an axis is at a position: far below any encoder, far above rounding.
 _ON = 1e-6
 
 
 class Watch:
-    """Calls `call(direction)`, +1 forward or -1 reverse, whenever the axis passes `position`.
+    """Calls `call(direction)`, +1 or -1, when the axis passes `position`.
 
-    Reaching the position counts as passing it; leaving it again the same way is passing it back, so the directions
-    always alternate. A `physical` position is where the machine has it (a switch, a mark): it does not move when
-    the program gives the axis a new zero. Others, such as software limits, are positions as the program counts.
+    Reaching the position counts as passing it. Leaving it again the same way is passing it back, so the
+    directions always alternate. A `physical` position is one of the machine (a switch, a mark): it does not
+    move when the program gives the axis a new zero. Others, such as software limits, are positions of the
+    program.
     """
 
     __slots__ = ("call", "event", "front", "order", "physical", "position", "side")
 
     def __init__(self, position: float, call: Callable[[int], None], physical: bool) -> None:
         self.position, self.call, self.physical = position, call, physical
-        self.side = 0  # where the axis was last: above, below, or not known yet
+        self.side = 0  # the last side of the axis: above, below, or not known yet
         self.event: Event | None = None
-        self.order = 0  # its place among those of its axis
-        self.front: Front | None = None  # where it is among the next ones of its axis
+        self.order = 0  # its number among those of its axis
+        self.front: Front | None = None  # its list of the next watches of the axis
 
 
 def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
-    """Solve one watch against the axis's present profile, from `now` on; a simulated motor is watched instead.
+    """Solve one watch on the axis's present profile from `now` on.
 
-    A pass that falls due in this very moment, such as arriving on the position, happens first.
+    A simulated motor is watched instead. A pass that is due now, such as arriving at the position, happens
+    first.
     """
     if axis.feedback is not None:
         axis.feedback.arm(watch)
@@ -62,7 +64,10 @@ def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
 
 
 def take_side(axis: Axis, watch: Watch, here: float) -> int:
-    """The side of a watch on which an axis is that is `here`, 0 on it, which leaves the watch as it was."""
+    """Set and return the side of a watch for an axis at `here`; on it the side stays.
+
+    The result is then 0.
+    """
     position = place(axis, watch)
     side = side_of(here - position, position)
     if side:
@@ -72,9 +77,9 @@ def take_side(axis: Axis, watch: Watch, here: float) -> int:
 
 def solve_kept(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Profile, at: float, side: int,
                order: int) -> None:  # fmt: skip
-    """Set the event of the first change of sides on a profile that began at `start`, in its place in the order.
+    """Schedule the first change of sides on a profile that began at `start`.
 
-    `at` is where the watch was then, `side` on which side of it the axis was.
+    It gets its reserved order number. `at` was the watch's position then, `side` the side of the axis.
     """
     found, after = _next(profile, at, 0.0, side)
     if found is not None:
@@ -84,7 +89,7 @@ def solve_kept(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Pr
 
 
 def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> None:
-    """Set the event of the next change of sides, given the `side` on which the axis is now (0: on the position)."""
+    """Schedule the next change of sides from the present `side` (0: on the position)."""
     if watch.event is not None:
         watch.event.cancel()
         watch.event = None
@@ -97,7 +102,7 @@ def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> Non
 
 
 def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple[float | None, int]:
-    """When the axis next changes sides, and the side it will then be on."""
+    """Return when the axis next changes sides, and the new side."""
     if side:
         return _crossing(profile, position, elapsed, -side), -side
     within = margin(position)
@@ -109,10 +114,11 @@ def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple
 
 
 def _crossing(profile: Profile, position: float, elapsed: float, direction: int) -> float | None:
-    """When the axis next crosses a position in a direction.
+    """Return when the axis next crosses a position in a direction.
 
-    An event's time is as fine as the clock's numbers are, after some hours at high speed less fine than a position.
-    The axis may then stand a little before what it has passed; that it passes it once more is nothing new.
+    An event's time has the resolution of the clock, which after some hours at high speed is coarser than a
+    position. The axis may then be slightly before a position that it has passed; passing it once more is no
+    new event.
     """
     found = profile.crossing(position, elapsed)
     step = ulp(elapsed + 1.0)
@@ -123,7 +129,7 @@ def _crossing(profile: Profile, position: float, elapsed: float, direction: int)
 
 
 def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -> None:
-    """The axis has `reached` the position, or has left it; either way it now counts as being on `side`."""
+    """Set the new `side` after the axis has `reached` the position, or has left it."""
     watch.event = None
     if watch.front is not None:
         watch.front.leave(watch)
@@ -136,16 +142,16 @@ def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -
 
 
 def place(axis: Axis, watch: Watch) -> float:
-    """Where a watch is now, counts as the program counts them."""
+    """Return the present position of a watch, counts of the program."""
     return watch.position + axis.datum if watch.physical else watch.position
 
 
 def side_of(distance: float, position: float) -> int:
-    """The side of a position, seen from which something is at a distance; 0 where it stands on it."""
+    """Return the side of a position that a distance is on; 0 at the position."""
     within = margin(position)
     return (distance > within) - (distance < -within)
 
 
 def margin(position: float) -> float:
-    """Counts within which an axis stands on a position."""
+    """Return the counts within which an axis is at a position."""
     return _ON + 1e-12 * abs(position)
