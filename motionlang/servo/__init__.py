@@ -1,8 +1,8 @@
-"""The servo behind the profile: a loop, a motor, and what the motor makes of a demanded track.
+"""The servo behind the profile: control loops, motors, and their simulation.
 
-`Loop` and its forms say how the error becomes a voltage, `Motor` and `Drive` what the voltage does; `simulate`
-runs a whole track, `Servo` the same thing as far as a clock has come. Nothing here is imported by a run without a
-motor, and NumPy only by what is long enough to need it, or is asked for columns.
+`Loop` and its forms define how the error becomes a voltage, `Motor` and `Drive` the effect of the voltage.
+`simulate` runs a complete track, `Servo` runs it up to a clock's time. A run without a motor imports nothing
+of this; NumPy is imported only for long computations or for columns.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Drive", "Loop", "Motor", "Override", "Servo", "ServoTrace", "Track", "simulate"]
 
-# What runs a loop comes when it is asked for: checking the keys of a machine file needs only what describes one.
+# The modules that run a loop are imported on first use: checking the keys of a machine file needs only those
+# that describe one.
 _HOMES = {"Track": "demand", "Servo": "servo", "simulate": "servo", "ServoTrace": "trace"}
 
 

@@ -1,6 +1,6 @@
-"""Speculative servo simulation with rollback: a servo runs ahead of the clock in blocks and is taken back if it must.
+"""Speculative servo simulation with rollback: a servo runs ahead of the clock.
 
-What a sample is does not depend on where the block ends that it is in.
+It runs in blocks. A sample does not depend on where its block ends.
 """
 
 from __future__ import annotations
@@ -30,32 +30,32 @@ if TYPE_CHECKING:
     Mark = tuple[State, int, list[float], dict[str, float]]
 
 SEEN = ("encoder", "velocity", "error", "output", "current")
-"""What is seen of a sample: measured position (counts, the motor's own), counts/s, counts, V, A."""
+"""The columns of a sample: motor position (counts), counts/s, counts, V, A."""
 SHORT = 64
 
 
 class Ahead(Servo):
-    """One axis under servo, seen before its time."""
+    """One axis under servo, simulated ahead of time."""
 
     points_of = Foreseen
 
     @property
     def short(self) -> int:
-        """Samples of the first block behind something that may be followed by something else."""
+        """Samples of the first block after a change that another may follow."""
         return SHORT
 
-    # Where it stood at the beginning of each stretch of the last block.
+    # The states at the beginning of each stretch of the last block.
     _marks: Sequence[Mark] = ()
-    # The last block, where all of it was plain steps: it has marks of its own.
+    # The last block, if it consisted of plain steps only; then it has its own marks.
     _stepped: Stretch | None = None
 
     @property
     def began(self) -> State:
-        """The state before the last block that was looked at."""
+        """The state before the last block."""
         return self._marks[0][0]
 
     def back(self, sample: int) -> None:
-        """Stand before a sample of the last block again; gains and the track are as they are now."""
+        """Roll back to before a sample of the last block; keep gains and track."""
         mark = next(each for each in reversed(self._marks) if each[1] <= sample)
         self._state, self._sample, self._points, self._row = mark
         if self._stepped is not None and (nearer := self._stepped.mark_before(sample - self._sample)):
@@ -68,7 +68,7 @@ class Ahead(Servo):
         return self._state, self._sample, self._points, self._row
 
     def look(self, count: int) -> Array:
-        """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
+        """Run `count` samples and return a row for each of `SEEN`, in motor coordinates."""
         self._marks, self._stepped = [self._mark()], None
         made = np.empty((len(SEEN), count))
         self._step(self._sample + count, made)
@@ -76,7 +76,7 @@ class Ahead(Servo):
         return made
 
     def _step(self, until: int, out: Array) -> None:
-        """Plain steps to sample `until` (not included)."""
+        """Run plain steps to sample `until` (exclusive)."""
         count = until - self._sample
         self._run(until)
         made, stretch = out[:, :count], self._stretch
@@ -95,7 +95,7 @@ class Ahead(Servo):
 
     @cached_property
     def _encoding(self) -> tuple[bool, bool]:
-        """Whether the encoder is at the load, and whether it gives whole counts."""
+        """True if the encoder is at the load; true if it gives integer counts."""
         made = discretise(self.plant, self.loop.period)
         return made.load_encoder, made.quantised or self.loop.arithmetic != "real"
 
@@ -103,14 +103,14 @@ class Ahead(Servo):
         return run_steps(self._in_charge, self.plant, self._columns, points, part, count, self._state)
 
     def _tell(self, seen: Array) -> None:
-        """The last sample was this."""
+        """Set the readings to the last sample."""
         encoder, velocity, error, output, current = seen.tolist()
         self._row = {"demand": encoder + error, "measured": encoder, "velocity": velocity,
                      "output": output, "current": current}  # fmt: skip
 
 
 def seen_of(trace: ServoTrace) -> Array:
-    """The rows of `SEEN` of a trace."""
+    """Return the rows of `SEEN` of a trace."""
     made = np.empty((len(SEEN), len(trace)))
     made[0], made[1], made[3], made[4] = trace.encoder, trace.velocity, trace.output, trace.current
     np.subtract(trace.commanded, made[0], out=made[2])

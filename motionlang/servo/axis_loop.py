@@ -1,7 +1,7 @@
-"""The loop that an axis of a run has: the program's gains, below them the machine file's, below those a suggestion.
+"""The loop of an axis: gains of the program, the machine file, or a suggestion.
 
-A program that sets none of its gains is one whose controller was tuned before. Where the machine file has no gains
-either, the plant's own suggestion stands in for that tuning, and the report says so.
+A program that sets no gains runs on a controller that was tuned before. If the machine file has no gains
+either, the plant's own suggestion replaces that tuning, and the report says so.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ _LEAST_BANDWIDTH = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """A loop and where its gains come from: "program", "machine file" or "suggested"."""
+    """A loop and the source of its gains: "program", "machine file" or "suggested"."""
 
     loop: Loop
     gains: str
     bandwidth: float = 0.0
-    """What they were suggested for, Hz."""
+    """The bandwidth that they were suggested for, Hz."""
 
 
 def axis_loop(
@@ -39,16 +39,17 @@ def axis_loop(
     model: str = "",
     scale: float = 1.0,
 ) -> Chosen:
-    """The loop of an axis from its `[axis.N.servo]` section and the gains that the program has set.
+    """The loop of an axis from its machine file section and the program's gains.
 
-    `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is counts per user unit. ValueError names what is
-    wrong.
+    The section is `[axis.N.servo]`. `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is
+    counts per user unit. Raises ValueError for invalid entries.
     """
     set_by_program = fields("mccl" if model else "mint", gains)
     kept = {name: value for name, value in section.items() if name not in set_by_program}
     if not set_by_program.isdisjoint(GAINS):
         loop = _language(section, gains, model, scale)
-        # The section's integral acts as the section says, not as a language does that was not asked for one.
+        # The section's integral acts as the section states, not by the default of a language that did not
+        # request one.
         return Chosen(
             make_loop(kept, _acting(loop, set_by_program) if "integral" in kept else loop), "program"
         )
@@ -64,18 +65,21 @@ def axis_loop(
 
 
 def has_gains(loop: Loop) -> bool:
-    """Whether anything makes the loop answer to its demand."""
+    """True if any gain makes the loop respond to its command."""
     return any(getattr(loop, name) for name in GAINS)
 
 
 def _acting(loop: Loop, set_by_program: set[str]) -> Loop:
-    """With an integral that acts, and as far as the output reaches, where the program says nothing of it."""
+    """Return the loop with an acting integral, limited by the output, unless set."""
     fields: dict[str, str | float] = {"integral_mode": "always", "integral_limit": loop.output_limit}
     return replace(loop, **{name: value for name, value in fields.items() if name not in set_by_program})  # type: ignore[arg-type]
 
 
 def _language(section: Mapping[str, object], gains: Gains, model: str, scale: float) -> Loop:
-    """The loop as the language alone has it, at the rate of the section unless the program sets one."""
+    """Return the loop of the language alone.
+
+    It has the rate of the section unless the program sets one.
+    """
     rate = section.get("servo_rate")
     if model:
         return mccl_loop(gains, model, scale)
@@ -85,7 +89,7 @@ def _language(section: Mapping[str, object], gains: Gains, model: str, scale: fl
 
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
-    """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it."""
+    """Return suggested gains for the bandwidth, halved until the plant can reach it."""
     from motionlang.servo.tuning import BeyondPlant, linearised, suggested_loop
 
     linear = linearised(plant)

@@ -1,4 +1,4 @@
-"""The demand of a servo as cubics over its trajectory cycles, as far as each of them goes."""
+"""The command of a servo as cubics over its trajectory cycles."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile
     from motionlang.servo.demand import Cubic, Generator
 
-# The first moment of a profile behind its beginning.
+# The first time after the beginning of a profile.
 _BEGUN = 5e-324
 
 
 def cubic_behind(generator: Generator, cycle: int, least: int = 1) -> tuple[Cubic | None, int]:
-    """The cubic, counted from the beginning of `cycle`, that the point at its end lies on, and how long it goes on.
+    """Return the cubic on which the end point of `cycle` lies, and where it ends.
 
-    That is the first cycle at whose end the point is another one's. None where that point is on no cubic, or on one for
-    less than `least` cycles.
+    The cubic counts from the beginning of `cycle`. It ends at the first cycle whose end point is on another
+    one. None if the point is on no cubic, or on one for less than `least` cycles.
     """
     period, track = generator.period, generator.track
     k = generator.in_force(cycle)
@@ -38,7 +38,7 @@ def cubic_behind(generator: Generator, cycle: int, least: int = 1) -> tuple[Cubi
 
 
 def _piece(profile: Profile, time: float) -> tuple[Cubic | None, float, float]:
-    """The cubic that a profile is on at a time of its own, in seconds from a time on, and when it is over."""
+    """The cubic of a profile at its own time, in seconds, its start and its end."""
     if not profile.pieced:
         return None, 0.0, inf
     if time >= profile.duration:
@@ -53,12 +53,12 @@ def _piece(profile: Profile, time: float) -> tuple[Cubic | None, float, float]:
 
 
 def moved(cubic: Cubic, by: float) -> Cubic:
-    """The same cubic, counted from so much later on."""
+    """Return the same cubic, counted from a later origin."""
     _, c1, c2, c3 = cubic
     return value(cubic, by), (3.0 * c3 * by + 2.0 * c2) * by + c1, 3.0 * c3 * by + c2, c3
 
 
 def value(cubic: Cubic, at: float) -> float:
-    """What a cubic is."""
+    """Evaluate the cubic at a time."""
     c0, c1, c2, c3 = cubic
     return ((c3 * at + c2) * at + c1) * at + c0

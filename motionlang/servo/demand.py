@@ -1,8 +1,8 @@
-"""The demanded track as the trajectory generator sees it: one point for every trajectory cycle.
+"""The commanded track as the trajectory generator sees it: one point per cycle.
 
-At the beginning of cycle i the generator gives the point for its end, from the profile that was in force just before:
-a move shows from the first cycle that begins after its start, whether the whole track is known or only the past. The
-loop interpolates between the points in straight lines (TN1069).
+At the beginning of cycle i the generator gives the point for its end, from the profile that was in force just
+before. So a move takes effect in the first cycle that begins after its start, whether the complete track is
+known or only the past. The loop interpolates linearly between the points (TN1069).
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
 
     from motionlang.planners import Profile
 
-    # The demand over trajectory cycles: the coefficients of 1, c, c² and c³, counts.
+    # The command over trajectory cycles: the coefficients of 1, c, c² and c³, counts.
     Cubic = tuple[float, float, float, float]
 
 SHORT = 200
-"""Below this many points plain floats are quicker than making a table of the pieces."""
+"""Below this many points plain floats are quicker than a table of the pieces."""
 FOR_EVER = 1 << 62
-"""The cycle at which what never ends does."""
+"""The last cycle of an endless profile."""
 _JUMP = 1e-6
 _AT_ONCE = 1e-9
 
 
 class Demanded(Protocol):
-    """A history of motion: `starts[i]` is when `profiles[i]` began. An `Axis` is one."""
+    """A history of motion: `starts[i]` is when `profiles[i]` began; an `Axis` is one."""
 
     @property
     def starts(self) -> Sequence[float]:
@@ -41,11 +41,11 @@ class Demanded(Protocol):
 
     @property
     def profiles(self) -> Sequence[Profile]:
-        """What began then; the last one goes on for ever."""
+        """The profiles that began then; the last one never ends."""
 
 
 class Track:
-    """A history of motion that stands alone: `Track([0.0], [profile])`."""
+    """A history of motion by itself: `Track([0.0], [profile])`."""
 
     __slots__ = ("profiles", "starts")
 
@@ -56,36 +56,36 @@ class Track:
 
     @property
     def end(self) -> float:
-        """When the last profile is done, seconds."""
+        """The end of the last profile, seconds."""
         return self.starts[-1] + self.profiles[-1].duration
 
 
 class Generator:
     """Points of a track, cycle by cycle; `period` is the trajectory cycle in seconds.
 
-    A track jumps where the program gives a position another name (POS = 0, DH): the motor does not move then, so
-    the jump is kept in `offset` (counts to add to the track) and taken out of the points.
+    A track jumps when the program redefines the position (POS = 0, DH). The motor does not move then, so the
+    jump is accumulated in `offset` (counts to add to the track) and removed from the points.
     """
 
     __slots__ = ("_at", "_known", "_offsets", "_since", "period", "track")
 
     def __init__(self, track: Demanded, period: float) -> None:
         self.track, self.period = track, period
-        # The profile that was last found in force: the next one is near, and a long track is not searched.
+        # The profile last found in force: the next one is near, so a long track is not searched.
         self._at = 0
-        # The offsets, the profiles from which on they hold, and up to which profile they are known.
+        # The offsets, the profiles from which on they apply, and the profile up to which they are known.
         self._offsets, self._since, self._known = array("d", [0.0]), array("q", [0]), 0
 
     def in_force(self, cycle: int) -> int:
-        """The number of the profile that makes the point for the end of `cycle`."""
+        """Return the index of the profile that gives the point for the end of `cycle`."""
         return self.in_force_at((cycle - _AT_ONCE) * self.period)
 
     def in_force_at(self, time: float) -> int:
-        """The number of the profile that is in force at a time; that of the first one before it."""
+        """Return the index of the profile in force at a time, or of the first one."""
         starts = self.track.starts
         last = len(starts) - 1
         k, step = min(self._at, last), 1
-        if starts[k] <= time:  # further and further on from there: it lies from `k` on, and before `past`
+        if starts[k] <= time:  # galloping search: it lies from `k` on, and before `past`
             past = k + 1
             while past <= last and starts[past] <= time:
                 k, past, step = past, past + step, 2 * step
@@ -99,7 +99,7 @@ class Generator:
         return k
 
     def past(self, profile: int) -> int:
-        """The first cycle whose point a later profile makes; `FOR_EVER` for the last one."""
+        """Return the first cycle whose point is from a later profile; `FOR_EVER` if none."""
         starts = self.track.starts
         if profile + 1 >= len(starts):
             return FOR_EVER
@@ -111,7 +111,7 @@ class Generator:
         return until
 
     def offset(self, profile: int) -> float:
-        """Counts to add to the track while `profile` is in force."""
+        """Return the counts to add to the track while `profile` is in force."""
         if profile > self._known:
             self._get_to_know(profile)
         k = len(self._since) - 1
@@ -120,7 +120,7 @@ class Generator:
         return self._offsets[k]
 
     def offsets(self, first: int, past: int) -> NDArray[np.float64]:
-        """Those of the profiles from one to another, not included."""
+        """Return the offsets of the profiles from `first` to `past` (exclusive)."""
         import numpy as np
 
         self.offset(past - 1)
@@ -140,9 +140,10 @@ class Generator:
         self._known = profile
 
     def shifts(self, first: int, until: int, rate: float) -> list[tuple[int, float]]:
-        """The samples from `first` to `until` (not included) at which the offset changes, and what it is then.
+        """Return the samples at which the offset changes, with the new offset.
 
-        A sample at the very moment of a change comes before it.
+        They are those from `first` to `until` (exclusive). A sample exactly at the time of a change precedes
+        it.
         """
         starts = self.track.starts
         now = self.in_force_at((first - _AT_ONCE) / rate)
@@ -152,16 +153,16 @@ class Generator:
         while last > now and floor(starts[last] * rate + _AT_ONCE) + 1 >= until:
             last -= 1
         found = [(first, self.offset(now))]
-        self.offset(last)  # makes known what there is to there
+        self.offset(last)  # computes the offsets up to there
         for k in self._since[bisect_right(self._since, now) : bisect_right(self._since, last)]:
             if self.offset(k) != found[-1][1]:
                 found.append((floor(starts[k] * rate + _AT_ONCE) + 1, self.offset(k)))
         return found
 
     def rebase(self, cycle: int, position: float, profile: int | None = None) -> None:
-        """From now on the track's own position in `cycle` is `position`: the loop has been closed there.
+        """Make `position` the track's own position in `cycle`, where the loop was closed.
 
-        `profile` is the number of the one in force; without it the last one that began before the cycle.
+        `profile` is the index of the one in force; without it the last one that began before the cycle.
         """
         k = self.in_force(cycle) if profile is None else profile
         self.offset(k)
@@ -175,14 +176,17 @@ class Generator:
         self._known = k
 
     def first(self, cycle: int = 0) -> float:
-        """The point at the beginning of `cycle`, before anything has moved."""
+        """Return the point at the beginning of `cycle`, before any motion."""
         k = self.in_force(cycle)
         return self.offset(k) + self.track.profiles[k].position(cycle * self.period - self.track.starts[k])
 
     def points(
         self, cycle: int, count: int, known: Sequence[float] = ()
     ) -> Sequence[float] | NDArray[np.float64]:
-        """`known`, then the points at the ends of `count` cycles from `cycle` on; many of them as an array."""
+        """`known` followed by the points at the ends of `count` cycles from `cycle`.
+
+        Many points are returned as an array.
+        """
         if count > SHORT:
             import numpy as np
 
@@ -195,13 +199,13 @@ class Generator:
         return [*known, *(place + offset for place in self.track.profiles[k].positions(times))]
 
     def point(self, cycle: int) -> float:
-        """The point for the end of a cycle."""
+        """Return the point for the end of a cycle."""
         k = self.in_force(cycle)
         time = (cycle + 1) * self.period - self.track.starts[k]
         return self.track.profiles[k].position(time) + self.offset(k)
 
     def table(self, cycle: int, count: int) -> NDArray[np.float64]:
-        """The same points by NumPy."""
+        """Return the points computed by NumPy."""
         import numpy as np
 
         from motionlang.planners.sample import PieceTable
@@ -221,7 +225,8 @@ class Generator:
                 np.searchsorted(starts, np.arange(cycle + 1, cycle + count + 1) * self.period, "right") - 1
             )
             made += offsets[np.maximum(owners, 0)]
-        # What begins in a cycle does not show at its end yet; where the zero moves, rounding must not decide.
+        # A profile that begins in a cycle does not affect its end yet; where the zero moves, rounding must
+        # not decide.
         begun = starts[1:] / self.period - cycle
         near = np.rint(begun[np.diff(offsets) != 0.0])
         redone = np.unique(

@@ -1,7 +1,7 @@
-"""The plant between two servo samples, exactly: x' = A x + b u + w while the output u is held.
+"""Exact discretisation of the plant: x' = A x + b u + w with a constant output u.
 
-Friction and backlash make the plant piecewise linear. A `Regime` is one piece: which way the motor slides (or that
-it sticks), and which flank of the backlash is in contact; each has its own exact matrices.
+Friction and backlash make the plant piecewise linear. A `Regime` is one piece: the direction in which the
+motor slides (or that it sticks), and the flank of the backlash in contact. Each has its own exact matrices.
 """
 
 from __future__ import annotations
@@ -16,26 +16,29 @@ from motionlang.servo.plant import Drive, Motor
 Matrix = tuple[tuple[float, ...], ...]
 
 SLIDING_UP, STUCK, SLIDING_DOWN = 1, 0, -1
-"""Friction: the direction in which the motor moves, 0 while it sticks."""
+"""Friction: the direction of the motor, 0 while it sticks."""
 
 
 @dataclass(frozen=True, slots=True)
 class Regime:
-    """Exact matrices over one sample, and the row of the velocity's derivative with no friction (for breaking away)."""
+    """Exact matrices over one sample, and the acceleration without friction.
+
+    The latter decides if the motor breaks away.
+    """
 
     a: Matrix
     b: tuple[float, ...]
     w: tuple[float, ...]
     drive: tuple[float, ...]
-    """Acceleration without friction: coefficients of the states, then of the output, then the constant."""
+    """Acceleration without friction: coefficients of states, output, and the constant."""
 
 
 @dataclass(frozen=True, slots=True)
 class Discrete:
-    """A plant at one sample period. `names` are its states; `regimes` is keyed by (friction, contact).
+    """A plant at one sample period.
 
-    `current` gives the motor current from the states, the output and 1; `coulomb` and `breakaway` are
-    accelerations in counts/s².
+    `names` are its states; `regimes` is keyed by (friction, contact). `current` gives the motor current from
+    the states, the output and 1; `coulomb` and `breakaway` are accelerations in counts/s².
     """
 
     names: tuple[str, ...]
@@ -50,7 +53,7 @@ class Discrete:
 
 @lru_cache(maxsize=64)
 def discretise(plant: Motor | Drive, period: float) -> Discrete:
-    """The plant's exact matrices for samples `period` seconds apart."""
+    """Return the plant's exact matrices for samples `period` seconds apart."""
     if isinstance(plant, Drive):
         return _drive(plant, period)
     names = ["position", "velocity"]
@@ -97,7 +100,10 @@ def _regime(plant: Motor, names: list[str], friction: int, contact: int, period:
 
 
 def _continuous(plant: Motor, names: list[str], contact: int) -> list[list[float]]:
-    """Rows of x-dot over (states, output, 1), without friction; positions in counts."""
+    """Return the rows of x-dot over (states, output, 1), without friction.
+
+    Positions are in counts.
+    """
     size = len(names) + 2
     place = {name: i for i, name in enumerate(names)}
     out, one = size - 2, size - 1
@@ -123,7 +129,7 @@ def _continuous(plant: Motor, names: list[str], contact: int) -> list[list[float
 
 
 def _couple(plant: Motor, rows: list[list[float]], place: dict[str, int], contact: int) -> None:
-    """The spring between motor and load; in the gap of the backlash there is none."""
+    """Add the spring between motor and load; in the backlash gap there is none."""
     twist, load = place["twist"], place["load_velocity"]
     rows[twist][1], rows[twist][load] = 1.0, -1.0
     if contact == 0:
@@ -140,7 +146,7 @@ def _couple(plant: Motor, rows: list[list[float]], place: dict[str, int], contac
 
 
 def _current_row(plant: Motor, names: list[str]) -> tuple[float, ...]:
-    """The motor current over (states, output, 1)."""
+    """Return the motor current over (states, output, 1)."""
     row = [0.0] * (len(names) + 2)
     if plant.has_current_state:
         row[names.index("current")] = 1.0
@@ -165,11 +171,14 @@ def _integrate(rows: list[list[float]], period: float, drive: tuple[float, ...])
 
 
 def exponential(m: list[list[float]]) -> list[list[float]]:
-    """The matrix exponential by scaling, a Taylor series and squaring; good to rounding for small matrices."""
+    """Return the matrix exponential by scaling, a Taylor series and squaring.
+
+    It is accurate to rounding for small matrices.
+    """
     norm = max(total(abs(value) for value in row) for row in m)
     halvings = max(0, ceil(log2(norm)) + 5) if norm > 0.0 else 0
     x = [[value / 2.0**halvings for value in row] for row in m]
-    # Squaring exp - 1 instead of exp keeps the small entries of a short step to full precision.
+    # Squaring exp - 1 instead of exp preserves the full precision of the small entries of a short step.
     term, rest = x, [row[:] for row in x]
     for k in range(2, 16):
         term = [[value / k for value in row] for row in product(term, x)]
@@ -180,7 +189,7 @@ def exponential(m: list[list[float]]) -> list[list[float]]:
 
 
 def product(a: list[list[float]], b: list[list[float]]) -> list[list[float]]:
-    """The matrix product."""
+    """Return the matrix product."""
     columns = list(zip(*b, strict=True))
     return [[total(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in a]
 

@@ -1,7 +1,7 @@
-"""The points of a track for a servo that is seen before its time: by NumPy, and to the last bit as one by one.
+"""Points of a track for a speculative servo, by NumPy, equal to the last bit.
 
-What such a servo has seen is run again from the middle of a block where something else was done, and must come to the
-same: the table of pieces, which rounds by where a block begins, is no help there.
+Such a servo repeats samples from the middle of a block after a change, and must reach the same results. The
+table of pieces cannot be used, because its rounding depends on where a block begins.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-# Points from which NumPy is quicker than plain floats, which it is not yet where several profiles share few points.
+# Points from which NumPy is quicker than plain floats. It is not if several profiles share few points.
 _WORTHWHILE = 100
 
 
 class Foreseen(Generator):
-    """A generator whose points do not depend on how many of them are asked for at once."""
+    """A generator whose points do not depend on the number computed at once."""
 
     __slots__ = ()
 
     def points(
         self, cycle: int, count: int, known: Sequence[float] = ()
     ) -> Sequence[float] | NDArray[np.float64]:
-        """`known`, then the points at the ends of `count` cycles from `cycle` on."""
+        """`known` followed by the points at the ends of `count` cycles from `cycle`."""
         if count < _WORTHWHILE:
             return super().points(cycle, count, known)
         track, period, past = self.track, self.period, cycle + count

@@ -1,8 +1,9 @@
-"""The gains of both languages on the one loop: what a unit of each is worth.
+"""Gains of both languages on the one loop, and their units.
 
-Mint computes in DAC steps, 2048 of them for 10 V, and in counts per servo loop (Baldor MN1957, 5.8.1, and the worked
-example of MN1274: KVELFF = 2048 / counts per loop at full speed). MCCL's MultiFlex gains are volts (PMC UM, feed-
-forward: output = velocity in counts/s times the gain); the DCX modules compute like National's LM628.
+Mint computes in DAC steps, 2048 of them for 10 V, and in counts per servo loop (Baldor MN1957, 5.8.1, and the
+worked example of MN1274: KVELFF = 2048 / counts per loop at full speed). MCCL's MultiFlex gains are volts
+(PMC UM, feed-forward: output = velocity in counts/s times the gain); the DCX modules compute like National's
+LM628.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from motionlang.servo.loop import FULL_SCALE, Loop
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    # By its quantity the value of a gain and the word that it was written by.
+    # The value of a gain and the keyword that set it, by its quantity.
     Gains = Mapping[str, tuple[float, str]]
 
 MINT_STEPS = 2048.0
@@ -24,8 +25,8 @@ MINT_STEP = FULL_SCALE / MINT_STEPS
 LM628_RATE = 6e6 / 2048.0
 """Hz: one sample every 2048 clocks of 6 MHz, 341 microseconds."""
 MODELS = ("multiflex", "dcx")
-# What a language's gains are until a program sets them, by the quantity of the loop that each sets, in the units of the
-# language: `tunes` in the rows of its words. Where a quantity sets other fields than the one it is called after, `SETS`
+# The initial gains of a language, by the quantity of the loop that each sets, in the units of the language:
+# `tunes` in the rows of its keywords. If a quantity sets other fields than the one it is named after, `SETS`
 # has them.
 MINT = {
     "proportional": 0.0,  # DAC steps per count
@@ -64,13 +65,16 @@ _MCCL_MODES = ("always", "stopped", "zeroed")
 
 
 def fields(language: str, quantities: Iterable[str]) -> set[str]:
-    """The fields of a `Loop` that gains of a language decide."""
+    """Return the fields of a `Loop` that gains of a language set."""
     sets = SETS[language]
     return {field for quantity in quantities for field in sets.get(quantity, (quantity,))}
 
 
 def mint_loop(gains: Gains) -> Loop:
-    """The loop that a Mint program's gains describe; what is not given has its default. ValueError names the word."""
+    """Return the loop of a Mint program's gains; omitted ones have their defaults.
+
+    Raises ValueError naming the keyword.
+    """
     v = _Complete(gains, MINT)
     rate = 1e6 / v.within("period", 50.0, 100_000.0)
     return Loop(
@@ -90,7 +94,10 @@ def mint_loop(gains: Gains) -> Loop:
 
 
 def mccl_loop(gains: Gains, model: str = "multiflex", scale: float = 1.0) -> Loop:
-    """The loop that an MCCL program's gains describe; `scale` is counts per user unit, for VG, AG and DG."""
+    """Return the loop of an MCCL program's gains.
+
+    `scale` is counts per user unit, for VG, AG and DG.
+    """
     if model not in MODELS:
         raise ValueError(f"there is no servo model {model!r}: {' or '.join(MODELS)}")
     if not 0.0 < abs(scale) < inf:
@@ -121,7 +128,10 @@ def _multiflex(v: _Complete, scale: float) -> Loop:
 
 
 def _lm628(v: _Complete) -> Loop:
-    """Gains 0 to 32767; FR counts further samples between two derivatives (the API's period / 341 us - 1)."""
+    """Return the loop of gains 0 to 32767.
+
+    FR counts further samples between two derivatives (the API's period / 341 us - 1).
+    """
     return Loop(
         arithmetic="lm628",
         dac_bits=12,
@@ -140,7 +150,7 @@ def _lm628(v: _Complete) -> Loop:
 
 
 def mint_values(loop: Loop) -> dict[str, float]:
-    """The Mint gains that give this loop, at its servo rate, by their quantity."""
+    """Return the Mint gains of this loop, at its servo rate, by quantity."""
     rate = loop.servo_rate
     return {
         "proportional": loop.proportional / MINT_STEP,
@@ -158,7 +168,7 @@ def mint_values(loop: Loop) -> dict[str, float]:
 
 
 def mccl_values(loop: Loop, scale: float = 1.0) -> dict[str, float]:
-    """The MultiFlex gains that give this loop, but for its servo rate, by their quantity."""
+    """Return the MultiFlex gains of this loop, except for its rate, by quantity."""
     limit = min(loop.integral_limit, loop.output_limit)
     return {
         "proportional": loop.proportional,
@@ -174,7 +184,7 @@ def mccl_values(loop: Loop, scale: float = 1.0) -> dict[str, float]:
 
 
 class _Complete(dict[str, float]):
-    """The values of all gains of a language, by their quantity."""
+    """The values of all gains of a language, by quantity."""
 
     __slots__ = ("_gains",)
 
@@ -187,7 +197,7 @@ class _Complete(dict[str, float]):
             self[quantity] = float(value)
 
     def within(self, quantity: str, low: float, high: float) -> float:
-        """The value; ValueError where it is out of range."""
+        """Return the value; ValueError if it is out of range."""
         value = self[quantity]
         if not low <= value <= high:
             word = self._gains[quantity][1]

@@ -1,4 +1,7 @@
-"""The linear step of a loop and a plant: one matrix, found by trying unit values on the step itself."""
+"""The linear step of a loop and a plant, as one matrix.
+
+It is found by applying unit values to the step itself.
+"""
 
 from __future__ import annotations
 
@@ -19,12 +22,15 @@ if TYPE_CHECKING:
 
 
 def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
-    """One step without limits, and the columns at its beginning, over (state, demand, feed-forward, 1)."""
+    """Return one step without limits, and the columns at its beginning.
+
+    They are matrices over (state, demand, feed-forward, 1).
+    """
     return Probe(loop, plant, columns).sampled
 
 
 class Probe:
-    """One step as a matrix over (state, demand, feed-forward, 1), found by trying unit values on the step itself."""
+    """One step as a matrix over (state, demand, feed-forward, 1)."""
 
     def __init__(self, loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> None:
         run = stepper(loop, plant, columns, limited=False)
@@ -55,7 +61,7 @@ def _affine(tried: object, nz: int, held: bool) -> tuple[Array, Array]:
 
 
 def kept_places(loop: Loop, names: tuple[str, ...]) -> list[int]:
-    """Places in the state of what the linear system remembers."""
+    """Return the indices of the states that the linear system remembers."""
     memory = {
         "total": loop.has_integral,
         "last_error": bool(loop.derivative),

@@ -1,4 +1,4 @@
-"""How far the motor of an axis can be seen ahead: the samples of a block, and what is looked for in them."""
+"""The samples of a block ahead of the clock, and the searches in them."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Seconds: a profile that ends this much later has ended.
+# Seconds: a profile that ends this much later counts as ended.
 _AT_ONCE = 1e-9
-# Counts within which a motor stands on a position.
+# Counts within which a motor is at a position.
 _ON = 1e-6
-# A motor is at rest when it has been this near its demand, counts, for so many seconds.
+# A motor is at rest when its following error has been this small, counts, for so many seconds.
 REST_ERROR, REST_TIME = 1.0, 0.02
 
 
 def seen(plant: Motor | Drive) -> tuple[str, ...]:
-    """The columns of a servo run that a sight is made of."""
+    """Return the columns of a servo run that `Sight` consists of."""
     twists = getattr(plant, "resonance", 0.0) > 0.0
     return tuple(name for name in RUN if name != "integral" and (twists or name != "twist"))
 
 
 def rests_as_seen(track: Demanded) -> bool:
-    """Whether the last profile is the rest at the end of the one before it, in which that was followed ahead."""
+    """True if the last profile is the rest assumed at the end of the one before."""
     if len(track.profiles) < 2:
         return False
     before, after = track.profiles[-2:]
@@ -47,10 +47,10 @@ def rests_as_seen(track: Demanded) -> bool:
 
 
 class Sight:
-    """Samples that follow one another, `first` being the number of the first one, and a row for each of `SEEN`.
+    """Consecutive samples from number `first` on, with a row for each of `SEEN`.
 
-    `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error counts, output
-    volts, current A.
+    `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error
+    counts, output volts, current A.
     """
 
     __slots__ = ("first", "rows")
@@ -63,7 +63,7 @@ class Sight:
 
     @property
     def end(self) -> int:
-        """The number of the first sample that is not seen any more."""
+        """The number of the first sample after them."""
         return self.first + len(self)
 
     @property
@@ -83,7 +83,7 @@ class Sight:
 
     @property
     def output(self) -> Array:
-        """What the controller put out."""
+        """Outputs of the controller."""
         return self._row(3)
 
     @property
@@ -96,21 +96,21 @@ class Sight:
         return row
 
     def keep(self, first: int, until: int) -> None:
-        """Keep the samples from `first` to `until`, not included."""
+        """Keep only the samples from `first` to `until` (exclusive)."""
         self.rows = self.rows[:, max(first - self.first, 0) : until - self.first]
         self.first = max(first, self.first)
 
     def extend(self, made: Array) -> None:
-        """See further samples."""
+        """Append further samples."""
         self.rows = np.concatenate((self.rows, made), axis=1)
 
 
 class Window:
-    """What a motor must keep to for `hold` seconds to count as settled.
+    """The window in which a motor must be for `hold` seconds to count as settled.
 
-    A following error of at most `error` counts and a speed of at most `speed` counts/s; where it is `at_target`, the
-    distance to the target instead of the following error. `since` is the sample from which it has been inside.
-    Where it is `announced`, waits are looked at when it has settled.
+    It is a following error of at most `error` counts and a speed of at most `speed` counts/s; with
+    `at_target` the distance to the target replaces the following error. `since` is the sample from which it
+    has been inside. If it is `announced`, waits are checked when it has settled.
     """
 
     __slots__ = ("announced", "at_target", "error", "hold", "since", "speed")
@@ -128,12 +128,12 @@ class Window:
         self.since = inf
 
     def same(self, other: Window | None) -> bool:
-        """Whether another one asks for the same."""
+        """True if another window has the same bounds."""
         names = ("error", "speed", "hold", "at_target")
         return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
 
     def inside(self, sight: Sight, target: float) -> NDArray[np.bool_]:
-        """For every sample seen, whether it is inside; `target` is the motor's, in its own coordinates."""
+        """Return for every sample if it is inside; `target` is in motor coordinates."""
         off = target - sight.encoder if self.at_target else sight.error
         made = np.abs(off) <= self.error
         if self.speed < inf:
@@ -141,7 +141,7 @@ class Window:
         return made
 
     def pass_by(self, sight: Sight, target: float, until: int) -> None:
-        """Note the samples before number `until`."""
+        """Advance `since` over the samples before number `until`."""
         inside = self.inside(sight, target)[: until - sight.first]
         outside = np.flatnonzero(~inside)
         if len(outside) == len(inside) or (len(outside) and outside[-1] == len(inside) - 1):
@@ -152,9 +152,9 @@ class Window:
             self.since = float(sight.first)
 
     def settled(self, sight: Sight, target: float, now: int, rate: float) -> float:
-        """The first sample, `now` or a later one, at which it has been kept long enough; inf where none is seen.
+        """The first sample from `now` on at which the motor is settled; inf if none.
 
-        A window that is being kept when the sight ends gives the sample at which it will have been long enough.
+        If the samples end inside the window, return the sample at which the time will be reached.
         """
         for onset, end in self.onsets(sight, target, rate):
             if max(onset, now) < end or end == sight.end:
@@ -162,7 +162,7 @@ class Window:
         return inf
 
     def onsets(self, sight: Sight, target: float, rate: float) -> list[tuple[int, int]]:
-        """For each time that it is kept: the sample at which that has been long enough, and the first one outside."""
+        """For each time inside the sample at which it is settled, and the first outside."""
         found = []
         for begin, end in _runs(self.inside(sight, target)):
             known = begin == 0 and self.since < inf
@@ -172,14 +172,17 @@ class Window:
 
 
 def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Begin and end of each stretch of samples that are inside."""
+    """Return begin and end of each run of samples inside."""
     padded = np.concatenate(([False], inside, [False]))
     edges = np.flatnonzero(padded[1:] != padded[:-1])
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def crossing(position: Array, level: float) -> int | None:
-    """The first sample after the first one that has reached `level`, or left it where the first one stands on it."""
+    """Return the first later sample that has reached or left `level`, or None.
+
+    It has left it if the first sample is at the level.
+    """
     margin = _ON + 1e-12 * abs(level)
     off = position - level
     if abs(off[0]) <= margin:
@@ -192,14 +195,15 @@ def crossing(position: Array, level: float) -> int | None:
 
 
 def next_side(position: Array, level: float, side: int) -> tuple[int | None, int]:
-    """The first sample after the first one at which the motor changes sides of `level`, and the side it is then on.
+    """Return the first later sample at which the motor changes sides of `level`.
 
-    `side` is the one it counts as being on now. Reaching the level counts as passing it; 0 is a side not known yet.
+    Also return the new side. `side` is the present one; 0 is not known yet. Reaching the level counts as
+    passing it.
     """
     margin = _ON + 1e-12 * abs(level)
     off = position - level
     start = 1
-    if side and abs(off[0]) <= margin:  # it stands on the level: back the way it came is no change
+    if side and abs(off[0]) <= margin:  # it is at the level: moving back is no change
         away = np.flatnonzero(np.abs(off) > margin)
         if not len(away):
             return None, side
@@ -214,7 +218,7 @@ def next_side(position: Array, level: float, side: int) -> tuple[int | None, int
 
 
 def next_other_side(values: Array, level: float) -> int | None:
-    """The first sample after the first one that is not clearly on the first one's side of a level."""
+    """Return the first sample not clearly on the first one's side of a level."""
     off = values - level
     side = np.where(np.abs(off) <= _ON + 1e-9 * abs(level), 0.0, np.sign(off))
     found = np.flatnonzero((side[1:] != side[0]) | (side[1:] == 0.0))

@@ -1,7 +1,8 @@
-"""The control loop: how demanded and measured position become a voltage.
+"""The control loop: from commanded and measured position to a voltage.
 
 One object serves both languages: Mint's and MCCL's gains are scaled onto it in `gains`. Positions are counts,
-outputs volts at the controller's +-10 V output, rates Hz; gains are per servo sample where a sample is involved.
+outputs volts at the controller's +-10 V output, rates Hz; gains are per servo sample where a sample is
+involved.
 """
 
 from __future__ import annotations
@@ -27,18 +28,19 @@ GAINS = (
     "accel_ff",
     "decel_ff",
 )
-"""Fields without any of which an output stays zero."""
+"""Fields of which at least one must be set for a nonzero output."""
 FULL_SCALE = 10.0
 """Volts at the end of the DAC's range."""
 FINE_BITS = 16
-"""The word of the integer forms, and the finest DAC."""
+"""Bits of the integer forms' words, and of the finest DAC."""
 
 
 @dataclass(frozen=True, slots=True)
 class Override:
-    """Chapter 12's direct DAC override: at most `steps` DAC steps away from the actual velocity, held `hold` updates.
+    """Chapter 12's direct DAC override.
 
-    `speed` is the velocity in counts/s that the motor runs at when the DAC is at full scale.
+    The output is at most `steps` DAC steps away from the actual velocity, for `hold` updates. `speed` is the
+    velocity in counts/s of the motor at the full scale of the DAC.
     """
 
     steps: int
@@ -53,13 +55,14 @@ class Override:
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """A position loop; every field has a default, and nothing but a gain is needed.
+    """A position loop; every field has a default, and only a gain is required.
 
-    `arithmetic` "real" computes u = Kp e + Ki sum(e) + Kd (e - e_last) - Kv (y - y_last) + feed-forward in volts.
-    "chapter12" and "lm628" compute in whole numbers and give DAC steps: proportional, integral and derivative are
-    then the integer gains of those forms, `integral_limit` is in their units before the last division.
-    Feed-forward gains are volts per count/s and per count/s²; `integral_limit` bounds the integral's contribution,
-    by stopping the sum ("sum") or only what it contributes ("term": the sum goes on winding up).
+    `arithmetic` "real" computes u = Kp e + Ki sum(e) + Kd (e - e_last) - Kv (y - y_last) + feed-forward in
+    volts. "chapter12" and "lm628" compute in integers and give DAC steps: proportional, integral and
+    derivative are then the integer gains of those forms, `integral_limit` is in their units before the last
+    division. Feed-forward gains are volts per count/s and per count/s². `integral_limit` bounds the
+    integral's contribution, by stopping the sum ("sum") or by limiting only its contribution ("term": the sum
+    continues to wind up).
     """
 
     proportional: float = 0.0
@@ -112,27 +115,27 @@ class Loop:
 
     @property
     def ratio(self) -> int:
-        """Servo samples in a trajectory cycle."""
+        """Servo samples per trajectory cycle."""
         return round(self.servo_rate / self.trajectory_rate)
 
     @property
     def dac_step(self) -> float:
-        """Volts of one DAC step; 0 where the output is not quantised."""
+        """Volts of one DAC step; 0 if the output is not quantised."""
         return FULL_SCALE / (1 << (self.dac_bits - 1)) if self.dac_bits else 0.0
 
     @property
     def has_feed_forward(self) -> bool:
-        """Whether the demanded velocity or acceleration contributes to the output."""
+        """True if the commanded velocity or acceleration contributes to the output."""
         return bool(self.velocity_ff or self.accel_ff or self.decel_ff)
 
     @property
     def has_integral(self) -> bool:
-        """Whether the integral can contribute at all."""
+        """True if the integral can contribute."""
         return self.integral != 0.0 and self.integral_limit > 0.0 and self.integral_mode != "never"
 
     @property
     def is_linear(self) -> bool:
-        """Whether the loop is linear while it stays inside its limits."""
+        """True if the loop is linear within its limits."""
         plain = self.arithmetic == "real" and not self.dac_bits and not self.override
         return plain and self.output_deadband == 0.0
 

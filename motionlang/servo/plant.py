@@ -1,8 +1,9 @@
-"""The plant: what an output voltage does to the position.
+"""The plant: the effect of an output voltage on the position.
 
-`Motor` is a DC motor, or a brushless one seen through its commutation (terminal-to-terminal R and L, and the torque
-constant of the commutated current), with its load. `Drive` is an amplifier with its own velocity loop: chapter 12's
-view of a drive, a first-order lag between commanded and actual velocity. SI units but for positions, which are counts.
+`Motor` is a DC motor, or a brushless one seen through its commutation (terminal-to-terminal R and L, and the
+torque constant of the commutated current), with its load. `Drive` is an amplifier with its own velocity loop:
+chapter 12's model of a drive, a first-order lag between commanded and actual velocity. Units are SI except
+for positions, which are counts.
 """
 
 from __future__ import annotations
@@ -16,11 +17,12 @@ ENCODER_SIDES = ("motor", "load")
 
 @dataclass(frozen=True, slots=True)
 class Motor:
-    """A motor with a rigid load, or with the load behind one resonance, friction, and backlash if wanted.
+    """A motor with a load, and optionally a resonance, friction and backlash.
 
-    `amplifier_gain` is V/V for a voltage amplifier and A/V for a current one. `load_torque` pulls in the negative
-    direction (gravity). `resonance` is the frequency in Hz at which motor and load swing against each other,
-    `backlash` the free play between them in counts. `quantised` rounds the encoder to whole counts.
+    `amplifier_gain` is V/V for a voltage amplifier and A/V for a current one. `load_torque` pulls in the
+    negative direction (gravity). `resonance` is the frequency in Hz at which motor and load oscillate against
+    each other; `backlash` is the free play between them in counts. `quantised` rounds the encoder to integer
+    counts.
     """
 
     resistance: float = 1.0
@@ -67,7 +69,7 @@ class Motor:
 
     @property
     def counts_per_radian(self) -> float:
-        """Encoder counts in one radian of the shaft."""
+        """Encoder counts per radian of the shaft."""
         return self.counts_per_rev / (2.0 * pi)
 
     @property
@@ -77,17 +79,17 @@ class Motor:
 
     @property
     def has_current_state(self) -> bool:
-        """Whether the current takes time to build up: a voltage amplifier on an inductance."""
+        """True if the current takes time: a voltage amplifier on an inductance."""
         return self.amplifier == "voltage" and self.inductance > 0.0
 
     @property
     def is_linear(self) -> bool:
-        """Whether neither friction, backlash nor the encoder make the plant nonlinear."""
+        """True if neither friction, backlash nor the encoder make the plant nonlinear."""
         return not (self.coulomb or self.breakaway or self.backlash or self.quantised)
 
     @property
     def speed_per_volt(self) -> float:
-        """Final speed in counts/s for each volt of the controller's output, without Coulomb friction (inf: none)."""
+        """Final speed in counts/s per volt, without Coulomb friction; may be inf."""
         if self.amplifier == "current":
             torque = self.torque_constant * self.amplifier_gain
             return torque / self.viscous * self.counts_per_radian if self.viscous else inf
@@ -101,7 +103,7 @@ class Motor:
 
     @property
     def mechanical_time_constant(self) -> float:
-        """Time constant of the speed when the current is taken as immediate, seconds (inf: nothing damps it)."""
+        """Time constant of the speed with an immediate current, seconds (inf: no damping)."""
         damping = self.viscous
         if self.amplifier == "voltage":
             damping += self.torque_constant**2 / self.resistance
@@ -110,9 +112,9 @@ class Motor:
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """A drive with its own velocity loop: velocity follows `speed_per_volt` times the output with a first-order lag.
+    """A drive with a velocity loop: velocity is `speed_per_volt` times output, lagged.
 
-    `time_constant` in seconds, `speed_per_volt` in counts/s per volt.
+    The lag is first-order, `time_constant` in seconds, `speed_per_volt` in counts/s per volt.
     """
 
     speed_per_volt: float = 10_000.0
@@ -125,7 +127,7 @@ class Drive:
 
     @property
     def is_linear(self) -> bool:
-        """Whether the encoder is taken as continuous."""
+        """True if the encoder is taken as continuous."""
         return not self.quantised
 
 

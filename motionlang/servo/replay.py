@@ -1,4 +1,4 @@
-"""What was done to a servo while it ran, and the same run once more from it: for reports, traces and pictures."""
+"""Changes to a servo during a run, and its replay for reports and pictures."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
     from motionlang.servo.plant import Drive, Motor
     from motionlang.servo.trace import ServoTrace
 
-    # When, and what: another loop, an open loop with so many volts, or a closed one with the number of the profile
-    # in force.
+    # Time and change: another loop, an open loop with a voltage, or a closed one with the index of the
+    # profile in force.
     Change = tuple[float, Loop | float | int]
 
 BLOCK = 1 << 13
-"""Samples that are run in one go."""
+"""Samples that are run at once."""
 
 
 def apply(servo: Servo, change: Change) -> None:
-    """Do to a servo, which stands at the time of the change, what was done then."""
+    """Apply a recorded change to a servo at the time of that change."""
     what = change[1]
     if isinstance(what, float):
         servo.open(what)
@@ -35,12 +35,12 @@ def apply(servo: Servo, change: Change) -> None:
 
 
 def sample_at(time: float, rate: float) -> int:
-    """The number of the last sample up to a time, the time itself included."""
+    """Return the number of the last sample up to and including a time."""
     return floor(time * rate + 1e-6)
 
 
 def run_to(servo: Servo, sample: int) -> ServoTrace | None:
-    """Run every sample up to number `sample`, included, and give the last of them; rest that repeats itself is free."""
+    """Run to `sample` (inclusive), skip periodic rest, and return the last block."""
     last = None
     for part in parts(servo, sample):
         last = part
@@ -48,7 +48,7 @@ def run_to(servo: Servo, sample: int) -> ServoTrace | None:
 
 
 def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
-    """The same block by block, with what each was; of rest that repeats itself only the first block."""
+    """Run block by block and yield each; of periodic rest only the first block."""
     while servo.sample <= sample:
         count = min(sample + 1 - servo.sample, BLOCK)
         state = servo.state
@@ -59,7 +59,7 @@ def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
 
 
 def stands(servo: Servo, count: int, until: int) -> bool:
-    """Whether the demand has been at rest for the last `count` samples and goes on so to sample `until`."""
+    """True if the command rests for the last `count` samples and on to `until`."""
     starts, rate = servo.track.starts, servo.loop.servo_rate
     since = (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate
     k = servo.in_force_at(since)
@@ -75,7 +75,10 @@ def replay(
     changes: Sequence[Change],
     until: float,
 ) -> Iterator[tuple[float, ServoTrace]]:
-    """A run from time 0 to `until` in traces that follow one another, each with the time of its first sample."""
+    """Yield a run from time 0 to `until` in consecutive traces.
+
+    Each has the time of its first sample.
+    """
     servo = Servo(loop, plant, track)
     for change in (*changes, None):
         end = until if change is None else min(change[0], until)
@@ -90,7 +93,7 @@ def replay(
 def whole(
     track: Demanded, loop: Loop, plant: Motor | Drive, changes: Sequence[Change], until: float
 ) -> ServoTrace:
-    """The same in one trace; a pause in which nothing changed is filled in."""
+    """Return the run as one trace; a pause without changes is filled in."""
     servo = Servo(loop, plant, track, record=True)
     for change in changes:
         if change[0] <= until:

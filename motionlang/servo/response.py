@@ -1,4 +1,7 @@
-"""Figures of a loop and a plant: the step response, and of a linear pair bandwidth, margins and stability."""
+"""Figures of a loop and a plant: step response, bandwidth, margins and stability.
+
+All but the step response need a linear pair.
+"""
 
 from __future__ import annotations
 
@@ -30,17 +33,17 @@ DROP = 10.0 ** (-3.0 / 20.0)
 SETTLING = 0.02
 LOW, HIGH = 0.1, 0.9
 _POINTS = 2000
-# Every so many points of the grid are worked out both ways, which must agree so closely; and how far from the level a
-# gain must be that is only worked out the quick way.
+# The grid points between two that are computed both ways, how closely these must agree, and how far from the
+# level a gain must be that is computed only the quick way.
 _TRIED, _AGREED, _CLEAR = 50, 1e-8, 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class StepFigures:
-    """Of the answer to a step: times in seconds, overshoot as a share of the step, errors in counts.
+    """Of a step response: times in s, overshoot as a share of it, errors in counts.
 
-    `rise` is from 10 to 90 %, `settling` into 2 % for good; both are inf where it never happens. `bandwidth` (Hz) is
-    0.35/rise: a rule of thumb that holds for any loop, nonlinear ones too.
+    `rise` is from 10 to 90 %, `settling` into 2 % for good; both are inf if it never happens. `bandwidth`
+    (Hz) is 0.35/rise: a rule of thumb for any loop, nonlinear ones included.
     """
 
     size: float
@@ -60,7 +63,10 @@ class StepFigures:
 
 @dataclass(frozen=True, slots=True)
 class LoopFigures:
-    """Of the linear loop, at the servo rate: frequencies in Hz, margins in degrees and as a factor."""
+    """Of the linear loop at the servo rate: frequencies in Hz, margins in degrees.
+
+    The gain margin is a factor.
+    """
 
     stable: bool
     bandwidth: float
@@ -72,7 +78,10 @@ class LoopFigures:
 
 
 def step_response(loop: Loop, plant: Motor | Drive, size: float, seconds: float) -> ServoTrace:
-    """Run the answer to a demand that jumps from 0 to `size` counts at time 0; feed-forward sees no motion."""
+    """Run the response to a step of the command from 0 to `size` counts at time 0.
+
+    Feed-forward sees no motion.
+    """
     count = max(2, round(seconds * loop.servo_rate))
     points = [size] * (-(-count // loop.ratio) + 2)
     state = initial_state(discretise(plant, loop.period), 0.0)
@@ -81,7 +90,7 @@ def step_response(loop: Loop, plant: Motor | Drive, size: float, seconds: float)
 
 
 def step_figures(trace: ServoTrace, size: float) -> StepFigures:
-    """Rise, overshoot and settling of a step response of `size` counts."""
+    """Return rise, overshoot and settling of a step response of `size` counts."""
     share = trace.measured / size
     time = trace.time
     last = float(share[-1])
@@ -108,7 +117,7 @@ def step_figures(trace: ServoTrace, size: float) -> StepFigures:
 
 
 def _crossing(share: Array, time: Array, level: float) -> float:
-    """When the response first reaches `level`, between samples in a straight line."""
+    """Return when the response first reaches `level`, interpolated linearly."""
     above = np.flatnonzero(share >= level)
     if not len(above):
         return inf
@@ -123,9 +132,10 @@ def _crossing(share: Array, time: Array, level: float) -> float:
 
 
 def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
-    """Bandwidth and margins of a linear loop; ValueError where the loop or the plant is not linear.
+    """Return bandwidth and margins of a linear loop.
 
-    The derivative must be sampled at the servo rate, and limits, encoder steps and interpolation are left out.
+    Raises ValueError if the loop or the plant is not linear. The derivative must be sampled at the servo
+    rate; limits, encoder steps and interpolation are left out.
     """
     f, g, c = closed_loop(loop, plant)
     stable = bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
@@ -148,7 +158,10 @@ def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
 
 
 def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
-    """z' = F z + G demand, position = C z: one servo sample of the linear loop, without limits."""
+    """Return F, G, C of z' = F z + G demand, position = C z.
+
+    This is one servo sample of the linear loop, without limits.
+    """
     if not (loop.is_linear and plant.is_linear):
         raise ValueError(
             "only a linear loop and plant have a frequency response: leave out quantisation and friction"
@@ -160,23 +173,23 @@ def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
 
 
 def is_stable(loop: Loop, plant: Motor | Drive) -> bool:
-    """Whether the linear loop settles."""
+    """True if the linear loop settles."""
     f, _, _ = closed_loop(loop, plant)
     return bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
 
 
 def bandwidth(loop: Loop, plant: Motor | Drive) -> float:
-    """The frequency (Hz) at which the closed loop's gain first falls below -3 dB."""
+    """Return the frequency (Hz) at which the closed-loop gain first falls below -3 dB."""
     return _bandwidth(loop, plant, None)
 
 
 def reaches(loop: Loop, plant: Motor | Drive, target: float) -> bool:
-    """Whether the bandwidth is `target` Hz or more; mostly known sooner than how much it is."""
+    """True if the bandwidth is `target` Hz or more; mostly quicker than its value."""
     return _bandwidth(loop, plant, target) >= target
 
 
 def _bandwidth(loop: Loop, plant: Motor | Drive, target: float | None) -> float:
-    """The bandwidth; of one that surely is on one side of a target something on that side."""
+    """Return the bandwidth, or any value on its side of a target."""
     f, g, c = closed_loop(loop, plant)
     grid = _grid(loop.servo_rate)
     below = _first_below(f, g, c, loop.period, grid)
@@ -205,10 +218,11 @@ def _grid(rate: float) -> Array:
 
 
 def _first_below(f: Array, g: Array, c: Array, period: float, grid: Array) -> int | None:
-    """The first place of the grid at which the gain is below -3 dB, its length where none is; None where not sure.
+    """Return the first index of the grid with a gain below -3 dB.
 
-    From the two polynomials of the transfer function over z - 1, which keep their digits at low frequencies. They are
-    believed where they agree with the matrices at every fiftieth place, and nowhere come too near to the level.
+    Its length if there is none; None if it is not certain. It uses the two polynomials of the transfer
+    function over z - 1, which keep their digits at low frequencies. They are trusted if they agree with the
+    matrices at every fiftieth index, and never come too near to the level.
     """
     part = f - np.eye(len(f))
     below = np.poly(part)
@@ -227,7 +241,7 @@ def _first_below(f: Array, g: Array, c: Array, period: float, grid: Array) -> in
 
 
 def _gain(f: Array, g: Array, c: Array, frequencies: Array, period: float) -> Complex:
-    """C (zI - F)^-1 G on the unit circle."""
+    """Return C (zI - F)^-1 G on the unit circle."""
     z = np.exp(2j * pi * frequencies * period)
     matrices = z[:, None, None] * np.eye(len(f)) - f
     driven = np.broadcast_to(g, (len(z), len(g)))[:, :, None].astype(np.complex128)
@@ -248,13 +262,13 @@ def _first_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
 
 
 def _last_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
-    """The highest frequency at which the gain falls through `level`."""
+    """Return the highest frequency at which the gain falls through `level`."""
     falls = np.flatnonzero((gain[:-1] >= level) & (gain[1:] < level))
     return _bisect(exact, float(grid[falls[-1]]), float(grid[falls[-1] + 1]), level) if len(falls) else 0.0
 
 
 def _gain_margin(grid: Array, ring: Complex, exact: object) -> float:
-    """The factor by which the gain could grow: at the first frequency where the phase passes -180 degrees."""
+    """The gain margin at the first frequency where the phase passes -180 degrees."""
     assert callable(exact)
     above = (ring.imag[:-1] < 0.0) & (ring.imag[1:] >= 0.0) & (ring.real[:-1] < 0.0)
     margins = []
@@ -265,12 +279,12 @@ def _gain_margin(grid: Array, ring: Complex, exact: object) -> float:
 
 
 def _bisect(value: object, low: float, high: float, level: float) -> float:
-    """Where a falling function passes `level`."""
+    """Return where a falling function passes `level`."""
     assert callable(value)
     for _ in range(60):
         middle = 0.5 * (low + high)
         if middle in (low, high):
-            break  # neighbours: nothing lies between them
+            break  # neighbouring floats
         if value(middle) >= level:
             low = middle
         else:

@@ -1,8 +1,8 @@
-"""Running a track through a loop and a motor: all at once, or as far as the controller's clock has come.
+"""Running a track through a loop and a motor, at once or along with a clock.
 
-`Servo.advance` runs every servo sample up to a time and leaves the readings of the last one; `simulate` is the same
-over a whole track with everything written down. The numbers do not depend on how a run is cut into pieces, but for
-rounding.
+`Servo.advance` runs every servo sample up to a time and leaves the readings of the last one. `simulate` does
+this over a complete track and records all columns. The numbers do not depend on how a run is divided, except
+for rounding.
 """
 
 from __future__ import annotations
@@ -25,19 +25,20 @@ if TYPE_CHECKING:
     from motionlang.servo.trace import ServoTrace
 
 SPAN = 1 << 18
-"""Samples that are run in one go: what bounds the memory of a servo that writes nothing down."""
+"""Samples that are run at once, a bound of the memory of a servo without a record."""
 WATCH = 4096
-"""The same while the following error is being watched."""
+"""Samples that are run at once while the following error is watched."""
 
 
 class Servo:
     """One axis under servo, from its track's position at time 0.
 
-    The readings are those of the last sample, of `columns` alone; `record` keeps those of all of them for `trace`.
+    The readings are those of the last sample, of `columns` only; `record` keeps those of all samples for
+    `trace`.
     """
 
     points_of: type[Generator] = Generator
-    """What makes the points of its track."""
+    """The class that makes the points of its track."""
 
     def __init__(
         self,
@@ -69,12 +70,12 @@ class Servo:
 
     @property
     def time(self) -> float:
-        """When the last sample was taken, seconds (before the first: minus one period)."""
+        """Time of the last sample, seconds (before the first: minus one period)."""
         return (self._sample - 1) * self.loop.period
 
     @property
     def demand(self) -> float:
-        """Demanded position, counts, in the program's coordinates."""
+        """Commanded position, counts, in the program's coordinates."""
         return self._row["demand"] - self._offset
 
     @property
@@ -84,7 +85,7 @@ class Servo:
 
     @property
     def error(self) -> float:
-        """Following error: demand minus measured position, counts."""
+        """Following error: commanded minus measured position, counts."""
         return self._row["demand"] - self._row["measured"]
 
     @property
@@ -115,12 +116,12 @@ class Servo:
 
     @property
     def is_closed(self) -> bool:
-        """Whether the loop is in charge of the output."""
+        """True if the loop controls the output."""
         return self._open_output is None
 
     @property
     def trace(self) -> ServoTrace:
-        """What has been written down so far; brings in numpy."""
+        """The record so far; imports numpy."""
         from motionlang.servo.trace import joined
 
         if self._kept is None:
@@ -130,10 +131,10 @@ class Servo:
     # -- running
 
     def advance(self, to: float, error_limit: float = inf) -> float | None:
-        """Run every sample up to the time `to` (seconds, included).
+        """Run every sample up to the time `to` (seconds, inclusive).
 
-        With an `error_limit` (counts) it stops at the first sample whose following error is beyond it and gives
-        that sample's time; otherwise None.
+        With an `error_limit` (counts) it stops at the first sample whose following error exceeds it and
+        returns that sample's time. If there is none, it returns None.
         """
         until = floor(to * self.loop.servo_rate + 1e-6) + 1
         span = SPAN if error_limit == inf else WATCH
@@ -150,14 +151,14 @@ class Servo:
         return None
 
     def open(self, output: float = 0.0) -> None:
-        """Open the loop: `output` volts go to the motor whatever it does (0: it coasts)."""
+        """Open the loop and apply `output` volts to the motor (0: it coasts)."""
         self._open_output = output
 
     def close(self, profile: int | None = None) -> None:
-        """Close the loop where the motor stands: demand becomes measured position, nothing is wound up.
+        """Close the loop at the motor's position, without wind-up.
 
-        The track must already say so: where it is now is taken to be where the motor is. `profile` is the number of
-        the profile in force, for a track that goes on after this moment.
+        The track must already be there: its present position is that of the motor. `profile` is the index of
+        the profile in force, for a track that continues after this time.
         """
         place = self._row["measured"]
         self._generator.rebase(-(-self._sample // self.loop.ratio), place, profile)
@@ -168,7 +169,7 @@ class Servo:
         self._open_output = None
 
     def retune(self, loop: Loop) -> None:
-        """Go on with other gains; rates and arithmetic must stay."""
+        """Continue with other gains; rates and arithmetic must not change."""
         for name in ("servo_rate", "trajectory_rate", "arithmetic"):
             if getattr(loop, name) != getattr(self.loop, name):
                 raise ValueError(f"the {name.replace('_', ' ')} cannot change while the loop runs")
@@ -178,16 +179,16 @@ class Servo:
 
     @property
     def sample(self) -> int:
-        """The number of the next sample, which is taken at that many periods."""
+        """The number of the next sample, at that many periods."""
         return self._sample
 
     @property
     def track(self) -> Demanded:
-        """What it follows."""
+        """The track that it follows."""
         return self._generator.track
 
     def in_force_at(self, time: float) -> int:
-        """The number of the profile of its track that is in force at a time."""
+        """Return the index of the profile in force at a time."""
         return self._generator.in_force_at(time)
 
     @property
@@ -197,11 +198,14 @@ class Servo:
 
     @property
     def offset(self) -> float:
-        """Counts that lie between the motor's own coordinates and those of the program, as the track is now."""
+        """Counts from the motor's own coordinates to those of the program, now."""
         return self._generator.offset(len(self._generator.track.starts) - 1)
 
     def run(self, count: int) -> ServoTrace:
-        """Run `count` samples and give what they were, in the motor's own coordinates but for `demand`, `position`."""
+        """Run and return `count` samples, in motor coordinates.
+
+        `demand` and `position` are in those of the program.
+        """
         from motionlang.servo.trace import joined
 
         self._run(self._sample + count)
@@ -209,18 +213,18 @@ class Servo:
         return joined(self.loop, self.plant, self._columns, [self._stretch])
 
     def skip(self, count: int) -> None:
-        """Let `count` samples pass in which nothing changes: the caller knows that the state is a fixed point."""
+        """Skip `count` samples without change; the state must be a fixed point."""
         self._sample += count
 
     # -- inside
 
     @property
     def _offset(self) -> float:
-        """That of the program at the last sample."""
+        """The program's offset at the last sample."""
         return self._generator.shifts(self._sample - 1, self._sample, self.loop.servo_rate)[-1][1]
 
     def _run(self, until: int) -> None:
-        """Run to sample `until` (not included); the points of a cycle are made as it begins."""
+        """Run to sample `until` (exclusive), making the points of each cycle as it begins."""
         ratio, first = self.loop.ratio, self._sample
         cycle, part = divmod(first, ratio)
         cycles = -(-until // ratio) - cycle
@@ -258,7 +262,7 @@ class Servo:
 
     @property
     def _in_charge(self) -> Loop:
-        """The loop, or where it is open one with no gains: only an offset, past the limits and the DAC."""
+        """The loop, or an open one without gains: only an offset, past limits and DAC."""
         if self._open_output is None:
             return self.loop
         names = ("proportional", "integral", "derivative", "velocity_feedback")
@@ -280,7 +284,10 @@ def simulate(
     until: float,
     columns: tuple[str, ...] = COLUMNS,
 ) -> ServoTrace:
-    """Run a track (an `Axis`, or a `Track` of profiles) through a loop and a motor from time 0 to `until` seconds."""
+    """Run a track through a loop and a motor from time 0 to `until` seconds.
+
+    The track is an `Axis`, or a `Track` of profiles.
+    """
     servo = Servo(loop, plant, track, record=True, columns=columns)
     servo.advance(until)
     return servo.trace

@@ -1,7 +1,7 @@
-"""The machine file's keys for a servo: `[axis.N.plant]` what the motor is, `[axis.N.servo]` how its loop is made.
+"""The machine file's keys for a servo: `[axis.N.plant]` and `[axis.N.servo]`.
 
-A table as the machine file has them: key, kind, default, range or choices, help. A plant is what makes an axis a
-simulated one; the servo section is needed only for what a program's own gains do not say.
+Each is a row: key, kind, default, range or choices, help. A plant makes an axis a simulated one; the servo
+section is needed only for gains that the program does not set.
 """
 
 from __future__ import annotations
@@ -18,13 +18,17 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
 PLANT_KINDS = ("dc", "brushless", "drive")
-# In SI units or counts nothing about a motor is smaller or larger; beyond, its equations leave what a float can hold.
+# No motor parameter in SI units or counts is smaller or larger; beyond, its equations exceed the range of a
+# float.
 SMALLEST, LARGEST = 1e-12, 1e12
 
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """One key: `kind` is number, count, flag or text; a number lies in `low` to `high`, a text is one of `choices`."""
+    """One key: `kind` is number, count, flag or text.
+
+    A number lies in `low` to `high`, a text is one of `choices`.
+    """
 
     kind: str
     default: float | bool | str
@@ -33,7 +37,7 @@ class Key:
     high: float = inf
     choices: tuple[str, ...] = ()
     exclusive: bool = False
-    """Whether `low` itself is excluded."""
+    """True if `low` itself is excluded."""
 
 
 def _positive(default: float, text: str) -> Key:
@@ -132,11 +136,11 @@ KEYS: dict[str, Key] = {
     **{f"axis.N.plant.{name}": key for name, key in PLANT.items()},
     **{f"axis.N.servo.{name}": key for name, key in SERVO.items()},
 }
-"""Every key as the machine file spells it, N being the axis."""
+"""Every key as spelt in the machine file, with N for the axis."""
 
 
 def problem(key: Key, value: object) -> str | None:
-    """What is wrong with a value, after "must be"; None when nothing is."""
+    """Return the error of a value, to follow "must be"; None if there is none."""
     if key.kind == "flag":
         return None if isinstance(value, bool) else "true or false"
     if key.kind == "text":
@@ -160,7 +164,10 @@ def _range_words(key: Key) -> str:
 
 
 def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | None:
-    """What is wrong with a key of the machine file (`generic` has N for its axis), and a hint; None: nothing."""
+    """Return the error of a machine file key, and a hint; None if there is none.
+
+    `generic` has N for its axis.
+    """
     row = KEYS.get(generic)
     if row is None:
         section, _, name = key.rpartition(".")
@@ -174,7 +181,7 @@ def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | 
 
 
 def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:
-    """What does not fit together in the sections of every axis: the section, what is wrong with it, and a hint."""
+    """Return the conflicts in the sections of every axis: section, error, and a hint."""
     found = []
     for axis in sorted({int(key.split(".")[1]) for key in settings if key.startswith("axis.")}):
         for name, make in (("plant", make_plant), ("servo", make_loop)):
@@ -187,13 +194,19 @@ def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:
 
 
 def section(settings: Mapping[str, object], axis: int, name: str) -> dict[str, object]:
-    """`axis.N.plant.…` or `axis.N.servo.…` of settings with dotted keys, as `make_plant` and `make_loop` take it."""
+    """Return `axis.N.plant.…` or `axis.N.servo.…` of settings with dotted keys.
+
+    The result is what `make_plant` and `make_loop` take.
+    """
     prefix = f"axis.{axis}.{name}."
     return {key[len(prefix) :]: value for key, value in settings.items() if key.startswith(prefix)}
 
 
 def make_plant(values: Mapping[str, object]) -> Motor | Drive:
-    """The plant of an `[axis.N.plant]` section (names without the prefix); ValueError names what is wrong."""
+    """Return the plant of an `[axis.N.plant]` section (names without the prefix).
+
+    Raises ValueError for an invalid entry.
+    """
     given = _checked(values, PLANT, "plant")
     kind = given.pop("kind", "dc")
     wanted = Drive if kind == "drive" else Motor
@@ -205,7 +218,10 @@ def make_plant(values: Mapping[str, object]) -> Motor | Drive:
 
 
 def make_loop(values: Mapping[str, object], base: Loop | None = None) -> Loop:
-    """The loop of an `[axis.N.servo]` section on top of `base`; ValueError names what is wrong."""
+    """Return the loop of an `[axis.N.servo]` section on top of `base`.
+
+    Raises ValueError for an invalid entry.
+    """
     from dataclasses import replace
 
     given = _checked(values, SERVO, "servo")

@@ -1,12 +1,12 @@
-"""When a simulated motor stands for good, so that nobody need look at it until something is done to it."""
+"""Detection of a simulated motor at standstill for good, until it is disturbed."""
 
 from __future__ import annotations
 
 from operator import sub
 
-# Seconds of rest after which a motor that hunts, but no further than before, is left to it.
+# Seconds of rest after which a motor that hunts, but no further than before, counts as at standstill.
 HUNTING = 20.0
-# What two blocks of a motor at rest may differ by: counts, and volts.
+# The allowed difference of two blocks of a motor at rest: counts, and volts.
 _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 
 TYPE_CHECKING = False
@@ -18,28 +18,28 @@ if TYPE_CHECKING:
 
 
 def extent(place: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
-    """How far samples of the motor's position and of its output went, each way."""
+    """Return the range of a motor's position and of its output over samples."""
     return -float(place.min()), float(place.max()), -float(output.min()), float(output.max())
 
 
 class Stillness:
-    """`calm` while the motor stands, as far as nothing is done to it; it does before its first command."""
+    """`calm` while the motor is at standstill undisturbed, also before any command."""
 
     __slots__ = ("_before", "_rested", "_widest", "calm")
 
     def __init__(self) -> None:
         self.calm = True
-        # How far the motor went in the last block of rest, in all of them, and how many seconds they were.
+        # The range of the motor in the last block of rest, in all of them, and their duration in seconds.
         self._before: Extent | None = None
         self._widest: Extent | None = None
         self._rested = 0.0
 
     def disturb(self) -> None:
-        """Something was done: what was seen so far says nothing more."""
+        """Discard the history after a disturbance."""
         self.calm, self._before, self._widest, self._rested = False, None, None, 0.0
 
     def judge(self, extent: Extent | None, seconds: float) -> None:
-        """Take a block into account: how far position and output went, each way; None where the demand moved."""
+        """Add a block with its range of position and output; None if the command moved."""
         before, widest = self._before, self._widest if extent is not None else None
         self._before = extent
         self._rested = self._rested + seconds if extent is not None else 0.0
@@ -49,7 +49,7 @@ class Stillness:
 
 
 def _grown(before: Extent | None, after: Extent | None) -> bool:
-    """Whether a block went further than what was before it."""
+    """True if a block exceeds the range before it."""
     if before is None or after is None:
         return True
     return any(by > slack for by, slack in zip(map(sub, after, before), _SLACK, strict=True))

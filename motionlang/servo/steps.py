@@ -1,8 +1,8 @@
-"""The step loop, written out for one loop and one plant: only the terms that are there, everything in locals.
+"""Generated code of the step loop for one loop and one plant.
 
-A general step would spend most of its time asking what it has to do; the text made here asks nothing. The order of
-a step: measure, error, integral, derivative, sum, limits, DAC, then the plant moves on for one sample with the
-output held. Columns are what is true at the moment of the measurement.
+It has only the terms that exist, and all values in locals. A general step would spend most of its time on
+tests of what to do. The order of a step: measure, error, integral, derivative, sum, limits, DAC, then the
+plant advances by one sample with constant output. Columns are the values at the time of the measurement.
 """
 
 from __future__ import annotations
@@ -30,12 +30,15 @@ if TYPE_CHECKING:
     Stepper = Callable[[Sequence[float], Sequence[float], State, Columns], State]
 
 COLUMNS = ("position", "velocity", "current", "twist", "integral", "output")
-"""What a step can write down: counts, counts/s, A, counts (motor minus load), and volts for the last two."""
+"""The columns of a step: counts, counts/s, A, counts (motor minus load), V, V."""
 
 MEMORY = ("total", "last_error", "change", "last_position", "derivative_wait", "hold_wait", "held")
-"""The loop's own state after the plant's: error sum, last derivative sample, counters, the DAC value being held."""
+"""The loop's own state after the plant's.
 
-# Adding and taking away 1.5 * 2**52 rounds a float to a whole number, at the price of two additions.
+It is the error sum, the last derivative sample, counters, and the stored DAC value.
+"""
+
+# Adding and subtracting 1.5 * 2**52 rounds a float to an integer, at the price of two additions.
 _ROUND = " + 6755399441055744.0 - 6755399441055744.0"
 _NAMES = {"position": "p", "velocity": "v", "current": "c", "twist": "d", "load_velocity": "w"}
 _MEMORY = ("s", "q", "g", "z", "k", "h", "o")
@@ -45,10 +48,11 @@ _MEMORY = ("s", "q", "g", "z", "k", "h", "o")
 def stepper(
     loop: Loop, plant: Motor | Drive, columns: tuple[str, ...], integrating: bool = True, limited: bool = True
 ) -> Stepper:
-    """A function (demand, feed-forward, state, columns) -> state that runs one step for every demanded position.
+    """Return a function that runs one step for every commanded position.
 
-    `demand` is counts at the servo rate, `feed-forward` volts (ignored where the loop has none). `limited` False
-    leaves out both limits: what the linear form is made from.
+    It maps (demand, feed-forward, state, columns) to a state. `demand` is counts at the servo rate,
+    `feed-forward` volts (ignored if the loop has none). `limited` False omits both limits, for the linear
+    form.
     """
     text = source(loop, plant, columns, integrating, limited)
     scope: dict[str, Stepper] = {}
@@ -57,18 +61,21 @@ def stepper(
 
 
 def initial_state(plant: Discrete, position: float) -> State:
-    """At rest at `position` (counts) with nothing wound up."""
+    """Return the state at rest at `position` (counts) without wind-up."""
     states = [position if name == "position" else 0.0 for name in plant.names]
     return (*states, 0.0, 0.0, 0.0, position, 0, 0, 0.0)
 
 
 def empty_columns(columns: tuple[str, ...]) -> Columns:
-    """One empty column for each name: a list, to which Python appends in a quarter of the time of an array."""
+    """Return one empty column for each name.
+
+    A column is a list, because appending takes a quarter of the time of an array.
+    """
     return tuple([] for _ in columns)
 
 
 def put(values: Sequence[float] | Row, row: Row) -> None:
-    """Write a column into as many doubles; a list in a third of the time that NumPy takes to look at each value."""
+    """Write a column to as many doubles; for a list three times as fast as NumPy."""
     if isinstance(values, list):
         pack_into(f"{len(values)}d", row, 0, *values)  # type: ignore[arg-type]
     else:
@@ -78,7 +85,7 @@ def put(values: Sequence[float] | Row, row: Row) -> None:
 def source(
     loop: Loop, plant: Motor | Drive, columns: tuple[str, ...], integrating: bool, limited: bool
 ) -> str:
-    """The Python text of the step loop."""
+    """Return the Python source of the step loop."""
     made = discretise(plant, loop.period)
     state = ", ".join([*(_NAMES[name] for name in made.names), *_MEMORY])
     head = "for r, f in zip(demand, feed):" if loop.has_feed_forward else "for r in demand:"
@@ -175,7 +182,10 @@ def _real_sum(loop: Loop, limited: bool) -> list[str]:
 
 
 def _whole_sum(loop: Loop) -> list[str]:
-    """Chapter 12's (P + I + D)/16 for 12 bits, 16 bits less the DAC's in general; the LM628 keeps the top bits."""
+    """Return the integer sum of chapter 12, or the top bits that the LM628 keeps.
+
+    Chapter 12 has (P + I + D)/16 for 12 bits, in general 16 bits less those of the DAC.
+    """
     terms = [("e", loop.proportional), ("g", loop.derivative)]
     parts = [f"{gain!r} * {name}" for name, gain in terms if gain]
     divisor = float(1 << (FINE_BITS - loop.dac_bits))
@@ -197,7 +207,7 @@ def _whole_sum(loop: Loop) -> list[str]:
 
 
 def _dac(loop: Loop) -> list[str]:
-    """From DAC steps (in u) to volts, past the override."""
+    """Return the conversion of DAC steps (in u) to volts, with the override."""
     full = float(1 << (loop.dac_bits - 1))
     lines: list[str] = []
     if loop.override:
@@ -216,19 +226,22 @@ def _dac(loop: Loop) -> list[str]:
 
 
 def _word(name: str, wrap: bool) -> list[str]:
-    """Keep a product to 16 bits."""
+    """Limit a product to 16 bits."""
     if wrap:
         return [f"{name} = ({name} + 32768.0) % 65536.0 - 32768.0"]
     return _clamp(name, 32767.0, -32768.0)
 
 
 def _floor(name: str, divisor: float) -> str:
-    """A whole number divided by a power of two, rounded down: half a divisor less is never a tie."""
+    """Return an integer division by a power of two, rounded down.
+
+    Half a divisor less is never a tie.
+    """
     return f"({name} - {(divisor - 1.0) / 2.0!r}) * {1.0 / divisor!r}{_ROUND}"
 
 
 def _truncate(name: str, divisor: float) -> str:
-    """The same rounded towards zero, as C divides."""
+    """Return an integer division rounded towards zero, like C."""
     up = f"({name} + {(divisor - 1.0) / 2.0!r}) * {1.0 / divisor!r}{_ROUND}"
     return f"{_floor(name, divisor)} if {name} > 0.0 else {up}"
 
@@ -289,7 +302,10 @@ def _move_in_contact(plant: Discrete, contact: int, period: float) -> list[str]:
 
 
 def _slide(plant: Discrete, contact: int, direction: int, period: float) -> list[str]:
-    """One sample of sliding; where the motor would turn round on the way it stops, and next time may stick."""
+    """Return one sample of sliding.
+
+    If the motor would reverse in it, it stops, and may stick in the next one.
+    """
     turned = "<" if direction == SLIDING_UP else ">"
     return [
         "x = p",
@@ -314,7 +330,7 @@ def _advance(plant: Discrete, regime: Regime) -> list[str]:
 
 
 def _linear(plant: Discrete, row: Sequence[float], skip: str = "") -> str:
-    """The text of a linear combination of the states, the output and 1."""
+    """Return the source of a linear combination of the states, the output and 1."""
     names = [*(_NAMES[name] for name in plant.names), "u", ""]
     terms = []
     for name, factor in zip(names, row, strict=True):

@@ -1,4 +1,4 @@
-"""A stretch of servo samples, from trajectory points to columns, step by step."""
+"""A stretch of servo samples, step by step, from trajectory points to columns."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
     Floats = Sequence[float] | Array
 
 MARKED = 64
-"""Plain steps from one state that is kept to the next, where any are."""
-# Samples that are stepped at once: as lists they are four times as large as in an array.
+"""Plain steps between two stored states, if any are stored."""
+# Samples stepped at once: lists are four times as large as arrays.
 _CHUNK = 1 << 13
-# Modes in which the demand does not decide whether the integral acts.
+# Modes in which the integral does not depend on the command.
 _STEADFAST = frozenset(("always", "never"))
 _STILL = 1e-9
 _ROUNDING = 1e-15
@@ -32,9 +32,9 @@ _TOTAL = MEMORY.index("total") - len(MEMORY)
 
 
 class Stretch:
-    """What a number of samples were: the columns in the order asked for, and the points they ran between.
+    """A number of samples: the requested columns and the points between them.
 
-    `marks` are states on the way, each with the number of samples before it.
+    `marks` are states in between, each with the number of samples before it.
     """
 
     __slots__ = ("columns", "marks", "part", "points", "ratio", "shifts")
@@ -48,11 +48,11 @@ class Stretch:
         marks: Sequence[tuple[int, State]] = (),
     ) -> None:
         self.points, self.part, self.ratio, self.columns, self.marks = points, part, ratio, columns, marks
-        # From which sample of the run on the program's zero is moved by how much.
+        # Samples of the run from which the program's zero is moved, with the distance.
         self.shifts: list[tuple[int, float]] = [(0, 0.0)]
 
     def demand(self, count: int) -> Array:
-        """The demanded positions of the first `count` samples, interpolated."""
+        """Return the commanded positions of the first `count` samples, interpolated."""
         import numpy as np
 
         points = np.asarray(self.points, dtype=np.float64)
@@ -64,7 +64,7 @@ class Stretch:
         return flat[self.part : self.part + count]
 
     def mark_before(self, sample: int) -> tuple[int, State, list[float]] | None:
-        """The last mark before a sample: its own number, the state, and the points around it; None where none is."""
+        """Return the last mark before a sample: number, state, points around it; or None."""
         for done, state in reversed(self.marks):
             cycle = (self.part + done) // self.ratio
             if done < sample and cycle:
@@ -72,7 +72,7 @@ class Stretch:
         return None
 
     def last_demand(self, count: int) -> float:
-        """The demanded position of sample `count` - 1."""
+        """Return the commanded position of sample `count` - 1."""
         cycle, k = divmod(self.part + count - 1, self.ratio)
         here, there = float(self.points[cycle]), float(self.points[cycle + 1])
         return here + k * ((there - here) / self.ratio)
@@ -89,7 +89,8 @@ def run_stretch(
 ) -> tuple[Stretch, State]:
     """Run `count` samples, the first being number `part` of its trajectory cycle.
 
-    `points` are the trajectory points: the one before the first cycle, its beginning, and the end of every cycle.
+    `points` are the trajectory points: the one before the first cycle, its beginning, and the end of every
+    cycle.
     """
     if count <= _CHUNK:
         return run_steps(loop, plant, columns, points, part, count, state)
@@ -116,7 +117,7 @@ def run_steps(
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
-    """Like `run_stretch`, in lists and with marks."""
+    """Run samples like `run_stretch`, in lists and with marks."""
     samples = slice(part, part + count)
     if isinstance(points, list):
         demand, feed = _given(loop, points, samples)
@@ -134,7 +135,10 @@ def run_steps(
 
 
 def _given(loop: Loop, points: Sequence[float], samples: slice) -> tuple[list[float], list[float]]:
-    """Demand and feed-forward of some of the samples between points; no feed-forward where the loop has none."""
+    """Return command and feed-forward of a slice of samples between points.
+
+    The feed-forward is empty if the loop has none.
+    """
     ratio = loop.ratio
     feed = _feed(loop, points) if loop.has_feed_forward else []
     if ratio == 1:
@@ -148,7 +152,7 @@ def _given(loop: Loop, points: Sequence[float], samples: slice) -> tuple[list[fl
 
 
 def _given_at_once(loop: Loop, points: Array, samples: slice) -> tuple[list[float], list[float]]:
-    """The same of points in an array, to the last bit."""
+    """Return the result of `_given` from points in an array, equal to the last bit."""
     import numpy as np
 
     ratio = loop.ratio
@@ -161,11 +165,14 @@ def _given_at_once(loop: Loop, points: Array, samples: slice) -> tuple[list[floa
     return demand.reshape(-1)[samples].tolist(), np.repeat(feed, ratio)[samples].tolist()
 
 
-# ------------------------------------------------------------------------------------- what the demand decides
+# ------------------------------------------------------------------------------------- effects of the command
 
 
 def _feed(loop: Loop, points: Sequence[float]) -> list[float]:
-    """Feed-forward volts of each cycle, from the points it lies between and the one before."""
+    """Return the feed-forward volts of each cycle.
+
+    They depend on the points at its ends and the one before.
+    """
     rate = loop.trajectory_rate
     steady, accel, decel = loop.velocity_ff * rate, loop.accel_ff * rate * rate, loop.decel_ff * rate * rate
     moved = pairwise([there - here for here, there in pairwise(points)])
@@ -191,7 +198,7 @@ def _feeds(loop: Loop, speed: Array) -> Array:
 
 
 def _acting(loop: Loop, points: Floats) -> list[bool]:
-    """Whether the integral acts, in each cycle or in all of them."""
+    """Return for each cycle, or for all, if the integral acts."""
     mode = loop.integral_mode
     if mode in _STEADFAST:
         return [True]
@@ -200,13 +207,16 @@ def _acting(loop: Loop, points: Floats) -> list[bool]:
 
 
 def _acts(mode: str, before: float, here: float, there: float) -> bool:
-    """Whether the integral acts in a cycle, by `loop.INTEGRAL_MODES`."""
+    """True if the integral acts in a cycle, by `loop.INTEGRAL_MODES`."""
     change = there - 2.0 * here + before if mode == "steady" else there - here
     return abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here)
 
 
 def _spans(loop: Loop, acting: Sequence[bool], part: int, count: int) -> list[tuple[int, int, bool, bool]]:
-    """Runs of samples with one answer: begin, end, whether the integral acts, whether it is cleared first."""
+    """Return runs of samples with one integral state.
+
+    Each is begin, end, true if the integral acts, true if it is cleared first.
+    """
     ratio = loop.ratio
     turns = [i for i in range(1, len(acting)) if acting[i] != acting[i - 1]]
     edges = [0, *(min(max(i * ratio - part, 0), count) for i in turns), count]

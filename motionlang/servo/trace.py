@@ -1,4 +1,4 @@
-"""What a servo run leaves behind: columns at the servo rate, and the figures read off them."""
+"""The result of a servo run: columns at the servo rate, and their figures."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ UNITS = {
     "acceleration": "counts/s^2",
     "jerk": "counts/s^3",
 }
-"""Every column a trace can give, and its unit."""
+"""Every column of a trace, and its unit."""
 
 
 def joined(
     loop: Loop, plant: Motor | Drive, columns: tuple[str, ...], stretches: Sequence[Stretch]
 ) -> ServoTrace:
-    """The trace of stretches that follow one another."""
+    """Return the trace of consecutive stretches."""
     if not stretches:
         return ServoTrace(loop, plant, dict.fromkeys(columns, np.zeros(0)), ())
     kept = {name: _end_to_end([each.columns[i] for each in stretches]) for i, name in enumerate(columns)}
@@ -54,10 +54,10 @@ def _end_to_end(parts: Sequence[Sequence[float] | Array]) -> Array:
 
 
 class ServoTrace:
-    """Columns of one axis, one row a servo sample from time 0 on: what was true when the loop looked.
+    """Columns of one axis, one row per servo sample from time 0, as the loop sees it.
 
-    `demand` and `position` are in the coordinates that the program uses. Only what was recorded is there, and what
-    of `UNITS` follows from it.
+    `demand` and `position` are in the program's coordinates. It has only the recorded columns, and those of
+    `UNITS` that follow from them.
     """
 
     def __init__(
@@ -71,12 +71,12 @@ class ServoTrace:
 
     @cached_property
     def commanded(self) -> Array:
-        """The demand in the motor's own coordinates."""
+        """The command in the motor's own coordinates."""
         return _end_to_end([each.demand(len(each.columns[0])) for each in self._stretches] or [np.zeros(0)])
 
     @cached_property
     def _offset(self) -> Array:
-        """What the zero of the program has been moved by, at every sample."""
+        """The displacement of the program's zero at every sample."""
         shifts = [shift for each in self._stretches for shift in each.shifts] or [(0, 0.0)]
         first = shifts[0][0]
         edges = [*(sample - first for sample, _ in shifts), len(self)]
@@ -97,7 +97,7 @@ class ServoTrace:
 
     @property
     def demand(self) -> Array:
-        """Demanded position, interpolated, counts."""
+        """Commanded position, interpolated, counts."""
         return self.commanded - self._offset
 
     @property
@@ -107,13 +107,13 @@ class ServoTrace:
 
     @property
     def measured(self) -> Array:
-        """The position as the encoder gives it, counts."""
+        """Position measured by the encoder, counts."""
         made: Array = self.encoder - self._offset
         return made
 
     @property
     def encoder(self) -> Array:
-        """The same in the motor's own coordinates, which no program renames."""
+        """Measured position in the motor's own coordinates, which no program redefines."""
         position = self._columns["position"]
         made = discretise(self.plant, self.loop.period)
         if made.load_encoder:
@@ -129,12 +129,12 @@ class ServoTrace:
 
     @property
     def error(self) -> Array:
-        """Following error: demand minus measured position, counts."""
+        """Following error: commanded minus measured position, counts."""
         return self.commanded - self.encoder
 
     @property
     def integral(self) -> Array:
-        """What the integral contributes to the output, volts."""
+        """The integral's contribution to the output, volts."""
         return self._columns["integral"]
 
     @property
@@ -144,7 +144,7 @@ class ServoTrace:
 
     @property
     def current(self) -> Array:
-        """Motor current, A; zero for a `Drive`, which keeps it to itself."""
+        """Motor current, A; zero for a `Drive`, which does not report it."""
         return self._columns["current"]
 
     @property
@@ -160,7 +160,10 @@ class ServoTrace:
 
     @property
     def onset(self) -> Array:
-        """Acceleration just after the output has changed, counts/s²: what a DAC step does first (friction left out)."""
+        """Acceleration just after the output has changed, counts/s².
+
+        It is the immediate effect of a DAC step, without friction.
+        """
         made = discretise(self.plant, self.loop.period)
         row = next(iter(made.regimes.values())).drive
         total: Array = row[-2] * self.output + row[-1]
@@ -180,13 +183,13 @@ class ServoTrace:
 
     @property
     def dac_steps(self) -> Array:
-        """The output in DAC steps, where the loop has a DAC."""
+        """The output in DAC steps, if the loop has a DAC."""
         if not self.loop.dac_bits:
             raise ValueError("this loop's output is not quantised: it has no DAC steps")
         return np.rint(self.output / self.loop.dac_step)
 
     def table(self) -> dict[str, Array]:
-        """Every column by name, in the order of `UNITS`."""
+        """Return every column by name, in the order of `UNITS`."""
         return {name: self[name] for name in UNITS}
 
     # -- figures
@@ -202,7 +205,7 @@ class ServoTrace:
         return float(np.sqrt(np.mean(self.torque**2))) if len(self) else 0.0
 
     def rms_torque_between(self, begin: float, end: float) -> float:
-        """The same over the samples from `begin` to `end` seconds."""
+        """Return the root mean square of the torque from `begin` to `end` seconds."""
         part = self.torque[(self.time >= begin) & (self.time <= end)]
         return float(np.sqrt(np.mean(part**2))) if len(part) else 0.0
 
@@ -212,7 +215,10 @@ class ServoTrace:
         return float(np.abs(self.output).max(initial=0.0))
 
     def settled_at(self, window: float, after: float = 0.0) -> float:
-        """The time from which the error stays within `window` counts, not before `after`; inf if it never does."""
+        """Return the time from which the error stays within `window` counts; inf if never.
+
+        It is not before `after`.
+        """
         outside = np.flatnonzero(np.abs(self.error) > window)
         if len(outside) and outside[-1] == len(self) - 1:
             return inf
@@ -220,6 +226,6 @@ class ServoTrace:
         return max(settled, after)
 
     def first_beyond(self, limit: float) -> float:
-        """The first time at which the following error is beyond `limit` counts; inf if it never is."""
+        """Return the first time of a following error beyond `limit` counts; inf if never."""
         beyond = np.flatnonzero(np.abs(self.error) > limit)
         return float(self.time[beyond[0]]) if len(beyond) else inf

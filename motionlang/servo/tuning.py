@@ -1,7 +1,7 @@
-"""First gains for a plant and a bandwidth: a place to start tuning from, not to end at.
+"""Initial gains for a plant and a bandwidth: a start for tuning, not its result.
 
-The plant is taken as K/(s (tau s + 1)) and three closed-loop poles are put at one frequency; then that frequency is
-moved until the real loop, sampled and with everything the plant has, has the bandwidth that was asked for.
+The plant is taken as K/(s (tau s + 1)) and three closed-loop poles are put at one frequency. That frequency
+is then moved until the real loop, sampled and with the complete plant, has the requested bandwidth.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 SUSPECT = 30.0
-"""A phase margin below this many degrees is worth a warning."""
-# How closely the frequency of the poles is found.
+"""A phase margin below this many degrees causes a warning."""
+# The relative accuracy of the pole frequency.
 _SAME = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
 class Suggestion:
-    """A loop, the figures that it has on the linear plant, and what to beware of."""
+    """A loop, its figures on the linear plant, and warnings."""
 
     loop: Loop
     figures: LoopFigures
@@ -34,7 +34,10 @@ class Suggestion:
 
 
 class BeyondPlant(ValueError):
-    """A bandwidth that no gains give to a plant; `best` is about what some do, in Hz, 0 where none close the loop."""
+    """A bandwidth that no gains can reach; `best` is about the highest, Hz.
+
+    It is 0 if no gains close the loop.
+    """
 
     def __init__(self, message: str, best: float = 0.0) -> None:
         super().__init__(message)
@@ -45,9 +48,9 @@ class BeyondPlant(ValueError):
 def suggest(
     plant: Motor | Drive, target: float, base: Loop | None = None, *, integral: bool = True
 ) -> Suggestion:
-    """Gains for a closed-loop bandwidth of `target` Hz; rates and limits from `base`.
+    """Return gains for a closed-loop bandwidth of `target` Hz.
 
-    `BeyondPlant` says what bandwidth is possible when this one is not.
+    Rates and limits are from `base`. Raises `BeyondPlant` with the possible bandwidth.
     """
     linear = linearised(plant)
     loop = suggested_loop(linear, target, base or Loop(), integral)
@@ -55,10 +58,10 @@ def suggest(
     return Suggestion(loop, figures, _warnings(plant, figures))
 
 
-# Every axis with the same motor, whatever its friction, and every run of it in a session, asks for the same.
+# Every axis with the same motor, whatever its friction, and every run of it in a session, needs the same.
 @lru_cache(maxsize=256)
 def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
-    """The loop of a suggestion for a `linearised` plant."""
+    """Return the suggested loop for a `linearised` plant."""
     if not 0.0 < target < inf:
         raise ValueError(f"the bandwidth must be greater than zero, not {target}")
     shaped = _shape(
@@ -69,15 +72,16 @@ def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: b
 
 
 def _least(value: Callable[[float], float], low: float, high: float) -> float:
-    """Where `value` is no longer negative, to a part in 10¹²: Dowell and Jarratt's chords (the Illinois method).
+    """Return where `value` is no longer negative, to a part in 10¹².
 
-    One value costs about a millisecond; halving needs more than fifty of them, chords some twenty.
+    This is the Illinois method (Dowell and Jarratt). One value costs about a millisecond; bisection needs
+    more than fifty of them, secants some twenty.
     """
     below, above = value(low), value(high)
     last = 0
     while high - low > _SAME * high:
         middle = low - below * (high - low) / (above - below)
-        edge = 0.25 * _SAME * high  # a chord that ends in a corner steps over it
+        edge = 0.25 * _SAME * high  # a secant that ends in a corner steps over it
         middle = min(max(middle, low + edge), high - edge)
         found = value(middle)
         if found < 0.0:
@@ -94,17 +98,18 @@ def _least(value: Callable[[float], float], low: float, high: float) -> float:
 
 
 def linearised(plant: Motor | Drive) -> Motor | Drive:
-    """The plant without friction, backlash and encoder steps."""
+    """Return the plant without friction, backlash and encoder steps."""
     if isinstance(plant, Drive):
         return replace(plant, quantised=False)
     return replace(plant, coulomb=0.0, breakaway=0.0, backlash=0.0, quantised=False, load_torque=0.0)
 
 
 def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float], Loop]:
-    """A loop for every triple-pole frequency (rad/s).
+    """Return a function from the triple-pole frequency (rad/s) to a loop.
 
-    tau s³ + (1 + K Kd) s² + K Kp s + K Ki = tau (s + w)³ gives K/tau Kd = 3w - 1/tau, K/tau Kp = 3w², K/tau Ki = w³;
-    where the plant damps more than that there is no derivative, and (s + w)² of the slower part is left.
+    tau s³ + (1 + K Kd) s² + K Kp s + K Ki = tau (s + w)³ gives K/tau Kd = 3w - 1/tau, K/tau Kp = 3w², K/tau
+    Ki = w³. If the plant's own damping is higher, there is no derivative, and (s + w)² of the slower poles
+    remains.
     """
     push, damping = _constants(plant)
 
@@ -130,7 +135,7 @@ def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float]
 
 
 def _constants(plant: Motor | Drive) -> tuple[float, float]:
-    """K/tau (counts/s² per volt) and 1/tau (1/s)."""
+    """Return K/tau (counts/s² per volt) and 1/tau (1/s)."""
     if isinstance(plant, Drive):
         return plant.speed_per_volt / plant.time_constant, 1.0 / plant.time_constant
     torque = plant.torque_constant * plant.amplifier_gain
@@ -140,9 +145,9 @@ def _constants(plant: Motor | Drive) -> tuple[float, float]:
 
 
 def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float) -> tuple[float, float]:
-    """Pole frequencies below and above the target, all of them stable."""
+    """Return stable pole frequencies below and above the target."""
     low = 2.0 * pi * target
-    # Whether a loop is stable is known a hundred times sooner than its bandwidth.
+    # Stability of a loop takes a hundredth of the time of its bandwidth.
     while not is_stable(shaped(low), plant) or reaches(shaped(low), plant, target):
         low *= 0.7
         if low < 1e-4 * target:
