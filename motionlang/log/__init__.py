@@ -1,4 +1,4 @@
-"""The motion of a run afterwards: as columns, as trajectory points, as what the motors did."""
+"""The motion of a run afterwards: as columns, trajectory points, and motor data."""
 
 from __future__ import annotations
 

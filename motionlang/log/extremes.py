@@ -1,6 +1,7 @@
-"""The furthest that an axis went in a run: position, speed, acceleration and jerk, from the closed form of its motion.
+"""Extremes of an axis in a run: position, speed, acceleration and jerk.
 
-Nothing is sampled: each piece of a profile is a polynomial or a wave, and its extremes are its ends and its turns.
+Nothing is sampled: each piece of a profile is a polynomial or a wave, so its extremes are its ends and its
+stationary points.
 """
 
 from __future__ import annotations
@@ -28,7 +29,10 @@ if TYPE_CHECKING:
 
 @record
 class Extreme:
-    """A figure in user units, with the machine time at which it was reached; of a magnitude, the largest."""
+    """A figure in user units and the machine time at which it was reached.
+
+    Of a magnitude it is the largest.
+    """
 
     value: float
     time: float
@@ -38,14 +42,14 @@ class Extreme:
 
 
 class Extremes:
-    """Those of one axis: `lowest` and `highest` position, and the magnitudes of the derivatives."""
+    """The extremes of one axis: `lowest` and `highest` position, peak derivatives."""
 
     def __init__(self, position: float) -> None:
         self.lowest, self.highest = Extreme(position, 0.0), Extreme(position, 0.0)
         self.speed, self.acceleration, self.jerk = (Extreme(0.0, 0.0) for _ in range(3))
 
     def take(self, time: float, state: State) -> None:
-        """Count a state, in user units, at a time."""
+        """Include a state, in user units, at a time."""
         position = state.position
         if position < self.lowest.value:
             self.lowest = Extreme(position, time)
@@ -60,9 +64,10 @@ class Extremes:
 
 
 def extremes(a: Axis, until: float) -> Extremes:
-    """The extremes of what an axis was told to do up to a time, in the user units that it has at the end.
+    """Return the extremes of the commanded motion of an axis up to a time.
 
-    Where the velocity jumps, the acceleration is infinite, and so is the jerk where the acceleration does.
+    They are in the user units that it has at the end. Where the velocity jumps, the acceleration is infinite,
+    and so is the jerk where the acceleration does.
     """
     found: Extremes | None = None
     before: State | None = None
@@ -80,17 +85,20 @@ def extremes(a: Axis, until: float) -> Extremes:
 
 
 def peak_speed(a: Axis, until: float) -> float:
-    """The highest speed of `extremes` by itself, which costs a tenth: most profiles know theirs."""
+    """Return the highest speed of `extremes` alone, in a tenth of the time.
+
+    Most profiles store theirs.
+    """
     peak = 0.0
     for begin, length, profile in _track(a, until):
         if profile.shape != "hold":
-            whole = profile.duration <= length + 4e-16 * (begin + length)  # but for the rounding of its end
+            whole = profile.duration <= length + 4e-16 * (begin + length)  # within the rounding of its end
             peak = max(peak, (profile if whole else profile.cut(length)).peak_speed)
     return peak / abs(a.scale.counts or 1.0)
 
 
 def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
-    """When each profile of an axis began, for how long it was in force, and itself."""
+    """Yield for each profile its start, the time it was in force, and itself."""
     track = WholeTrack(a)
     starts = iter(track.starts)
     begin = next(starts)
@@ -102,7 +110,10 @@ def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
 
 
 def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, State]]]:
-    """The smooth stretches of the first `length` seconds: their ends, and the places where something turns between."""
+    """Yield the smooth stretches of the first `length` seconds.
+
+    Each is its ends and the extrema between them.
+    """
     within = min(profile.duration, length)
     knots = profile.knots
     for k in range(len(knots) - 1):
@@ -122,7 +133,10 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, St
 
 
 def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:
-    """Where the velocity and the jerk of a wave peak: half a turn apart, where its cosine is 1 or -1."""
+    """Return the times of peak velocity and jerk of a wave.
+
+    They are half a period apart, where its cosine is 1 or -1.
+    """
     amplitude, omega, phase = piece[4:]
     if not amplitude:
         return ()
@@ -131,12 +145,12 @@ def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:
     return tuple(x / omega for x in times if 0.0 < x / omega < span)
 
 
-# Places between two knots of a formula at which it is looked at; the best are improved.
+# Points between two knots of a formula that are sampled; the best are refined.
 _LOOKS = 48
 
 
 def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, State]]:
-    """The same of a formula, whose turns are looked for."""
+    """Return the extrema of a formula, by search."""
     end_inside = end - (end - begin) * 1e-12
     times = [begin + (end_inside - begin) * n / _LOOKS for n in range(_LOOKS + 1)]
     looks: tuple[Callable[[float], float], ...] = (
@@ -152,14 +166,14 @@ def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, S
     return [(time, profile.at(time)) for time in sorted(times)]
 
 
-# What is rounding and no jump, as a part of what it is beside: a velocity, an acceleration.
+# A jump smaller than this fraction of a velocity or an acceleration is rounding.
 _ROUNDING = 1e-9
-# Seconds before the end of a stretch that may be missing in it.
+# Seconds before the end of a stretch that may be missing from it.
 _MOMENT = 1e-10
 
 
 def _jump(found: Extremes, now: float, left: State, right: State) -> None:
-    """What is there at once between two states at one time has an infinite derivative."""
+    """Set an infinite derivative for a jump between two states at one time."""
     jumps = _differ(left.velocity, right.velocity, left.acceleration, right.acceleration)
     if jumps and found.acceleration.value < inf:
         found.acceleration = Extreme(inf, now)
@@ -170,7 +184,7 @@ def _jump(found: Extremes, now: float, left: State, right: State) -> None:
 
 
 def _differ(left: float, right: float, slope: float, slope_after: float) -> bool:
-    """Whether two values are not the same but for rounding, and for the last moment that a formula is not asked for."""
+    """True if two values differ by more than rounding near the end of a formula."""
     rounding = _ROUNDING * max(abs(left), abs(right), 1.0)
     return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
 
@@ -186,9 +200,10 @@ def _in_units(a: Axis, state: State) -> State:
 
 
 def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extreme | None:
-    """The largest magnitude of what the motor of an axis did, or its root mean square (at the time `until`).
+    """Return the largest magnitude of a motor column, or its root mean square.
 
-    `column` is one of a `ServoTrace`: "error" in user units, "torque", "output". None where no motor is simulated.
+    `column` is one of a `ServoTrace`: "error" in user units, "torque", "output". The root mean square has the
+    time `until`. None if no motor is simulated.
     """
     if a.feedback is None:
         return None

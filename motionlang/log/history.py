@@ -1,6 +1,6 @@
-"""What simulated motors did in a run, once more: for its report, its trace and its pictures.
+"""Replay of simulated motors after a run, for its report, trace and pictures.
 
-A run keeps nothing of its motors but what was done to their loops; from that and the track of the axis everything is
+A run records only the changes to the loops of its motors. From these and the track of the axis everything is
 computed again, block by block, to the same numbers.
 """
 
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Samples beyond which a motor's history is not held at once: twenty minutes at 4 kHz.
+# Samples beyond which a motor's history is not stored in one object: twenty minutes at 4 kHz.
 MOST_SAMPLES = 5_000_000
-# What a trace shows of a motor: the quantity, its column of a `ServoTrace`.
+# The motor quantities of a trace, and their columns of a `ServoTrace`.
 COLUMNS = {
     "actual": "measured",
     "actual velocity": "velocity",
@@ -44,7 +44,10 @@ COLUMNS = {
 
 
 class MotorFigures(NamedTuple):
-    """What a motor made of one move: counts, volts, N m, seconds; it did not settle where `settle_time` is None."""
+    """A motor's figures for one move: counts, volts, N m, seconds.
+
+    It did not settle if `settle_time` is None.
+    """
 
     peak_error: float
     peak_output: float
@@ -53,9 +56,10 @@ class MotorFigures(NamedTuple):
 
 
 class MoveFigures:
-    """What the motor made of one move: largest following error (counts) and output (volts), torque, time to settle.
+    """Accumulated motor figures of one move.
 
-    It settles when its error comes within a window for good, or until the next move begins.
+    They are the largest following error (counts) and output (volts), torque, and settling time. It has
+    settled when its error stays within a window, up to the next move.
     """
 
     def __init__(self, begin: float, end: float, until: float) -> None:
@@ -66,18 +70,18 @@ class MoveFigures:
 
     @property
     def rms_torque(self) -> float:
-        """Root of the mean square of the torque while the move lasted, N m."""
+        """Root mean square of the torque during the move, N m."""
         return float((self._squares / self._count) ** 0.5) if self._count else 0.0
 
     @property
     def settle_time(self) -> float | None:
-        """Seconds from the end of the move; None where it did not settle."""
+        """Seconds from the end of the move; None if it did not settle."""
         if self._outside == self._seen > -inf:
             return None
         return max(self._outside + self._period - self.end, 0.0)
 
     def take(self, first: float, part: ServoTrace, window: float) -> None:
-        """The samples of a part that are this move's."""
+        """Add the samples of a block that belong to this move."""
         rate, self._period = part.loop.servo_rate, part.loop.period
         error, begin = part.error, self._place(first, self.begin, rate)
         end, until = self._place(first, self.end, rate) + 1, self._place(first, self.until, rate)
@@ -95,17 +99,20 @@ class MoveFigures:
 
     @staticmethod
     def _place(first: float, time: float, rate: float) -> int:
-        """The number in the part of the last sample up to a time; -1 where it is later."""
+        """The index in the block of the last sample up to a time; -1 if it is later."""
         return max(int(np.floor((time - first) * rate + 1e-6)), -1) if time < inf else 1 << 62
 
 
 def motors(controller: Controller) -> dict[int, Feedback]:
-    """The simulated motors of a controller by axis."""
+    """Return the simulated motors of a controller by axis."""
     return {number: a.feedback for number, a in controller.axes.items() if a.feedback is not None}
 
 
 def parts(a: Axis, until: float) -> Iterator[tuple[float, ServoTrace]]:
-    """What the motor of an axis did to the time `until`, block by block, each with the time of its first sample."""
+    """Yield the motor data of an axis to the time `until`, block by block.
+
+    Each has the time of its first sample.
+    """
     feedback = a.feedback
     if feedback is None or feedback.first_loop is None:
         return iter(())
@@ -117,7 +124,10 @@ def _track(a: Axis) -> Demanded:
 
 
 def servo_trace(a: Axis, until: float) -> ServoTrace | None:
-    """The same in one piece; None where the motor never had anything to do, or did it for too long to be held."""
+    """Return the motor data of an axis in one trace.
+
+    None if the motor was never used, or for too long to be stored.
+    """
     feedback = a.feedback
     if feedback is None or feedback.first_loop is None:
         return None
@@ -127,7 +137,7 @@ def servo_trace(a: Axis, until: float) -> ServoTrace | None:
 
 
 def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
-    """Those of all axes that have one."""
+    """Return the traces of all axes that have one."""
     made = {
         number: servo_trace(controller.axes[number], controller.clock.now) for number in motors(controller)
     }
@@ -135,16 +145,16 @@ def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
 
 
 def window_of(feedback: Feedback) -> float:
-    """Within how many counts the motor counts as settled: what the program says, else one count."""
+    """Return the counts within which the motor counts as settled, by default one."""
     error = feedback.windows["program"].error
     return error if feedback.windows["program"].announced and error < inf else REST_ERROR
 
 
 class Figures:
-    """What motors made of the moves in a log, by their numbers there: four doubles a move."""
+    """Motor figures of the moves in a log, by their numbers: four doubles per move."""
 
     def __init__(self, moves: int) -> None:
-        # Which of the figures are a move's, counted from 1, and one after the other what they are.
+        # The index of the figures of each move, counted from 1, and the figures in order.
         self._place = array("i", bytes(4 * moves))
         self._values = array("d")
 
@@ -155,7 +165,7 @@ class Figures:
         return isinstance(number, int) and number < len(self._place) and self._place[number] > 0
 
     def put(self, number: int, move: MoveFigures) -> None:
-        """Take those of a move."""
+        """Store the figures of a move."""
         settle = move.settle_time
         self._values.extend(
             (move.peak_error, move.peak_output, move.rms_torque, nan if settle is None else settle)
@@ -163,7 +173,7 @@ class Figures:
         self._place[number] = len(self)
 
     def get(self, number: int) -> MotorFigures | None:
-        """Those of a move; None where no motor did it."""
+        """Return the figures of a move; None if it has no motor."""
         if number not in self:
             return None
         first = 4 * self._place[number] - 4
@@ -172,7 +182,7 @@ class Figures:
 
 
 def figures(controller: Controller) -> Figures:
-    """What the motors made of the moves in the log."""
+    """Return the motor figures of the moves in the log."""
     found = motors(controller)
     done = {number: _Done() for number in found}
     for number, move in enumerate(controller.log.moves):
@@ -186,7 +196,7 @@ def figures(controller: Controller) -> Figures:
 
 
 class _Done:
-    """The moves of one axis: numbers in the log, when each began, and for how long it was planned."""
+    """The moves of one axis: log numbers, start times, and planned durations."""
 
     def __init__(self) -> None:
         self._numbers, self._begins, self._durations = array("q"), array("d"), array("d")
@@ -199,7 +209,7 @@ class _Done:
     def collect(
         self, run: Iterator[tuple[float, ServoTrace]], window: float, now: float, made: Figures
     ) -> None:
-        """Hand every block to the moves that it overlaps; both come in the order of time."""
+        """Pass every block to the moves that it overlaps; both are in order of time."""
         open_ones: deque[tuple[int, MoveFigures]] = deque()
         following = 0
         for first, part in run:
@@ -222,7 +232,7 @@ class _Done:
 
 
 class Reader:
-    """Columns of what a motor did, sampled at any times; quick where they rise.
+    """Columns of motor data, sampled at any times; quick if they rise.
 
     Between two servo samples a column has the value of the first one.
     """
@@ -237,7 +247,10 @@ class Reader:
         self._dropped = False
 
     def fill(self, quantity: str, times: Array, out: Array) -> None:
-        """One of `COLUMNS`, in counts, volts or N m, at rising times; 0 where there was nothing yet."""
+        """Fill in one of `COLUMNS` at rising times; 0 before the first sample.
+
+        Units are counts, volts or N m.
+        """
         self._hold(float(times[0]), float(times[-1]))
         if not self._held:
             out[:] = self._axis.position(self._until) if quantity == "actual" else 0.0
@@ -249,7 +262,7 @@ class Reader:
         out[:] = values[np.maximum(np.searchsorted(numbers, wanted, "right") - 1, 0)]
 
     def _hold(self, begin: float, end: float) -> None:
-        """Have the blocks from `begin` to `end` at hand."""
+        """Load the blocks from `begin` to `end`."""
         if self._dropped and self._held and begin < self._held[0][0]:
             self._restart()
         while not self._held or self._end() <= end:
@@ -267,7 +280,7 @@ class Reader:
 
 
 def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list[float]:
-    """A quantity of `COLUMNS` at rising times, none of them later than `until`."""
+    """Return a quantity of `COLUMNS` at rising times up to `until`."""
     if not times:
         return []
     made = np.empty(len(times))
@@ -277,13 +290,13 @@ def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list
 
 
 def part_column(part: ServoTrace, quantity: str) -> Array:
-    """The column of a block that shows a quantity."""
+    """Return the column of a block for a quantity."""
     column: Array = getattr(part, COLUMNS[quantity])
     return column
 
 
 def notes(controller: Controller) -> list[str]:
-    """What a reader of the report must know of the motors: gains that nobody has set, and gains that do nothing."""
+    """Notes for the report: gains that were never set, and gains without effect."""
     found = []
     for number, feedback in motors(controller).items():
         chosen = feedback.chosen

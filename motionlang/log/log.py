@@ -1,7 +1,7 @@
-"""The log of a run: everything that happened, in order, kind by kind; report, trace and proof read nothing else.
+"""The log of a run: all records in order, kind by kind.
 
-It is only ever added to. What is old is packed (`stream.py`), in memory and then in a file without a name, so that a
-run takes no more memory the longer it lasts.
+Report, trace and proof read nothing else. It only grows. Old records are packed (`stream.py`), in memory and
+then in an unnamed file, so the memory of a run does not depend on its length.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from motionlang.log.older_profiles import Profiles
     from motionlang.log.records import Changed, Event, Looped, Printed, Setting, Waited
 
-# Profiles of all axes together that are not packed, fewer where motors follow some, whose pieces are made; and
-# those of each axis that never are.
+# Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
+# those of each axis that are never packed.
 MOST_PROFILES, MOST_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
-# After so many profiles it is looked whether a loop starts motion after motion: more than one in half a millisecond,
-# from no more than a few lines.
+# The number of profiles after which a loop that starts motion after motion is detected: more than one in half
+# a millisecond, from no more than a few lines.
 FIRST_LOOK, HURRY, FEW_LINES = 1024, 5e-4, 4
 
 
@@ -34,28 +34,28 @@ def _most(axes: Collection[Axis]) -> int:
 
 
 def nowhere() -> int:
-    """The place of what happens without a program."""
+    """Return the source offset of events without a program."""
     return -1
 
 
 class Log:
     """The streams of a run, all of them in one store.
 
-    moves      every `Move` that was started, in the order of its start; amended until it is over
-    dropped    those that were put into a buffer and thrown out of it again: `ended` says by what
+    moves      every `Move` that was started, in order of start; amended until it is over
+    dropped    those that were loaded into a buffer and discarded: `ended` is the cause
     inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
-    settings   `Setting`, written where the value is another one
+    settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
-    loops      `Looped`, each loop that ran for more than a hundred statements, when it is over
-    turns      `Turns`, where there is more than one task
+    loops      `Looped`, each loop of more than a hundred statements, when it is over
+    turns      `Turns`, if there is more than one task
     prints     `Printed`, those of the console
     events     `Event`: limits, faults, clamps, stops and the like
 
-    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`: `WholeTrack` of
-    `track.py` reads them as one.
+    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`:
+    `WholeTrack` of `track.py` reads them as one.
     """
 
-    # `__getattr__` makes these: a program that moves nothing imports none of what they consist of.
+    # Created by `__getattr__`: a program without motion imports none of their components.
     moves: Moves
     dropped: Moves
     # Set at power-up, before there is a profile to pack.
@@ -73,11 +73,12 @@ class Log:
         self.turns = TurnStream(store)
         self.prints: Stream[Printed] = Stream(store, "Printed")
         self.events: Stream[Event] = Stream(store, "Event")
-        # The last clamp of each axis and quantity, which is reported once, and where the program stands.
+        # The last clamp of each axis and quantity, which is reported once, and the source offset of the
+        # program.
         self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
         self.where: Callable[[], int] = nowhere
         self.others: list[Stream[Any]] = []
-        # How many profiles may be made until some are packed.
+        # How many profiles may be made before some are packed.
         self.room = FIRST_LOOK
         self._looked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
@@ -92,7 +93,7 @@ class Log:
         return made
 
     def place_by(self, where: Callable[[], int]) -> None:
-        """Write events at the place in the program that `where` answers."""
+        """Use a function that returns the source offset of events."""
         self.where = where
 
     def note(
@@ -105,17 +106,17 @@ class Log:
         ordered: int = 0,
         text: str = "",
     ) -> None:
-        """Write an event, at the place where the program stands."""
+        """Write an event, at the present source offset."""
         self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
 
     def new(self, kind: str) -> Stream[Any]:
-        """A further stream, such as that of another terminal, of records of a kind."""
+        """Create a further stream, such as that of another terminal, for a kind of record."""
         made: Stream[Any] = Stream(self.store, kind)
         self.others.append(made)
         return made
 
     def make_room(self, axes: Collection[Axis]) -> None:
-        """Pack profiles; the first time only look at how they follow each other."""
+        """Pack profiles; the first time only check how they follow each other."""
         self._look()
         if not self._looked:
             self._looked, self.room = True, _most(axes) - FIRST_LOOK
@@ -123,7 +124,7 @@ class Log:
         self.pack(axes)
 
     def pack(self, axes: Collection[Axis]) -> None:
-        """Pack the profiles of axes but the newest ones of each; the moves that they are of are packed first."""
+        """Pack the profiles of axes except the newest; pack their moves first."""
         self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
         kept = 0
         for a in axes:
@@ -132,7 +133,7 @@ class Log:
         self.room = max(_most(axes) - kept, LEFT_PROFILES)
 
     def _pack_profiles(self, a: Axis, count: int) -> None:
-        """Pack so many of the profiles of an axis, the oldest ones."""
+        """Pack the `count` oldest profiles of an axis."""
         if count > 0 and a.older is None:
             a.older = self.older(self.store)
         while count > 0:
@@ -140,7 +141,7 @@ class Log:
             count -= a.older.take_from(a, count)
 
     def _look(self) -> None:
-        """Tell of a loop that starts motion after motion, none of which has the time to be one."""
+        """Report a loop that starts motion after motion without time to execute them."""
         last = self.moves[-min(len(self.moves), FIRST_LOOK) :]
         if len(last) < FIRST_LOOK // 2 or self.hurried is None:
             return
@@ -149,7 +150,7 @@ class Log:
             self.hurried(last[-1], len(last), span)
 
     def forget(self, kept: int, axes: Iterable[Axis]) -> None:
-        """Forget all but about so many records of each kind, and ten times as many profiles of each axis."""
+        """Drop all but about `kept` records of each kind, and ten times as many profiles."""
         for stream in self._streams():
             stream.forget(kept)
         for a in axes:
@@ -159,7 +160,7 @@ class Log:
                 a.older.forget_before(self.moves[self.moves.first].start_time)
 
     def keep_whole(self, axes: Iterable[Axis]) -> None:
-        """Complete what was half packed as somebody ended the run."""
+        """Complete partial packing after an interrupt."""
         for stream in self._streams():
             stream.keep_whole()
         for a in axes:

@@ -1,4 +1,4 @@
-"""A move as it is packed: a row of numbers and texts, its profile the number of one in the track of its axis."""
+"""Packed moves: rows of numbers and texts, with the index of a profile."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.planners import Profile
 
-# What a move is told by that was a path, a jog or the like: what it was is not kept.
+# The action of a packed move that was a path, a jog or the like; its kind is not stored.
 _OTHER = Action()
-# Velocities at both ends, which are all of a recipe that is none of ramps.
+# The two end velocities, which are the complete recipe of a profile without ramps.
 _ENDS = 2
-# What a row begins with: the arguments that make a move, and figures of it.
+# The first fields of a row: the arguments that make a move, and figures of it.
 _made = attrgetter("axis", "command", "line", "target")
 _figures = attrgetter("asked", "start_time", "scale", "ended")
 
@@ -31,7 +31,7 @@ class _Overlaid(Move):
 
 
 def row(move: Move, a: Axis | None) -> tuple[object, ...]:
-    """A move as numbers; what is the whole of a profile in the track of `a` is told by that one's."""
+    """A move as numbers; a complete profile of the track is stored as its index."""
     profile: object = None if a is None else _place(a, move)
     if profile is None and move.profile is not None:
         profile = packed(move.profile)
@@ -39,13 +39,13 @@ def row(move: Move, a: Axis | None) -> tuple[object, ...]:
 
 
 def _row(move: Move, profile: object) -> tuple[object, ...]:
-    # Most are 0.0, of which None takes fewer bytes.
+    # Most are 0.0, for which None takes fewer bytes.
     few = move.zero or None, move.offset or None, move.action is not None, move.overlaid
     return *_made(move), *_figures(move), *few, profile
 
 
 def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
-    """The move that was packed as a row, on one of the axes."""
+    """Return the move that was packed as a row, on one of the axes."""
     zero, offset, other, overlaid, profile = row[8:]
     move = (_Overlaid if overlaid else Move)(*row[:4])
     move.asked, move.start_time, move.scale, move.ended = row[4:8]
@@ -57,14 +57,14 @@ def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
 
 
 def sealed(move: Move, done: Profile) -> Move:
-    """What a move was until now, when it goes on as another entry."""
+    """Return the move up to now, when it continues as another entry."""
     made = move_of(_row(move, None), {})
     made.profile, made.ended = done, CONTINUED
     return made
 
 
 def _place(a: Axis, move: Move) -> int | None:
-    """The number of the profile in the track of the axis that is all of a move; None where there is none."""
+    """Return the index of the track's profile that is the complete move, or None."""
     k = bisect_right(a.starts, move.start_time) - 1
     while k >= 0 and a.starts[k] == move.start_time:
         if _is_of(a.profiles[k], move.profile):
@@ -74,14 +74,14 @@ def _place(a: Axis, move: Move) -> int | None:
 
 
 def _is_of(profile: Profile, other: Profile | None) -> bool:
-    """Whether they are one, or one is what the row of a plain move tells of the other."""
+    """True if they are one, or one is the profile that a plain move's row gives."""
     return profile is other or (
         other is not None and len(profile._recipe) > _ENDS and profile._recipe is other._recipe
     )
 
 
 def _profile(a: Axis, number: int) -> Profile:
-    """A profile of the track of an axis."""
+    """Return a profile of the track of an axis."""
     older = a.older
     packed_ones = 0 if older is None else older.count
     if number >= packed_ones:

@@ -1,4 +1,4 @@
-"""The moves of a log: as they are, as rows where nobody has looked at them yet, and packed."""
+"""The moves of a log: as objects, as rows before their first use, and packed."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ if TYPE_CHECKING:
     from motionlang.log.stream import Place, Store
     from motionlang.planners import Profile
 
-# Pieces of entries that were continued which may wait for being packed.
+# Pieces of continued entries that may wait to be packed.
 MOST_WAITING = 16_000
 
 
 class Moves(Stream[Move]):
-    """Moves as they are; of one that is packed all is kept but its `action`: only whether it has one.
+    """The stream of moves; a packed one keeps all but its `action`.
 
-    A move that is under way as its neighbours are packed stays as it is until it is over. What an axis did by a move is
-    in its track, and not packed twice.
+    Only the existence of the action is stored. A move in progress while its neighbours are packed stays
+    unpacked until it is over. The motion of an axis in a move is in its track, and not packed twice.
     """
 
     __slots__ = ("_left_out", "_store", "_waiting", "axes")
@@ -37,25 +37,26 @@ class Moves(Stream[Move]):
     def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
-        # Moves that were under way as their neighbours were packed; where they lie, when they have been packed since.
+        # Moves in progress while their neighbours were packed, and their positions if they have been packed
+        # since.
         self._left_out: dict[int, Move | Place] = {}
         self._waiting = 0  # pieces of continued entries that are not packed
-        # The axes whose moves these are; none before power-up.
+        # The axes of the moves; none before power-up.
         self.axes: Mapping[int, Axis] = {}
 
     def show(self, row: Row, move: Move) -> None:
-        """Somebody looks at a plain move: from now on it is the `Move` that he sees."""
+        """Replace a plain move by the `Move` that a caller has read."""
         place = self._place(row)
         if place >= 0:
             self.tail[place] = move
 
     def has(self, row: Row) -> bool:
-        """Whether a plain move that begins now is in the log."""
+        """True if a plain move that begins now is in the log."""
         return any(each is row for each in reversed(self.tail))  # type: ignore[comparison-overlap]
 
     def pack(self, count: int) -> None:
-        """Pack the oldest records of the tail, so many of them."""
-        self._live()  # looks at all that is under way
+        """Pack the `count` oldest records of the tail."""
+        self._live()  # checks all moves in progress
         super().pack(count)
 
     def __iter__(self) -> Iterator[Move]:
@@ -63,23 +64,23 @@ class Moves(Stream[Move]):
             yield from self._parts.part(number)
         self._live()
         rows: list[Any] = self.tail[:]
-        for each in rows:  # one at a time, as who goes through many wants none of them back
+        for each in rows:  # one at a time, as a reader of many uses each once
             yield move_of(each) if each.__class__ is tuple else each
 
     def number(self, move: Move) -> int:
-        """The number of the entry that a move under way has in the log."""
+        """Return the log number of a move in progress."""
         place = self._place(move)
         if place >= 0:
             return self.packed + place
         return next(number for number, each in self._left_out.items() if each is move)
 
     def as_kept(self) -> Iterator[Move | Row]:
-        """All of them, the plain ones that are not packed as rows."""
+        """Yield all moves, plain ones that are not packed as rows."""
         self._live()
         return super().as_kept()
 
     def moved(self) -> set[int]:
-        """The axes that have moved."""
+        """Return the axes that have moved."""
         parts = (self._parts.part(number) for number in range(len(self._parts)))
         found = {move.axis for part in parts for move in part}
         rows: list[Any] = self.tail
@@ -97,7 +98,7 @@ class Moves(Stream[Move]):
         return [move_of(each) if each.__class__ is tuple else each for each in rows]
 
     def split(self, move: Move, done: Profile, now: float) -> None:
-        """A move goes on as another entry: the one that it was keeps what it has done up to now."""
+        """Continue a move as another entry; the old one keeps the motion up to now."""
         sealed, place = record.move_rows.sealed(move, done), self._place(move)
         if place >= 0:
             self.tail[place] = sealed
@@ -111,7 +112,7 @@ class Moves(Stream[Move]):
             self._waiting = 0
 
     def _place(self, record: Move | Row) -> int:
-        """Where a record is in the tail; -1 where it is not."""
+        """Return the index of a record in the tail; -1 if it is not in it."""
         tail = self.tail
         for place in range(len(tail) - 1, -1, -1):
             if tail[place] is record:
@@ -144,14 +145,14 @@ class Moves(Stream[Move]):
         return record.move_rows.move_of(loads(self._store.get(left_out)), self.axes)
 
     def _live(self) -> set[int]:
-        """The identities of the moves that are under way."""
+        """Return the identities of the moves in progress."""
         moves = [move for a in self.axes.values() for move in a.entries]
         on_top = [getattr(move.action, "offset_entry", None) for move in moves]
         return {id(move) for move in (*moves, *on_top)}
 
 
 def power_up(log: Log, axes: Mapping[int, Axis]) -> None:
-    """A controller with these axes begins to write into a log."""
+    """Connect the axes of a controller to a log."""
     log.moves.axes = log.dropped.axes = axes
     log.older = _older_profiles
 

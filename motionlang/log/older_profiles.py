@@ -1,4 +1,4 @@
-"""The profiles of an axis that are long over, packed."""
+"""The older profiles of an axis, packed."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
 
 
 class Profiles(Parts):
-    """The older profiles of an axis, packed: `count` of them, each with the time at which it began."""
+    """The older profiles of an axis, packed: `count` of them, with start times."""
 
     __slots__ = ("_begins",)
 
     def __init__(self, store: Store) -> None:
         super().__init__(store, lambda rows, _: rows)
-        # When the first profile of each part began.
+        # The start of the first profile of each chunk.
         self._begins: list[float] = []
 
     def take_from(self, a: Axis, most: int) -> int:
-        """Pack a part of the axis's profiles, the oldest ones, at most so many of them: how many those were."""
+        """Pack the oldest profiles of the axis, at most `most`, and return how many."""
         count = min(stream.PART, most)
         starts = a.starts[:count]
         rows = list(zip(starts, map(packed, a.profiles[:count]), strict=True))
@@ -37,7 +37,7 @@ class Profiles(Parts):
         return count
 
     def complete(self, a: Axis) -> None:
-        """Keep it and the track of its axis whole, as somebody ended the run at any moment."""
+        """Complete partial packing of an axis's track after an interrupt."""
         self.keep_whole(a.starts, a.profiles)
         del self._begins[len(self) :]
         if len(self._begins) < len(self):
@@ -49,21 +49,21 @@ class Profiles(Parts):
                 yield start, unpacked(row)
 
     def start(self, number: int) -> float:
-        """When a profile began."""
+        """Return the start time of a profile."""
         return self.record(number)[0]  # type: ignore[no-any-return]
 
     def profile(self, number: int) -> Profile:
-        """A profile."""
+        """Return a profile."""
         return unpacked(self.record(number)[1])
 
     def forget_before(self, time: float) -> None:
-        """Forget what was over at a time; the numbers of the others stay what they are."""
+        """Drop profiles that were over at a time; the numbers of the others stay."""
         while len(self._begins) > 1 and self._begins[1] <= time:
             self.forget()
             del self._begins[0]
 
     def in_force(self, time: float) -> int:
-        """The number of the profile that was in force at a time; that of the first one where none was."""
+        """Return the number of the profile in force at a time, or of the first one."""
         part = max(bisect_right(self._begins, time) - 1, 0)
         rows = self.part(part)
         return max(self.firsts[part] + bisect_right(rows, time, key=_start) - 1, 0)

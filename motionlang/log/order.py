@@ -1,4 +1,7 @@
-"""The order behind a profile: what kind of motion was asked for, and the settings in force. Records only."""
+"""The order behind a profile: the kind of motion and the settings in force.
+
+It consists of records only.
+"""
 
 from __future__ import annotations
 
@@ -15,17 +18,17 @@ ENDLESS = (INFINITY, INFINITY)
 
 
 class PathOrder(NamedTuple):
-    """A path as the program ordered it: its axes, its master first, and where it leads.
+    """A path as commanded: its axes, its master first, and its geometry.
 
-    `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its further
-    axes; `plane` are the places of the two that go round. `length` is what it counts as, None for its way in space. Of
-    a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
-    began; `most`, `most_accel` and `most_decel` are the limits of its axes; it may be entered at an angle of up to
-    `angle_into` degrees. Of several paths that begin at one moment, since they are blended into each other, it is the
-    `nth`. `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
-    `blend` is the distance before the end of the path before it at which it is to begin, 0 for at its end.
-    `tails` are those that it is blended with, begun before it.
-    A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
+    `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its
+    further axes; `plane` are the indices of the two of the circle. `length` is its nominal length, None for
+    that in space. Of a `relative` one the numbers count from its start. `scales` are counts per user unit,
+    `begun` is its start time; `most`, `most_accel` and `most_decel` are the limits of its axes; it may be
+    entered at an angle of up to `angle_into` degrees. Of several paths that begin at one time, because they
+    are blended, it is the `nth`. `entry` is the number of the log entry of the axis that the order is for, -1
+    for a path that has not begun. `blend` is the distance before the end of the path before it at which it
+    has to begin, 0 for at its end. `tails` are those that it is blended with, begun before it. A path that
+    `rests` was stopped or suspended: it comes to rest anywhere, possibly on one of those `ahead`.
     """
 
     members: tuple[int, ...]
@@ -51,11 +54,10 @@ class PathOrder(NamedTuple):
 
 
 class Tie(NamedTuple):
-    """What an axis follows: a track, at a `ratio` (once it is `locked`), or on a `curve` from `origin` on.
+    """The master of an axis: a track, at a `ratio`, or on a `curve` from `origin` on.
 
-    It takes a ratio up along a `ramp`, or at once.
-
-    `table` is what the curve was ordered as: places of the master, values there, and how they are joined.
+    A ratio applies once it is `locked`; it is reached along a `ramp`, or at once. `table` is the source of
+    the curve: master positions, values there, and how they are joined.
     """
 
     master: Axis
@@ -68,7 +70,7 @@ class Tie(NamedTuple):
     ramp: bool = False
 
     def takes_up(self, earlier: Tie | None) -> bool:
-        """Whether a ratio is taken up that was not followed before."""
+        """True if it starts a ratio that was not followed before."""
         if self.curve is not None:
             return False
         return (
@@ -79,14 +81,15 @@ class Tie(NamedTuple):
 
 
 class Order(NamedTuple):
-    """What holds for one profile: its kind, the line it comes from, and its bounds in counts and seconds.
+    """The order of one profile: kind, source line, and bounds in counts and seconds.
 
-    `kind` is "rest", "move", "step", "jog", "stop", "path", or the name of the action that makes the profile; of the
-    last the bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite
-    but for S-ramps. `goal` is the velocity that a jog goes to, or the place or velocity of a reference, `ramp` the
-    ratio of a PMC S-curve; `step` is the velocity at which a stepper starts and stops a move of kind "step" at once;
-    `slopes` are those of a speed reference, rate, begin and end of speeding up and of slowing down;
-    `points` are those, with their velocities and the times between them, that a profile is to run through.
+    `kind` is "rest", "move", "step", "jog", "stop", "path", or the name of the action that makes the profile;
+    of the last the bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down;
+    jerks are infinite except for S-ramps. `goal` is the velocity of a jog, or the position or velocity of a
+    reference, `ramp` the ratio of a PMC S-curve. `step` is the velocity at which a stepper starts and stops a
+    move of kind "step" at once. `slopes` are those of a speed reference: rate, begin and end of speeding up
+    and of slowing down. `points` are those that a profile has to pass, with their velocities and the times
+    between them.
     """
 
     kind: str
@@ -105,12 +108,12 @@ class Order(NamedTuple):
 
     @property
     def bends(self) -> bool:
-        """Whether the acceleration of its shape never jumps."""
+        """True if the acceleration of its shape never jumps."""
         return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
 
     @property
     def asks(self) -> tuple[object, ...]:
-        """What settings ask of a motion that is under way."""
+        """The settings that affect a motion in progress."""
         if self.path is not None:
             limits = self.path.most, self.path.most_accel, self.path.most_decel
             return self.kind, self.path.entry, self.speed, self.rates, limits, self.path.rests

@@ -1,7 +1,7 @@
-"""What was ordered while an axis moved: the settings in force for each profile of its track, and steps on purpose.
+"""The orders of an axis: the settings in force for each profile, wanted steps.
 
-A run that is to be proved keeps these records; others pay nothing for them. They hold what the program has asked for,
-never what a planner made of it.
+A run that is to be proved keeps these records; others pay nothing for them. They contain the commands of the
+program, never a planner's result.
 """
 
 from __future__ import annotations
@@ -31,25 +31,26 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.path_run import PathRun
 
 REST = Order("rest", 0)
-# Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.
+# Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.
 SHIFTED = frozenset(("move", "jog", "stop", "Gear"))
-# Profiles of a run that are kept to be proved; so many that are ordered alike, as in a loop, count as one.
+# Profiles of a run that are kept to be proved; so many equal orders, as in a loop, count as one.
 MOST, MANY_ALIKE = 200_000, 50
-# The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
+# The corner, degrees, that counts as straight: guided paths join if they continue in the same direction, to a
+# thousandth per axis.
 STRAIGHT = 0.1
 _TIME = itemgetter(0)
 
 
 class Orders:
-    """The records of a controller: `of` by axis, as many as its track has profiles, and `data` likewise.
+    """The records of a controller: `of` and `data` by axis, one per profile.
 
-    A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis was told
-    to stand at once, with the word for it. Orders that are alike are one. Beyond `MOST` profiles it `is_full`, and
-    holds nothing more. `unheeded` has, by axis and time, what settings ask of a profile that they have not replaced.
-    `offsets` has, by axis and time, the line and the distance of an OFFSET.
-    `begun` has, by axis, when its motions began that have an entry of their own.
-    `stops` has, by axis, the times at which its motion was told to come to rest or to stand, with the word for it.
-    `refused` has, by axis, when an entry of its buffer was last refused as it was to begin.
+    A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis
+    was commanded to stop at once, with the keyword. Equal orders are one object. Beyond `MOST` profiles it
+    `is_full`, and stores nothing more. `unheeded` has, by axis and time, the effect of settings on a profile
+    that they have not replaced. `offsets` has, by axis and time, the line and the distance of an OFFSET.
+    `begun` has, by axis, the start times of motions with an entry of their own. `stops` has, by axis, the
+    times at which its motion was commanded to come to rest or to halt, with the keyword. `refused` has, by
+    axis, when an entry of its buffer was last rejected as it began.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -68,29 +69,33 @@ class Orders:
         self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         self.prompts: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         self.refused: dict[int, float] = {}
-        # When each axis was first stopped with each word.
+        # When each axis was first stopped with each keyword.
         self._first_stops: dict[tuple[int, str], float] = {}
-        # The number of each path among those that its master began at one moment.
+        # The number of each path among those that its master began at one time.
         self._nth: dict[PathMove, int] = {}
-        # The angle up to which each path may be entered, by the settings when another one was planned into it.
+        # The angle up to which each path may be entered, by the settings when another one was planned into
+        # it.
         self._angles: dict[PathMove, float] = {}
-        # What each path, under way or ahead, was last planned by: settings that led to no other plan do not act.
+        # The order of the last plan of each path, in progress or ahead: settings that led to no other plan do
+        # not act.
         self._plans: dict[PathMove, Order] = {}
-        # The paths that each axis is the master of, as far as they are under way, and what was last ordered for them.
+        # The paths in progress of which each axis is the master, with their last orders.
         self._under_way: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
-        # When the log entry of a path began, and its number in the log: a long one goes on as another entry.
+        # When the log entry of a path began, and its number in the log: a long one continues as another
+        # entry.
         self._entries: dict[Move, tuple[float, int]] = {}
-        # What is left of a stepper's move at a new zero is not planned anew: what held when it began still does.
+        # The rest of a stepper's move at a new zero is not planned again: the bounds at its start still
+        # apply.
         self._steps: dict[Move, Order] = {}
-        # The stop that each axis was last told to make: it goes on as it was planned, whatever settings come since.
+        # The last stop commanded for each axis: it continues as planned, whatever settings follow.
         self._halts: dict[int, tuple[Stopping, Order]] = {}
-        self._known = {REST: REST}  # those that further profiles may be ordered by
+        self._known = {REST: REST}  # those that further profiles may refer to
         self._controller = controller
         controller.orders = self
 
     def add(self, a: Axis) -> None:
-        """The track of an axis gets another profile."""
+        """Record a further profile of the track of an axis."""
         if self._controller.axes.get(a.index) is a:
             move = a.move
             path = move is not None and isinstance(move.action, PathMove)
@@ -102,22 +107,22 @@ class Orders:
                 order = halt[1] if halt is not None and halt[0] is move.action else order
                 self._halts[a.index] = move.action, order
             elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
-                # The same motion at a new zero: settings that came since do not act.
+                # The same motion at a new zero: settings that were written since do not act.
                 order = self.of[a.index][-1]
             self._append(a, order)
             if order.path is not None and order.path.members[0] == a.index:
-                self.heed(a)  # a path that was planned ahead keeps settings that have come since
+                self.heed(a)  # a path that was planned ahead keeps settings written since
             if move is not None and not self.is_full:
                 self.begun[a.index].add(move.start_time)
 
     def add_plain(self, a: Axis, line: int, speed: float) -> None:
-        """An axis begins a move from rest to rest at a speed."""
+        """Record a move from rest to rest at a speed."""
         self._append(a, Order("move", line, speed, a.rates(speed), ENDLESS, a.shape, ramp=a.ramp))
         if not self.is_full:
             self.begun[a.index].add(self._controller.clock.now)
 
     def _append(self, a: Axis, order: Order) -> None:
-        """One that is like another is that one; where there is no room the run goes on as one without a proof."""
+        """Append an order, sharing equal ones; if full, continue without a proof."""
         now, scales = self._controller.clock.now, self._scales[a.index]
         self.unheeded.pop((a.index, now), None)
         if not scales or scales[-1][1:] != (a.scale.counts, a.scale.zero):
@@ -160,9 +165,9 @@ class Orders:
         self._known.clear()
 
     def keep_whole(self) -> None:
-        """Forget orders of profiles that did not come onto their track, as somebody ended the run at that moment.
+        """Drop orders of profiles that an interrupt kept off their track.
 
-        What came onto it without an order is not judged.
+        A profile on the track without an order is not checked.
         """
         self.was_cut = True
         for number, a in self._controller.axes.items():
@@ -171,7 +176,7 @@ class Orders:
             del self.data[number][count:]
 
     def _path(self, a: Axis) -> Order:
-        """That of a path; those that begin at one moment are numbered."""
+        """Return the order of a path; those that begin at one time are numbered."""
         move = a.move
         assert move is not None
         action = move.action
@@ -195,7 +200,7 @@ class Orders:
         return order
 
     def _tails(self, running: dict[PathMove, Order], action: PathMove, rests: bool) -> tuple[Order, ...]:
-        """The orders of the paths that are still run, but for the last one; a rate that came too late waits."""
+        """Return the orders of the paths still run, except the last; a late rate waits."""
         found = []
         for each, before in list(running.items()):
             move = each.moves[0]
@@ -212,7 +217,10 @@ class Orders:
         return tuple(found)
 
     def _planned_by(self, a: Axis, action: PathMove) -> Order | None:
-        """The order of a path that goes on as it was planned, where only the one that it is blended with changes."""
+        """Return the order of a path that continues as planned.
+
+        Only the one that it is blended with changes.
+        """
         run, key = action.run, (action.moves[0].start_time, self._nth[action])
         if run is None or len(run.courses) < 2 or run.present.began == self._controller.clock.now:
             return None
@@ -223,7 +231,10 @@ class Orders:
         )
 
     def _planned(self, action: PathMove, move: Move, entry: int) -> Order:
-        """The order of the newest path by the settings that it was last planned by, perhaps in another path's plan."""
+        """Return the order of the newest path by the settings of its last plan.
+
+        The plan may be that of another path.
+        """
         order, run = _path(action, move, self._nth[action], entry), action.run
         assert order.path is not None
         planned = self._plans.get(action)
@@ -235,17 +246,17 @@ class Orders:
         assert planned.path is not None
         path = order.path._replace(most_accel=planned.path.most_accel, most_decel=planned.path.most_decel)
         order = order._replace(rates=planned.rates, jerks=planned.jerks, path=path)
-        if not _own_speed(action.axes[0], action.moves[0]) > 0.0:  # it is refused, and the plan stays
+        if not _own_speed(action.axes[0], action.moves[0]) > 0.0:  # it is rejected, and the plan stays
             order = order._replace(speed=planned.speed)
         return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def _is_planned_now(self, action: PathMove) -> bool:
-        """Whether a path under way has just been planned."""
+        """True if a path in progress has just been planned."""
         courses = () if action.run is None else action.run.courses
         return any(each.here is action and each.planned_at == self._controller.clock.now for each in courses)
 
     def displace(self, action: PathMove) -> None:
-        """A path has begun elsewhere, since the one that it is blended with was cut short: its orders go with it."""
+        """Displace the orders of a path, since the one it is blended with was cut short."""
         if action not in self._nth:
             return
         begun, nth = action.moves[0].start_time, self._nth[action]
@@ -260,23 +271,26 @@ class Orders:
                     records[-back] = order._replace(path=path)
 
     def scale(self, axis: int, time: float) -> set[tuple[float, float]]:
-        """Counts a unit and the zero of an axis at a time; several if they changed just then."""
+        """Return counts per unit and the zero of an axis at a time.
+
+        There are several if they changed at that time.
+        """
         scales = self._scales[axis]
         last = bisect_right(scales, time, key=_TIME)
         first = bisect_left(scales, time, key=_TIME)
         return {(counts, zero) for _, counts, zero in scales[max(0, min(first, last - 1)) : last]}
 
     def stopped(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:
-        """The stops of an axis from one time to another, with the word for each."""
+        """Return the stops of an axis between two times, with the keyword of each."""
         stops = self.stops[axis]
         return stops[bisect_left(stops, first, key=_TIME) : bisect_right(stops, last, key=_TIME)]
 
     def was_stopped(self, axis: int, word: str, time: float) -> bool:
-        """Whether an axis was stopped up to a time, with that word."""
+        """True if an axis was stopped up to a time, with that keyword."""
         return self._first_stops.get((axis, word), INFINITY) <= time
 
     def heed(self, a: Axis) -> None:
-        """A setting that acts at once was written: note what it asks for if the motion goes on as it was planned."""
+        """Record a setting that acts at once, if the motion continues as planned."""
         move = a.move
         if move is None:
             return
@@ -286,7 +300,7 @@ class Orders:
             began = self._entries.get(action.moves[0])
             leader = action.moves[0]
             if action.guide is not None or began is None or not _own_speed(a, leader) > 0.0:
-                return  # while a speed is not above zero every plan is refused
+                return  # while a speed is not above zero every plan is rejected
             wanted = _path(action, leader, self._nth[action], began[1])
             assert wanted.path is not None
             wanted = wanted._replace(path=wanted.path._replace(ahead=_ahead(action)))
@@ -306,7 +320,7 @@ class Orders:
             self.unheeded[key] = wanted
 
     def jogs(self, a: Axis, velocity: float) -> None:
-        """A jog was ordered: note its velocity if the axis does not go to it."""
+        """Record the velocity of a jog if the axis does not adopt it."""
         move = a.move
         if move is None or a.suspended or not isinstance(move.action, Jog):
             return
@@ -316,20 +330,23 @@ class Orders:
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
 
     def prompt(self, a: Axis, word: str) -> None:
-        """What may begin a blend: a release, BLEND, a setting of blends, a dropped entry, the end of a suspension."""
+        """Record a possible start of a blend.
+
+        It is a release, BLEND, a setting of blends, or the end of a suspension.
+        """
         self.prompts[a.index].append((self._controller.clock.now, word))
 
     def prompted(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:
-        """What may have begun a blend of an axis from one time to another."""
+        """Return the possible starts of a blend of an axis between two times."""
         prompts = self.prompts[axis]
         return prompts[bisect_left(prompts, first, key=_TIME) : bisect_right(prompts, last, key=_TIME)]
 
     def refuse(self, a: Axis) -> None:
-        """Note that an entry of the buffer of an axis is refused as it begins."""
+        """Record that a buffer entry of an axis is rejected as it begins."""
         self.refused[a.index] = self._controller.clock.now
 
     def gears(self, a: Axis, ratio: float) -> None:
-        """A ratio of a slave to its master was ordered: note it if the axis follows at another one."""
+        """Record a commanded ratio if the axis follows at another one."""
         key, last = (a.index, self._controller.clock.now), self.of[a.index][-1]
         if last.tie is None or last.tie.curve is not None or a.suspended:
             return
@@ -339,22 +356,22 @@ class Orders:
             self.unheeded[key] = last._replace(tie=last.tie._replace(ratio=ratio))
 
     def offset(self, a: Axis, distance: float, line: int) -> None:
-        """An offset begins; what one before it has left is added to it."""
+        """Record the start of an offset; the rest of one before it is added."""
         self.offsets[a.index, self._controller.clock.now] = line, distance
 
     def refuse_offset(self, a: Axis) -> None:
-        """The offset that was to begin now does not, as the limits of its axis leave no room for it."""
+        """Drop the offset that was to begin now, since its axis's limits prevent it."""
         self.offsets.pop((a.index, self._controller.clock.now), None)
 
     def stop(self, a: Axis, ended: str) -> None:
-        """An axis is about to be told to decelerate to rest, and those that move together with it."""
+        """Record a decelerated stop of an axis, and of those that move together with it."""
         if a.move is not None:
             action = a.move.action
             for each in (a,) if action is None else action.together_with(a):
                 self._stop(each, ended)
 
     def freeze(self, a: Axis, ended: str) -> None:
-        """An axis is about to be told to stand at once."""
+        """Record an immediate stop of an axis."""
         self.stands[a.index, self._controller.clock.now] = ended
         if a.move is not None:
             self._stop(a, ended)
@@ -366,18 +383,18 @@ class Orders:
 
 
 def _ahead(action: PathMove) -> tuple[Order, ...]:
-    """The orders of the paths that a path goes on into."""
+    """Return the orders of the paths that a path continues into."""
     return tuple(_path(each, each.moves[0], 0, -1) for each in _paths_ahead(action))
 
 
 def _paths_ahead(action: PathMove) -> list[PathMove]:
-    """The paths that a path goes on into."""
+    """Return the paths that a path continues into."""
     courses = () if action.run is None else action.run.courses
     return [each for course in courses if course.here is action for each, _ in course.ahead]
 
 
 def _angle_through(action: PathMove) -> float:
-    """The angle up to which a path may be entered without a rest, by the settings of now."""
+    """Return the angle up to which a path may be entered without a stop now."""
     master = action.axes[0]
     if action.guide is not None:
         return STRAIGHT
@@ -385,9 +402,9 @@ def _angle_through(action: PathMove) -> float:
 
 
 def _gentler(order: Order, before: Order) -> Order:
-    """What is ordered now for a path that another one is on top of and that goes on by the plan that it had.
+    """The new order of a path that another one is blended onto, on its old plan.
 
-    New rates may have come too late for it, and another shape counts from its next plan on.
+    New rates may have come too late for it, and another shape applies from its next plan on.
     """
     path, old = order.path, before.path
     assert path is not None
@@ -442,14 +459,14 @@ def _tie(action: Gear | CurveFollow) -> Tie:
     if isinstance(action, Gear):
         return Tie(action.master, action.ratio, action.locked, ramp=action.ramp)
     origin, direction, table = action.origin, action.direction, action.ordered
-    if table is not None and table[2] == "even":  # the master's way has the sign that was ordered
+    if table is not None and table[2] == "even":  # the master's distance has the sign that was commanded
         over = table[0][-1]
         direction, table = (1 if over > 0.0 else -1), ((0.0, abs(over)), *table[1:])
     return Tie(action.master, 0.0, INFINITY, action.curve, origin, direction, table)
 
 
 def _rates(a: Axis, move: Move) -> tuple[float, float]:
-    """The rates of a move: its own where it has some, those of the axis otherwise."""
+    """Return the rates of a move: its own, or those of the axis."""
     accel, decel = a.rates(a.speed if move.speed is None else move.speed)
     if move.rates is not None:
         accel, decel = move.rates[0] or accel, move.rates[1] or decel
@@ -457,7 +474,10 @@ def _rates(a: Axis, move: Move) -> tuple[float, float]:
 
 
 def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[float, float]]:
-    """Speed, rates and jerks of a move: its own where it has some, those of the axis otherwise, within its limits."""
+    """Return speed, rates and jerks of a move, within the limits of its axis.
+
+    They are its own, or those of the axis.
+    """
     accel, decel = _rates(a, move)
     accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
     if isinstance(move.action, Stopping) and move.action.rate:
@@ -481,7 +501,10 @@ def _jerks(a: Axis) -> tuple[float, float]:
 
 
 def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | None = None) -> Order:
-    """The order of a path by the settings as they are now; one that is still ahead is given the `run` it belongs to."""
+    """Return the order of a path by the present settings.
+
+    One that is still ahead gets the `run` it belongs to.
+    """
     run = run or action.run
     master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
     shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
@@ -522,7 +545,10 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
 
 
 def _places(action: PathMove) -> dict[str, Any]:
-    """The fields of a `PathOrder` that count from the zeros of the axes, unless it is relative."""
+    """Return the fields of a `PathOrder` that count from the zeros of the axes.
+
+    A relative path has none.
+    """
     geometry = action.geometry
     if action.displaced and not action.relative:
         geometry = copy(geometry)

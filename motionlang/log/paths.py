@@ -1,7 +1,7 @@
-"""The paths of a run, one after the other: length, speed along the path, and how each goes over into the next.
+"""The paths of a run in order: length, speed along the path, and transitions.
 
-A path is a move of several axes that begin and end together on one line. What is told of it is measured on the motion
-itself, not taken from its plan: at the beginning, at the end, and at `SAMPLES` points between.
+A path is a move of several axes that begin and end together on one line. Its figures are measured on the
+motion itself, not taken from its plan: at the beginning, at the end, and at `SAMPLES` points between.
 """
 
 from __future__ import annotations
@@ -21,16 +21,17 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 SAMPLES = 1001
-# A part of a path's time at its ends in which its direction is taken, and a part of its peak speed that is standstill.
+# Fraction of a path's time at its ends in which its direction is taken, and fraction of its peak speed that
+# counts as standstill.
 _ENDS, _STILL = 1e-5, 1e-6
-# Seconds within which the next path follows at once.
+# Seconds within which the next path counts as following directly.
 AT_ONCE = 1e-3
 
 
 class PathRow(NamedTuple):
-    """One path: `length` in user units, speeds in uu/s along it, `corner` in degrees to the next one, if one follows.
+    """One path: `length` in uu, speeds in uu/s, `corner` in degrees to the next.
 
-    `ended` says what cut it short, "" for nothing.
+    `ended` is the cause of an early end, "" for none.
     """
 
     line: int
@@ -56,7 +57,7 @@ class _Path(NamedTuple):
 
 
 def paths(trace: Trace) -> list[PathRow]:
-    """Every path that was begun, in the order of time."""
+    """Return every path that was begun, in order of time."""
     found = _paths(trace)
     return [_row(trace, path, _following(path, found[k + 1 :])) for k, path in enumerate(found)]
 
@@ -75,7 +76,7 @@ def _paths(trace: Trace) -> list[_Path]:
 
 
 def _following(path: _Path, later: Sequence[_Path]) -> _Path | None:
-    """The path of the same axes that begins when this one ends."""
+    """Return the path of the same axes that begins when this one ends."""
     for other in later:
         if other.begin > path.end + AT_ONCE:
             return None
@@ -110,7 +111,10 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
 
 
 def _length(places: Array, speeds: Array, duration: float) -> float:
-    """The way between the ends where that is straight; else the speed over the time, by Simpson's rule."""
+    """Return the distance between the ends of a line, or the integral of the speed.
+
+    The integral is by Simpson's rule.
+    """
     way = places[:, -1] - places[:, 0]
     chord = float(np.linalg.norm(way))
     steps = float(np.linalg.norm(np.diff(places, axis=1), axis=0).sum())
@@ -122,10 +126,10 @@ def _length(places: Array, speeds: Array, duration: float) -> float:
 
 
 def _tangent(trace: Trace, path: _Path, side: int) -> Array:
-    """The direction of a path at its beginning (0) or its end (-1)."""
+    """Return the direction of a path at its beginning (0) or its end (-1)."""
     near = (path.end - path.begin) * _ENDS
     times = np.array([path.begin, path.begin + near] if side == 0 else [path.end - near, path.end])
-    for _ in range(20):  # from rest it takes a while until there is a way to be seen
+    for _ in range(20):  # from rest it takes a while to cover a visible distance
         way = np.array([np.diff(trace.at(axis, "position", times))[0] for axis in sorted(path.axes)])
         size = float(np.linalg.norm(way))
         if size > 1e-7 * max(1.0, float(np.abs(trace.at(path.axes[0], "position", times)).max())):

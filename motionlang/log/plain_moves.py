@@ -1,4 +1,4 @@
-"""Moves from rest to rest by a trapezoid, as a log stores them until they are packed: tuples, no objects.
+"""Trapezoidal moves from rest to rest, stored as tuples until they are packed.
 
 Most moves of a machine are of this kind. `fast/moves.py` writes such rows; readers of the log get `Move`.
 """
@@ -10,14 +10,15 @@ from motionlang.planners.curve import Profile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    # Target, base, command, line, speed and mark, each as `Move` has it.
+    # Target, base, command, line, speed and identifier, like those of `Move`.
     Entry = tuple[float, float | None, str, int, float | None, int]
-    # Axis, start time, start, end, duration, recipe of the profile, commanded speed, scale, zero, and what was loaded.
+    # Axis, start time, start, end, duration, recipe of the profile, commanded speed, scale, zero, and the
+    # loaded entry.
     Row = tuple[int, float, float, float, float, tuple[float, ...], float, float, float, Entry]
 
 
 def entry_of(axis: int, entry: Entry) -> Move:
-    """The entry of the move buffer."""
+    """Return the entry of the move buffer."""
     target, base, command, line, speed, mark = entry
     move = Move(axis, command, line, target)
     move.base, move.speed, move.id = base, speed, mark
@@ -25,7 +26,7 @@ def entry_of(axis: int, entry: Entry) -> Move:
 
 
 def move_of(row: Row) -> Move:
-    """The move that was started."""
+    """Return the move that was started."""
     axis, start_time, _, end, _, _, asked, scale, zero, entry = row
     move = entry_of(axis, entry)
     move.target, move.asked, move.start_time = end, asked, start_time
@@ -35,5 +36,5 @@ def move_of(row: Row) -> Move:
 
 
 def profile_of(row: Row) -> Profile:
-    """Its profile."""
+    """Return its profile."""
     return Profile("trapezoid", row[2], row[3], row[4], row[5])

@@ -1,7 +1,7 @@
-"""What the records of a log are, kind by kind: their fields in the order in which they are written.
+"""The records of a log, kind by kind: their fields in the order of writing.
 
-A run writes plain tuples; a stream of the log gives them as these to whoever reads it. Times are seconds of the
-machine's clock. `at` is a place in the program, a token number, of which the dialect's `locate` makes line and column;
+A run writes plain tuples; a stream of the log returns them as these types. Times are seconds of the machine's
+clock. `at` is a source position, a token number, from which the dialect's `locate` gets line and column;
 `line` is a line.
 """
 
@@ -14,7 +14,7 @@ from motionlang.log.written_waits import whole
 
 
 class Changed(NamedTuple):
-    """A channel has another value: an output that the program set, an input that the world did."""
+    """A channel has a new value: an output set by the program, an input set outside."""
 
     time: float
     channel: int
@@ -22,22 +22,22 @@ class Changed(NamedTuple):
 
 
 class Printed(NamedTuple):
-    """A whole line that was printed."""
+    """A complete line that was printed."""
 
     time: float
     text: str
 
 
-# What a task may wait for: a time, axes, channels, whoever types, another task, a host, or any of these in a condition
-# such as that of PAUSE.
+# The causes of a wait: a time, axes, channels, the operator, another task, a host, or any of these in a
+# condition such as that of PAUSE.
 CAUSES = ("time", "axis", "input", "operator", "task", "host", "condition")
 
 
 class Waited(NamedTuple):
     """A task has waited, from `since` to `until`.
 
-    `cause` is one of `CAUSES`, `what` the numbers of its axes or channels, `why` how a person would say it ("" for a
-    time). `callers` are the places of the calls that led there, the outermost first.
+    `cause` is one of `CAUSES`, `what` the numbers of its axes or channels, `why` a description ("" for a
+    time). `callers` are the source positions of the calls that led there, the outermost first.
     """
 
     task: str
@@ -51,9 +51,9 @@ class Waited(NamedTuple):
 
 
 class Looped(NamedTuple):
-    """A loop of a task has run from `since` to `until`, with everything that it called.
+    """A loop of a task has run from `since` to `until`, with everything it called.
 
-    A loop within another one comes before it. `callers` are as in `Waited`.
+    A loop within another one precedes it. `callers` are as in `Waited`.
     """
 
     task: str
@@ -64,9 +64,10 @@ class Looped(NamedTuple):
 
 
 class Turns(NamedTuple):
-    """The tasks that have computed from `time` to `until`, in turn, while none of them began or ended a wait.
+    """The tasks that have alternated from `time` to `until`, without a wait.
 
-    `seconds` says how long each of `tasks` had the machine. What the sum lacks of the whole were skipped polls.
+    `seconds` is the time that each of `tasks` had the processor. The difference to the total time are skipped
+    polls.
     """
 
     time: float
@@ -75,7 +76,7 @@ class Turns(NamedTuple):
     seconds: tuple[float, ...]
 
 
-# What an event may be: what `value` and `limit` are is in docs/events.md.
+# The kinds of events; docs/events.md defines `value` and `limit`.
 EVENTS = (
     "limit",
     "soft limit",
@@ -98,10 +99,10 @@ GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "
 
 
 class Event(NamedTuple):
-    """Something happened that a person wants to be told of: `kind` is one of `EVENTS`, `axis` None where it has none.
+    """A reported event: `kind` is one of `EVENTS`, `axis` may be None.
 
-    `value` and `limit` are in user units of that moment, None where there is none; the program stood `at` that place
-    (-1: it stood nowhere), and `ordered` is the line that ordered the motion, 0 where the axis stood.
+    `value` and `limit` are in user units of that time, None if there is none; the program was `at` that
+    source position (-1: at none), and `ordered` is the line that commanded the motion, 0 at standstill.
     """
 
     time: float
@@ -115,7 +116,10 @@ class Event(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """A setting of an axis has another value, in counts and seconds, by the controller's name for it."""
+    """A setting of an axis has a new value, in counts and seconds.
+
+    It has its name in the controller.
+    """
 
     time: float
     axis: int
@@ -123,7 +127,7 @@ class Setting(NamedTuple):
     value: object
 
 
-# What makes a record of a kind of what was written.
+# The constructors of records from the stored tuples, by kind.
 makers: Mapping[str, Callable[[Any], Any]] = {
     kind.__name__: kind._make for kind in (Changed, Printed, Looped, Turns, Event, Setting)
 } | {"Waited": lambda wait: Waited._make(whole(wait))}

@@ -1,33 +1,34 @@
 """Streams of a log: records of one kind in time order, older ones packed.
 
-Problem. A run may take weeks of machine time and write millions of records. They are read like a list, during the run
-and after it, and must not fill the memory. Writing one happens while the program runs and must be cheap.
+Problem. A run may take weeks of machine time and write millions of records. They are read like a list, during
+the run and after it, and must not fill the memory. Writing one happens while the program runs and must be
+cheap.
 
-Idea. The newest records stay in a list, the tail. When the tail is long, its oldest records are packed into chunks. A
-chunk is one `marshal` of plain tuples. The first 16 MB of chunks stay in memory, the others go to a file. Reading a
-packed record brings back its whole chunk.
+Idea. The newest records stay in a list, the tail. When the tail is long, its oldest records are packed into
+chunks. A chunk is one `marshal` of plain tuples. The first 16 MB of chunks stay in memory, the others go to a
+file. Reading a packed record brings back its whole chunk.
 
     record      0          2048       4096               count               len
                 ├─ chunk ──┼─ chunk ──┼─ … ──────────────┼────── tail ───────┤
                   memory     memory     file               list of up to 24 576
 
-Data. `Store` has the bytes of all streams of a log. `Parts` has the chunks of one stream: the number of the first
-record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written as a plain tuple
-and read as the named tuple of its kind (`records.py`). A subclass whose records are objects, such as moves, says in
-`_rows` and `_records` how they become tuples and objects again.
+Data. `Store` has the bytes of all streams of a log. `Parts` has the chunks of one stream: the number of the
+first record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written
+as a plain tuple and read as the named tuple of its kind (`records.py`). A subclass whose records are objects,
+such as moves, defines in `_rows` and `_records` how they become tuples and objects again.
 
 Invariants.
-- Records are only appended, and packed ones never change. A record keeps its number when it is packed, and when older
-  ones are dropped (`forget`); `first` is then the oldest that is left.
+- Records are only appended, and packed ones never change. A record keeps its number when it is packed, and
+  when older ones are dropped (`forget`); `first` is then the oldest that is left.
 - Packed records read the same as others, but an object is created again when its chunk is unpacked again.
-- An interrupt at any moment leaves the stream whole. `Parts.pack` sets `_total` while a chunk replaces records of the
-  tail, and `keep_whole` completes that step or drops the chunk.
-- The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes or cannot
-  be written, the run ends with a diagnostic.
+- An interrupt at any time leaves the stream consistent. `Parts.pack` sets `_total` while a chunk replaces
+  records of the tail, and `keep_whole` completes that step or drops the chunk.
+- The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes
+  or cannot be written, the run ends with a diagnostic.
 
-Cost. Writing is one append; every 16 384 records the oldest are packed. Reading from one end to the other unpacks each
-chunk once. A single old record costs a bisection and the unpacking of its chunk; a stream caches its last one. Memory
-is bounded by 16 MB for the log, and one tail and one chunk for each stream.
+Cost. Writing is one append; every 16 384 records the oldest are packed. Reading from one end to the other
+unpacks each chunk once. A single old record costs a bisection and the unpacking of its chunk; a stream caches
+its last one. Memory is bounded by 16 MB for the log, and one tail and one chunk for each stream.
 """
 
 from __future__ import annotations
@@ -44,17 +45,17 @@ if TYPE_CHECKING:
     from typing import IO, Any, Generic, TypeVar, overload
 
     T = TypeVar("T")
-    # Where a packed part is: itself, or from where in the file and how long.
+    # The location of a packed chunk: its bytes, or offset and length in the file.
     Place = bytes | tuple[int, int]
 
     class _Of(Generic[T]):
-        """What is of a type."""
+        """A generic base."""
 else:
-    # To import typing takes longer than a short run.
+    # Importing typing takes longer than a short run.
     T = Place = None
 
     class _Of:
-        """What is of a type."""
+        """A generic base."""
 
         __slots__ = ()
 
@@ -62,21 +63,21 @@ else:
             return cls
 
 
-# Bytes of packed records that are held in memory; those that come later are on the disk.
+# Bytes of packed records stored in memory; later ones are on the disk.
 MEMORY = 16_000_000
-# Bytes that a log may have on the disk before the run ends, unless somebody says otherwise.
+# Default bytes that a log may have on the disk before the run ends.
 DISK = 8_000_000_000
-# Records of a stream that are not packed, before and after some are.
+# Unpacked records of a stream, before and after packing.
 MOST, LEFT = 24_576, 8_192
-# Records of a packed part.
+# Records of a packed chunk.
 PART = 2048
 
 
 class Store:
-    """Packed parts of a log: bytes in memory, up to `memory` of them, then in a file that has no name.
+    """Packed chunks of a log: up to `memory` bytes in memory, then in an unnamed file.
 
-    The file is gone when the process is, however that ends. Refusal beyond `disk` bytes in it, and where it cannot be
-    written.
+    The file is gone when the process ends, however that happens. Raises Refusal beyond `disk` bytes in it,
+    and if it cannot be written.
     """
 
     __slots__ = ("_file", "_written", "disk", "held", "memory")
@@ -92,11 +93,11 @@ class Store:
 
     @property
     def size(self) -> int:
-        """Bytes that were packed, in memory and on the disk."""
+        """Packed bytes, in memory and on the disk."""
         return self.held + self._written
 
     def put(self, part: bytes) -> Place:
-        """Take a part; what it is asked for by."""
+        """Store a chunk and return its location."""
         size = len(part)
         if self.held + size <= self.memory:
             self.held += size
@@ -124,7 +125,7 @@ class Store:
         self._file.write(part)
 
     def get(self, place: Place) -> bytes:
-        """A part."""
+        """Return a chunk."""
         if isinstance(place, bytes):
             return place
         assert self._file is not None
@@ -132,23 +133,26 @@ class Store:
         return self._file.read(place[1])
 
     def drop(self, place: Place) -> None:
-        """Forget a part; its place on the disk stays taken."""
+        """Drop a chunk; its space on the disk stays in use."""
         if isinstance(place, bytes):
             self.held -= len(place)
 
 
 class Parts:
-    """Records that are packed, a part of them at a time; `count` is the number of the record behind the last one."""
+    """Packed records, in chunks; `count` is the number after the last record."""
 
     __slots__ = ("_cached", "_places", "_read", "_store", "_total", "count", "firsts")
 
     def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
-        """`read(rows, first)` makes records of packed rows, the first of which has that number."""
+        """Take a function `read(rows, first)` that makes records of packed rows.
+
+        `first` is the number of the first one.
+        """
         self._store, self._read = store, read
         self.firsts: list[int] = []
         self._places: list[Place] = []
         self.count = 0
-        self._total = 0  # of packed records and those of a tail, while a part takes the place of some
+        self._total = 0  # packed records plus those of a tail, while a chunk replaces some
         self._cached: tuple[int, list[Any]] = (-1, [])
 
     def __len__(self) -> int:
@@ -156,11 +160,11 @@ class Parts:
 
     @property
     def first(self) -> int:
-        """The number of the oldest record that is kept."""
+        """The number of the oldest record that is stored."""
         return self.firsts[0] if self.firsts else self.count
 
     def pack(self, rows: list[Any], *tails: list[Any]) -> None:
-        """Pack a part, in place of the oldest records of each tail; Refusal where there is no room for it."""
+        """Pack a chunk in place of the oldest records of each tail; Refusal without space."""
         place, count = self._store.put(dumps(rows)), len(rows)
         self._total = self.count + len(tails[0])
         self._places.append(place)
@@ -171,7 +175,7 @@ class Parts:
         self._total = 0
 
     def keep_whole(self, *tails: list[Any]) -> None:
-        """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
+        """Complete partial packing after an interrupt, or drop the chunk."""
         while self.firsts and self.firsts[-1] >= self.count:
             del self.firsts[-1]
         del self._places[len(self.firsts) :]
@@ -181,21 +185,21 @@ class Parts:
             self._total = 0
 
     def part(self, number: int) -> list[Any]:
-        """The records of a part."""
+        """Return the records of a chunk."""
         first = self.firsts[number]
         if self._cached[0] != first:
             self._cached = first, self._read(loads(self._store.get(self._places[number])), first)
         return self._cached[1]
 
     def record(self, index: int) -> Any:
-        """A record by its number; IndexError where it is not kept."""
+        """Return a record by its number; IndexError if it is not stored."""
         number = bisect_right(self.firsts, index) - 1
         if number < 0:
             raise IndexError(index)
         return self.part(number)[index - self.firsts[number]]
 
     def records(self, first: int, past: int) -> list[Any]:
-        """The records from one number, which is kept, to another one, not included."""
+        """Return the records from `first`, which is stored, to `past` (exclusive)."""
         found: list[Any] = []
         number = bisect_right(self.firsts, first) - 1
         while first < past:
@@ -205,7 +209,7 @@ class Parts:
         return found
 
     def forget(self) -> int:
-        """Forget the oldest part: how many records it had."""
+        """Drop the oldest chunk and return how many records it had."""
         gone = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]
         self._store.drop(self._places.pop(0))
         del self.firsts[0]
@@ -213,10 +217,10 @@ class Parts:
 
 
 class Stream(_Of[T]):
-    """Records of one kind, read as a sequence; `add` is all that a run does to it.
+    """Records of one kind, read as a sequence; a run only calls `add`.
 
-    A record is written as a plain tuple of numbers, texts and tuples, and read as the type of that name in `records`,
-    where one is given. A subclass that keeps something else says how that is packed.
+    A record is written as a plain tuple of numbers, texts and tuples, and read as the type of that name in
+    `records`, if there is one. A subclass that stores other objects defines how they are packed.
     """
 
     __slots__ = ("_kind", "_parts", "append", "tail")
@@ -224,9 +228,9 @@ class Stream(_Of[T]):
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
         self._parts = Parts(store, self._records)
-        # The newest, which are not packed.
+        # The newest records, which are not packed.
         self.tail: list[T] = []
-        # Appends a record without a look whether some are to be packed, for who looks himself.
+        # Appends a record without a check for packing, for callers that do the check.
         self.append = self.tail.append
 
     def add(self, record: T | tuple[object, ...]) -> None:
@@ -237,18 +241,18 @@ class Stream(_Of[T]):
             self.pack(MOST - LEFT)
 
     def trim(self) -> None:
-        """Pack some where there are many, for who appends."""
+        """Pack some records if there are many, for callers of `append`."""
         if len(self.tail) >= MOST:
             self.pack(len(self.tail) - LEFT)
 
     @property
     def first(self) -> int:
-        """The number of the oldest record that is kept."""
+        """The number of the oldest record that is stored."""
         return self._parts.first
 
     @property
     def packed(self) -> int:
-        """How many of them are packed, or forgotten."""
+        """How many of them are packed, or dropped."""
         return self._parts.count
 
     def __len__(self) -> int:
@@ -263,7 +267,7 @@ class Stream(_Of[T]):
         yield from self._typed(self.tail)
 
     def as_kept(self) -> Iterator[Any]:
-        """All of them with nothing made of them: those that are not packed as the plain tuples that were written."""
+        """Yield all records, those that are not packed as the plain tuples written."""
         parts = map(self._parts.part, range(len(self._parts)))
         return chain(chain.from_iterable(parts), self.tail)
 
@@ -293,7 +297,7 @@ class Stream(_Of[T]):
             return self._newest(behind) if behind >= 0 else self._parts.record(index)
 
     def forget(self, kept: int) -> None:
-        """Forget all but the newest records, about `kept` of them; the numbers of the others stay what they are."""
+        """Drop all but about `kept` of the newest records; their numbers do not change."""
         while len(self._parts) and len(self) - self._parts.first > 2 * kept:
             self._parts.forget()
         if not len(self._parts) and len(self.tail) > 2 * kept:
@@ -302,28 +306,28 @@ class Stream(_Of[T]):
             self._parts.count += gone
 
     def pack(self, count: int) -> None:
-        """Pack the oldest records of the tail, so many of them."""
+        """Pack the `count` oldest records of the tail."""
         while count > 0:
             part = self.tail[: min(PART, count)]
             self._parts.pack(self._rows(part, self._parts.count), self.tail)
             count -= len(part)
 
     def keep_whole(self) -> None:
-        """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
+        """Complete partial packing after an interrupt, or drop the chunk."""
         self._parts.keep_whole(self.tail)
 
-    # ------------------------------------------------------------------------------- what a subclass says
+    # ------------------------------------------------------------------------------- overridden by a subclass
 
     def _rows(self, records: list[T], first: int) -> list[Any]:
-        """Records, the first one of that number, as they are packed."""
+        """Return records, the first one of that number, in packed form."""
         return records
 
     def _records(self, rows: list[Any], first: int) -> list[T]:
-        """The same the other way round."""
+        """Return records from their packed form."""
         return self._typed(rows)
 
     def _newest(self, place: int) -> T:
-        """The record of a place among those that are not packed."""
+        """Return a record by its index in the tail."""
         return self._typed([self.tail[place]])[0]
 
     # -------------------------------------------------------------------------------------------- inside
@@ -331,7 +335,7 @@ class Stream(_Of[T]):
     def _typed(self, rows: list[Any]) -> list[T]:
         if not self._kind:
             return rows
-        if not rows:  # most reports tell of no event, and need not import what one is
+        if not rows:  # most reports have no event and need not import the type
             return []
         from motionlang.log.records import makers
 

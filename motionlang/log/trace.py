@@ -1,7 +1,7 @@
-"""The motion of a run as NumPy columns, sampled when asked for, at any rate.
+"""The motion of a run as NumPy columns, sampled on request, at any rate.
 
-Rows stand at 0, 1/rate, 2/rate …; the last row stands at the very end of the run, also where that lies between
-two steps of the grid. Lengths are user units by the scale that the axis has when it is sampled.
+Rows are at 0, 1/rate, 2/rate …; the last row is at the exact end of the run, even between two steps of the
+grid. Lengths are user units by the scale that the axis has when it is sampled.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# quantity -> unit, and the unit as a part of a column's name.
+# quantity -> unit, and the unit as a component of a column's name.
 UNITS: dict[str, tuple[str, str]] = {
     "position": ("uu", "uu"),
     "velocity": ("uu/s", "uu_per_s"),
@@ -36,23 +36,24 @@ UNITS: dict[str, tuple[str, str]] = {
     "jerk": ("uu/s3", "uu_per_s3"),
 }
 USUAL = ("position", "velocity", "acceleration")
-# What a simulated motor made of it; "actual" is the position that its encoder measured.
+# The columns of a simulated motor; "actual" is the position that its encoder measured.
 MOTOR: dict[str, tuple[str, str]] = {
     "actual": ("uu", "uu"),
     "following error": ("uu", "uu"),
     "output": ("V", "V"),
     "torque": ("N m", "Nm"),
 }
-# Rows of one chunk: a few hundred kilobytes a column, which stay in the cache while they are written out.
+# Rows of one chunk: a few hundred kilobytes per column, which stay in the cache while they are written out.
 ROWS = 65_536
 MOST_ROWS = 200_000_000
-# Packed profiles that are unpacked at a time, unless there are more between two rows; and the seconds on each side.
+# Packed profiles that are unpacked at a time, unless there are more between two rows; and the seconds on each
+# side.
 PROFILES, MARGIN = 4096, 0.001
 
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """What a column holds: `quantity` ("time", "position" …) in `unit`, of `axis` (None for the time)."""
+    """A column: `quantity` ("time", "position" …) in `unit`, of `axis` or None."""
 
     name: str
     quantity: str
@@ -70,7 +71,10 @@ def _column(axis: int, quantity: str) -> Column:
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Columns of equal length; `samples["axis0_position_uu"]` and `samples.get(0, "position")` are one array."""
+    """Columns of equal length, by name or by axis and quantity.
+
+    `samples["axis0_position_uu"]` and `samples.get(0, "position")` are one array.
+    """
 
     columns: tuple[Column, ...]
     data: tuple[Array, ...]
@@ -90,7 +94,7 @@ class Samples:
         return self.data[0]
 
     def get(self, axis: int, quantity: str) -> Array:
-        """The column of one quantity of one axis; KeyError where it was not sampled."""
+        """Return the column of a quantity of an axis; KeyError if it was not sampled."""
         for column, values in zip(self.columns, self.data, strict=True):
             if column.axis == axis and column.quantity == quantity:
                 return values
@@ -98,7 +102,10 @@ class Samples:
 
 
 def quantity_of(column: str) -> tuple[str, str]:
-    """Quantity and axis of a column by its name, such as "velocity.0"; ValueError where there is no such quantity."""
+    """Return quantity and axis of a column's name, such as "velocity.0".
+
+    Raises ValueError if there is no such quantity.
+    """
     text, _, axis = column.partition(".")
     quantity = text.replace("-", " ")
     if quantity not in UNITS and quantity not in MOTOR:
@@ -108,7 +115,7 @@ def quantity_of(column: str) -> tuple[str, str]:
 
 
 class Trace:
-    """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
+    """The motion of a controller so far; it does not follow the controller later."""
 
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
@@ -119,14 +126,14 @@ class Trace:
 
     @property
     def axes(self) -> tuple[int, ...]:
-        """The axes that ever moved or were given a position; the first one where none was."""
+        """The axes that ever moved or were given a position, or the first one."""
         axes = self.controller.axes
         return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
 
     def choose(self, wanted: Sequence[str]) -> None:
-        """Have these columns and the time alone: "velocity" of every axis, "velocity.0" of one.
+        """Select columns, and the time: "velocity" of all axes, "velocity.0" of one.
 
-        ValueError, with what there is, for an axis or a quantity that does not exist.
+        Raises ValueError, with the alternatives, for an axis or a quantity that does not exist.
         """
         chosen: list[tuple[int, str]] = []
         for each in wanted:
@@ -140,10 +147,10 @@ class Trace:
     def columns(
         self, axes: Sequence[int] | None = None, quantities: Sequence[str] | None = None
     ) -> tuple[Column, ...]:
-        """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist.
+        """Return the columns that `sample` and `chunks` give.
 
-        Without either of them what was chosen; without `quantities` those of `USUAL`, and those of `MOTOR` where an
-        axis has a simulated one.
+        Without arguments they are the selected ones; without `quantities` those of `USUAL`, and those of
+        `MOTOR` if an axis has a simulated one. Raises KeyError for an axis or a quantity that does not exist.
         """
         if axes is None and quantities is None and self._chosen is not None:
             return (_TIME, *(_column(axis, quantity) for axis, quantity in self._chosen))
@@ -154,7 +161,7 @@ class Trace:
         return tuple(made)
 
     def rows(self, rate: float = 1000.0, until: float | None = None) -> int:
-        """How many rows a sampling has."""
+        """Return the number of rows of a sampling."""
         return _last_step(rate, self.end if until is None else until) + 1
 
     def sample(
@@ -164,7 +171,10 @@ class Trace:
         until: float | None = None,
         quantities: Sequence[str] | None = None,
     ) -> Samples:
-        """All rows at once, `rate` in samples a second; ValueError above 200 million rows: use `chunks`."""
+        """Return all rows at once, `rate` in samples per second.
+
+        Raises ValueError above 200 million rows: use `chunks`.
+        """
         count = self.rows(rate, until)
         if count > MOST_ROWS:
             raise ValueError(f"{count} rows are too many to hold at once")
@@ -184,7 +194,7 @@ class Trace:
         until: float | None = None,
         quantities: Sequence[str] | None = None,
     ) -> Iterator[Samples]:
-        """The same rows, `ROWS` at a time; the arrays of a chunk are overwritten by the next."""
+        """The rows, `ROWS` at a time; each chunk overwrites the arrays of the last one."""
         end = self.end if until is None else until
         last = _last_step(rate, end)
         columns = self.columns(axes, quantities)
@@ -204,7 +214,10 @@ class Trace:
     def _stretches(
         self, columns: Sequence[Column], first: int, count: int, rate: float
     ) -> Iterator[tuple[int, int]]:
-        """Rows by their first one and how many, such that each stretch has a part of a packed motion at most."""
+        """Yield ranges of rows, each with at most one chunk of packed motion.
+
+        A range is its first row and its length.
+        """
         axes = {column.axis for column in columns if column.axis is not None}
         tracks = [WholeTrack(self.controller.axes[axis]) for axis in axes]
         most = max((track.count(first / rate, (first + count) / rate) for track in tracks), default=0)
@@ -216,23 +229,26 @@ class Trace:
         yield from self._stretches(columns, first + half, count - half, rate)
 
     def as_controller(self, trajectory_rate: float = 1000.0) -> Trace:
-        """The same motion as the controller computes it: points, `trajectory_rate` a second, and lines between."""
+        """Return the motion as the controller computes it: points joined by lines.
+
+        There are `trajectory_rate` points per second.
+        """
         return Commanded(self.controller, trajectory_rate)
 
     def table(self, axis: int) -> PieceTable:
-        """The pieces of an axis's motion, in counts, made once."""
+        """Return the pieces of an axis's motion, in counts; they are made once."""
         if axis not in self._tables:
             track = WholeTrack(self.controller.axes[axis])
             self._tables[axis] = PieceTable(track.starts, track.profiles)
         return self._tables[axis]
 
     def _window(self, axis: int, begin: float, end: float) -> PieceTable:
-        """The pieces from one time to another; all of them where the log has packed none."""
+        """Return the pieces between two times; all of them if the log has packed none."""
         a = self.controller.axes[axis]
         return self.table(axis) if a.older is None else PieceTable(*WholeTrack(a).between(begin, end))
 
     def at(self, axis: int, quantity: str, times: Array) -> Array:
-        """A quantity of an axis in user units at any `times` (s), in any order."""
+        """Return a quantity of an axis in user units at any `times` (s), in any order."""
         table = self.table(axis)
         piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
         values = piece_values(table.columns[:, piece], times - table.origins[piece], ORDERS[quantity])
@@ -240,11 +256,11 @@ class Trace:
         return values
 
     def resolution(self, axis: int) -> float:
-        """One count of an axis in user units."""
+        """Return one count of an axis in user units."""
         return 1.0 / abs(self.controller.axes[axis].scale.counts or 1.0)
 
     def to_user(self, axis: int, quantity: str, values: Array) -> None:
-        """Turn counts into user units, in place; all times are seconds."""
+        """Convert counts to user units, in place; all times are seconds."""
         scale = self.controller.axes[axis].scale
         if quantity == "position" and scale.zero:
             values -= scale.zero
@@ -269,18 +285,18 @@ class Trace:
     def _fill_motor(
         self, axis: int, quantity: str, start: float, step: float, count: int, out: Array
     ) -> None:
-        """What the motor of an axis did, in user units, volts or N m; 0 for an axis that has none."""
+        """Fill in motor data of an axis, in user units, volts or N m; 0 without a motor."""
         if axis not in self._readers:
             self._readers[axis] = Reader(self.controller.axes[axis], self.end)
         self._readers[axis].fill(quantity, start + np.arange(count, dtype=np.float64) * step, out)
         if quantity == "actual":
             self.to_user(axis, "position", out)
         elif quantity == "following error":
-            self.to_user(axis, "velocity", out)  # a difference: no zero in it
+            self.to_user(axis, "velocity", out)  # a difference, which has no zero
 
 
 class Commanded(Trace):
-    """A trace of what the loop is told; it ends a cycle after the one in which the run did.
+    """A trace of the commands to the loop, up to a cycle after the end of the run.
 
     Velocity, acceleration and jerk are the differences of the points over one, two and three cycles.
     """
@@ -324,7 +340,7 @@ class Commanded(Trace):
 
 
 def _last_step(rate: float, end: float) -> int:
-    """The number of the last row: a row within a billionth of a step of the end is the end."""
+    """The number of the last row; a billionth of a step before the end is the end."""
     if not (isfinite(rate) and rate > 0.0):
         raise ValueError(f"the rate must be a number above 0, not {rate!r}")
     if not (isfinite(end) and end >= 0.0):

@@ -1,4 +1,4 @@
-"""What the proof, the trace and the pictures ask of an axis: its whole motion from power-up on."""
+"""The complete motion of an axis since power-up, for proof, trace and pictures."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class WholeTrack:
-    """An axis as the log has it: `starts[i]` is when `profiles[i]` began, from power-up on."""
+    """An axis from the log: `starts[i]` is when `profiles[i]` began, since power-up."""
 
     def __init__(self, a: Axis) -> None:
         self._a, self.index = a, a.index
@@ -32,7 +32,7 @@ class WholeTrack:
 
     @property
     def scale(self) -> Scale:
-        """The scale of the axis now."""
+        """The present scale of the axis."""
         return self._a.scale
 
     @property
@@ -42,12 +42,12 @@ class WholeTrack:
 
     @property
     def waiting(self) -> list[Move]:
-        """The moves of its buffer, while nothing suspends the axis."""
+        """The moves of its buffer, unless the axis is suspended."""
         return [] if self._a.suspended else self._a.buffer
 
     @property
     def feedback(self) -> Feedback | None:
-        """Its motor, where one is simulated."""
+        """Its motor, if one is simulated."""
         return self._a.feedback
 
     def at(self, time: float) -> State:
@@ -55,22 +55,25 @@ class WholeTrack:
         return self._a.at(time)
 
     def position(self, time: float) -> float:
-        """The demanded position at a time, counts."""
+        """Return the commanded position at a time, counts."""
         return self._a.position(time)
 
     def place(self, time: float) -> int:
-        """The number of the profile in force at a time; -1 before power-up."""
+        """Return the index of the profile in force at a time; -1 before power-up."""
         older = self._a.older
         if older is None or time >= self._a.starts[0]:
             return len(self.starts) - len(self._a.starts) + bisect_right(self._a.starts, time) - 1
         return older.in_force(time)
 
     def count(self, begin: float, end: float) -> int:
-        """How many profiles were in force from one time to another, where some are packed; 0 where none are."""
+        """Return how many profiles were in force between two times; 0 if none are packed."""
         return 0 if self._a.older is None else self.place(end) - self.place(begin)
 
     def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
-        """Starts and profiles of all that was in force from `begin` to `end`, and what was before; all if unpacked."""
+        """Return starts and profiles in force from `begin` to `end`, and the one before.
+
+        If none are packed, return all.
+        """
         if self._a.older is None:
             return self.starts, self.profiles
         some = slice(max(self.place(begin) - 1, 0), self.place(end) + 1)
@@ -78,12 +81,10 @@ class WholeTrack:
 
 
 class Recorded:
-    """A controller as its log has it: its axes with their whole motion, and the moves."""
+    """A controller from its log: its axes with their complete motion, and the moves."""
 
     def __init__(self, controller: Controller) -> None:
         self.moves = controller.log.moves
-        if (
-            self.moves.packed
-        ):  # of a long run all is, so that going through it takes no more memory than a part
+        if self.moves.packed:  # of a long run all is, so that reading it takes no more memory than a chunk
             controller.log.pack((*controller.axes.values(), *controller.encoders.values()))
         self.axes = {number: WholeTrack(a) for number, a in controller.axes.items()}

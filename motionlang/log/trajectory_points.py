@@ -1,9 +1,10 @@
-"""The trajectory points of an axis: what a controller computes of its motion, a point a cycle.
+"""The trajectory points of an axis: one per cycle, as a controller computes them.
 
-A controller does not follow the closed form. Its trajectory generator computes a point a cycle (PMC: 1 kHz), and the
-loop, which runs faster (4 kHz), takes the line between two of them (TN1069). So velocity is constant during a cycle
-and acceleration is the change of it from cycle to cycle. A move from rest begins with a cycle: until then it waits,
-and what changes the motion later (a stop, a new speed) comes as much later as the motion is.
+A controller does not follow the closed form. Its trajectory generator computes a point per cycle (PMC: 1
+kHz), and the loop, which runs faster (4 kHz), interpolates linearly between them (TN1069). So velocity is
+constant during a cycle and acceleration is its change from cycle to cycle. A move from rest begins with a
+cycle: it waits until then, and later changes of the motion (a stop, a new speed) are delayed as much as the
+motion.
 """
 
 from __future__ import annotations
@@ -23,12 +24,12 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Of a cycle: what is as near as this to its begin stands there.
+# Fraction of a cycle: a time this near to its begin counts as the begin.
 AT_ONCE = 1e-7
 
 
 class Points:
-    """The trajectory points of an axis, in counts that no renaming of positions moves.
+    """The trajectory points of an axis, in counts unaffected by new zeros.
 
     The point at the end of a cycle is made as the cycle begins, by the profile that is in force then.
     """
@@ -47,7 +48,7 @@ class Points:
             self._begins[k] += late
 
     def between(self, first: int, last: int) -> Array:
-        """The points at the begins of the cycles `first` to `last`, included."""
+        """Return the points at the begins of the cycles `first` to `last`, inclusive."""
         cycles = np.arange(first, last + 1)
         owners = np.maximum(np.searchsorted(self._first, cycles - 1, "right") - 1, 0)
         low, high = int(owners[0]), int(owners[-1]) + 1
@@ -62,7 +63,7 @@ class Points:
         return made
 
     def renamed(self, times: Array) -> Array:
-        """What positions have been renamed by, counts."""
+        """Return the displacement of positions by new zeros, counts."""
         owners = np.searchsorted(self._starts, times + AT_ONCE * self._period, "right") - 1
         made: Array = self._offsets[np.maximum(owners, 0)]
         return made

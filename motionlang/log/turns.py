@@ -1,4 +1,4 @@
-"""Who has had the processor, where several tasks share it."""
+"""Processor time of several tasks that share it."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ else:
 
 
 class TurnStream(TurnsInOrder):
-    """`Turns` in the order of time; tasks that alternate without a wait are one record."""
+    """`Turns` in order of time; tasks that alternate without a wait are one record."""
 
     __slots__ = ("_began", "seconds")
 
     def __init__(self, store: Store) -> None:
         super().__init__(store, "Turns")
-        # How long each task has computed since one of them began or ended a wait, and when that was.
+        # How long each task has computed since one of them began or ended a wait, and the time of that.
         self.seconds: dict[str, float] = {}
         self._began = 0.0
 
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
-        """Note a time slice of a task; `stops` says that it then waits or has ended."""
+        """Record a time slice of a task; `stops` is true if it then waits or has ended."""
         seconds = self.seconds
         if not seconds:
             if stops:
@@ -38,6 +38,6 @@ class TurnStream(TurnsInOrder):
             self.close(now)
 
     def close(self, now: float) -> None:
-        """Write what has been noted: a task begins or ends a wait."""
+        """Write the record: a task begins or ends a wait."""
         seconds, self.seconds = self.seconds, {}
         self.add((self._began, now, tuple(seconds), tuple(seconds.values())))
