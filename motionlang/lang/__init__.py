@@ -1,1 +1,1 @@
-"""What the languages share: vocabulary, grammar tables, programs, tasks and the scheduler."""
+"""Common code of the languages: vocabulary, grammars, programs, tasks, scheduler."""

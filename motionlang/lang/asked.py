@@ -1,13 +1,13 @@
-"""What loops and waits for conditions ask for, as a profile charges their time by it."""
+"""The readings of loops and conditional waits, for the time profile."""
 
 from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    # What is read, one of `KINDS`, and the number of its axis or channel; None for any of them.
+    # A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
     Read = tuple[str, int | None]
 
-# What a condition can read, and the cause of a wait for that, one of `record.records.CAUSES`.
+# The readings of a condition, and the cause of a wait for each, one of `record.records.CAUSES`.
 KINDS = {
     "axis": "axis",
     "position": "axis",
@@ -25,13 +25,13 @@ MOVING = "moving"
 
 
 class Asked:
-    """What decides how long a loop or a wait at one place of the program lasts.
+    """The readings that decide the duration of a loop or a wait at a source offset.
 
-    `leaves`   what the conditions read by which it ends; nothing where it only computes
-    `within`   what all conditions in it read, those by which it does something in some iterations
-    `lines`    the lines of what it carries out
+    `leaves`   the readings in the conditions that end it; none if it only computes
+    `within`   the readings in all conditions in it, those of branches taken in some iterations
+    `lines`    the lines that it executes
     `counts`   it also ends by itself, when it has counted to its limit
-    `why`      how a person would say what it waits for
+    `why`      a description of what it waits for
     """
 
     __slots__ = ("counts", "leaves", "lines", "why", "within")

@@ -1,13 +1,14 @@
-"""Dependencies: until when the values that a task has read stay as they are.
+"""Dependencies: the time until which the values read by a task stay unchanged.
 
-Problem. Programs poll, as in `While POS(0) < 50 : End While`. An iteration takes 10 µs of machine time, so eight hours
-of waiting are some 3 × 10⁹ iterations. Most values change only by an event, such as an input or the end of a move. But
-positions, velocities and times change by themselves, and no event announces it.
+Problem. Programs poll, as in `While POS(0) < 50 : End While`. An iteration takes 10 µs of machine time, so
+eight hours of waiting are some 3 × 10⁹ iterations. Most values change only by an event, such as an input or
+the end of a move. But positions, velocities and times change by themselves, without an event.
 
-Idea. A value that changes by itself records a dependency as it is read: `(until, about)`. The call `until(*about)`
-returns the first moment, from the clock's on, at which the value may differ. If the program compares the value with a
-level, that is the moment at which the value passes the level, solved from the profile of the motion. Up to that moment,
-or the next event if it comes first, an iteration takes the same branches as the one before.
+Idea. A value that changes by itself records a dependency as it is read: `(until, about)`. The call
+`until(*about)` returns the first time, from the clock's on, at which the value may differ. If the program
+compares the value with a level, that is the time at which the value passes the level, solved from the profile
+of the motion. Up to that time, or the next event if it comes first, an iteration takes the same branches as
+the one before.
 
     position      _____
                  /
@@ -17,30 +18,33 @@ or the next event if it comes first, an iteration takes the same branches as the
         ────────|─────── time
              1.25 s
 
-The clients, each of which needs the first of these moments:
-- Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable as it was repeats until
-  then, in one step.
+The clients, each of which needs the first of these times:
+- Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable unchanged repeats
+  until then, in one step.
 - Conditions of PAUSE (`Condition` below): the wait sleeps until then.
 - Loops of MCCL (`poll.py`): the same for the accumulator.
 - Periods of several polling tasks, for which `read` collects the dependencies of all tasks.
 
-Data. `notes` is the list of dependencies of the running task, None if no client needs any. Nested loops share the list,
-and each remembers how long it was when its iteration began. Of the levels two are special. -infinity: the loop only
-stores the value and compares it with nothing, so there is no dependency. +infinity: the loop keeps the largest value
-so far, and its iterations stay alike until the value turns round. In `read` both count as changing at once.
+Data. `notes` is the list of dependencies of the running task, None if no client needs any. Nested loops share
+the list, and each remembers how long it was when its iteration began. Two levels are special. -infinity: the
+loop only stores the value without a comparison, so there is no dependency. +infinity: the loop keeps the
+largest value so far, and its iterations stay equal until the value has an extremum. In `read` both count as
+changing at once.
 
 Invariants.
-- A dependency may be too early, never too late. Too early costs a check; too late would change the result. Solutions
-  are rounded, so a value is relied on only until `CLOSE` before the solved moment.
-- It holds for the motion in force and stores no result: each check solves it again. Events are left to the client,
-  which also stops at the next one.
-- `until` is called with the clock set to the moment in question; the clock is set back afterwards.
-- A value that cannot be solved may change at once. A PAUSE on it is tested every millisecond, at the profiler's ticks.
-- `POS > 50` is false at the exact moment of 50, so a PAUSE is also tested just after a solved moment (`_AFTER`).
+- A dependency may be too early, never too late. Too early costs a check; too late would change the result.
+  Solutions are rounded, so a value is relied on only until `CLOSE` before the solved time.
+- It is valid for the motion in force and stores no result: each check solves it again. Events are left to the
+  client, which also stops at the next one.
+- `until` is called with the clock set to the time in question; the clock is set back afterwards.
+- A value that cannot be solved may change at once. A PAUSE on it is tested every millisecond, at the
+  profiler's ticks.
+- `POS > 50` is false at the exact time of 50, so a PAUSE is also tested just after a solved time (`_AFTER`).
 
-Cost. One test for each value read, plus one append while there is a client. A check solves each distinct dependency
-once. An iteration that reads more than `MOST` values is never skipped. Checks that fail cost little, by exponential
-back-off in the clients: after a failed check a loop runs unchecked for 1, 2, 4, … iterations, and records nothing.
+Cost. One test for each value read, plus one append while there is a client. A check solves each distinct
+dependency once. An iteration that reads more than `MOST` values is never skipped. Checks that fail cost
+little, by exponential back-off in the clients: after a failed check a loop runs unchecked for 1, 2, 4, …
+iterations, and records nothing.
 """
 
 from __future__ import annotations
@@ -56,22 +60,22 @@ if TYPE_CHECKING:
 
     Note = tuple[Callable[..., float], tuple[Any, ...]]
 
-# A turn that reads more than this is not worth remembering.
+# An iteration that reads more than this is not worth remembering.
 MOST = 500
-# The profiler's period: how often a condition is looked at while what it reads cannot be solved.
+# The profiler's period: how often a condition is checked if its readings cannot be solved.
 TICK = 1e-3
-# How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
+# How long after a solved time a condition is checked: `POS > 50` is false at the exact time of 50.
 _AFTER = (0.0, 1e-12, 1e-10, 1e-8)
 _NOBODY_ASKS = (-INFINITY,)
-# The same, and the level of what a loop keeps the greatest of.
+# The level of a value without a comparison, and that of a running maximum.
 _OF_LOOPS = (_NOBODY_ASKS, (INFINITY,))
 
 
 class Attention:
-    """The notes of the task that is running; `notes` is None while nobody asks for them.
+    """The dependencies of the running task; `notes` is None without a subscriber.
 
-    `read` has the notes of all tasks since somebody began to ask for all that is read; None while nobody does. Then
-    `notes` is never None.
+    `read` has the dependencies of all tasks since a subscriber to all readings began; None while there is
+    none. If it is set, `notes` is never None.
     """
 
     __slots__ = ("clock", "notes", "read")
@@ -82,33 +86,33 @@ class Attention:
         self.read: set[Note] | None = None
 
     def note(self, until: Callable[..., float], *about: object) -> None:
-        """Something has been read that may change at `until(*about)`, no event telling.
+        """Record a reading that may change at `until(*about)` without an event.
 
-        What is compared with -INFINITY is only kept, and nobody asks what it is.
+        A value compared with -INFINITY is only stored, so it is no dependency.
         """
         notes, read = self.notes, self.read
         if read is not None:
-            # Only a loop that carries out its last turn can do with less than the reading as it is.
+            # Only a loop that executes its last iteration can use these levels instead of the exact value.
             read.add((self.at_once, ()) if about[-1:] in _OF_LOOPS else (until, about))
             if len(read) > MOST:
                 self.read = None
         if notes is not None and about[-1:] != _NOBODY_ASKS:
             notes.append((until, about))
             if len(notes) > MOST:
-                self.rest()  # whoever asks finds other notes than those he began with
+                self.rest()  # a client then finds another list than the one it began with
 
     def rest(self) -> None:
-        """The running task asks for no notes any more."""
+        """Stop recording for the running task."""
         self.notes = None if self.read is None else []
 
     def begin(self) -> tuple[list[Note], int]:
-        """From now on notes are taken: where they go, and how many are there already."""
+        """Start recording; return the list and its present length."""
         if self.notes is None:
             self.notes = []
         return self.notes, len(self.notes)
 
     def until(self, since: float, notes: Iterable[Note]) -> float:
-        """The first moment from `since` on at which something of `notes` changes, nothing else happening."""
+        """The first time from `since` on at which one of `notes` changes without an event."""
         clock = self.clock
         now, clock.now = clock.now, since
         try:
@@ -117,19 +121,19 @@ class Attention:
             clock.now = now
 
     def held(self, notes: list[Note], first: int, since: float) -> float:
-        """Until when all readings noted from the first on are sure to answer as they did since a moment.
+        """Return until when all readings from index `first` on stay unchanged.
 
-        In the past where other notes have been begun meanwhile.
+        The result is in the past if another list has been begun since.
         """
         return self.until(since - CLOSE, notes[first:]) - CLOSE if self.notes is notes else -INFINITY
 
     def at_once(self, *about: object) -> float:
-        """What may change at any moment."""
+        """Return the present time, for a value that may change at any time."""
         return self.clock.now
 
 
 class Condition(Wait):
-    """A wait for a condition: at the solved moment, at events, or at every tick of what cannot be solved."""
+    """A wait for a condition: checked at solved times, events, or ticks if unsolvable."""
 
     __slots__ = ("_attention", "_looked", "_notes", "_solved", "_test")
 
@@ -140,11 +144,12 @@ class Condition(Wait):
     def __init__(self, attention: Attention, test: Callable[[], object], since: float, why: str) -> None:
         self._attention, self._test, self.since, self.why = attention, test, since, why
         self._notes: list[Note] = []
-        # When the notes were made, after how many events, and the moment for which they were last solved.
+        # When the dependencies were recorded, after how many events, and the time for which they were last
+        # solved.
         self._looked, self._solved = (-1.0, -1), -1.0
 
     def ready(self) -> bool:
-        """Whether the condition is true now, or from this very moment on."""
+        """Return if the condition is true now, or immediately after."""
         clock = self._attention.clock
         now = clock.now
         self._looked = now, clock.fired
@@ -155,12 +160,12 @@ class Condition(Wait):
             clock.now = now
 
     def due(self) -> float:
-        """The next moment at which the condition may change by itself."""
+        """Return the next time at which the condition may change by itself."""
         clock = self._attention.clock
         now = clock.now
         if self._looked != (now, clock.fired):
-            self.ready()  # others have run since
-        # Past what was just looked at.
+            self.ready()  # other tasks have run since
+        # After the time that was just checked.
         begin = now + 1e-7 * max(1.0, now) if now == self._solved else now
         moments = [self._attention.until(begin, [each]) for each in set(self._notes)]
         moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
@@ -168,7 +173,7 @@ class Condition(Wait):
         return self._solved
 
     def _look(self, moment: float) -> bool:
-        """Ask the condition as if it were a moment, and keep what it read."""
+        """Evaluate the condition at a time, and store its dependencies."""
         attention = self._attention
         notes: list[Note] = []
         before, attention.notes = attention.notes, notes
@@ -181,5 +186,5 @@ class Condition(Wait):
 
 
 def next_tick(now: float) -> float:
-    """The first tick of the profiler after a moment."""
+    """Return the first tick of the profiler after a time."""
     return (int(now / TICK + 1e-6) + 1) * TICK

@@ -1,7 +1,7 @@
-"""A dialect: the one face that a language shows to everything above it.
+"""A dialect: the interface of a language to the layers above.
 
-`motionlang.mint.DIALECT` and `motionlang.mccl.DIALECT` are the two. Each method imports what it needs when it is
-called, so that a cached program starts without a parser.
+`motionlang.mint.DIALECT` and `motionlang.mccl.DIALECT` implement it. Each method imports its modules when it
+is called, so that a cached program starts without a parser.
 """
 
 from __future__ import annotations
@@ -27,24 +27,24 @@ if TYPE_CHECKING:
     Ranges = Callable[[Any], tuple[set[Any], dict[int, Any]]]
 
 
-# Where each dialect lives: found by its name when somebody wants it, as nothing below it may import it.
+# The package of each dialect, imported by name on demand, as nothing below may import it.
 PACKAGES = {"mint": "motionlang.mint", "mccl": "motionlang.mccl"}
 
 
 def dialects() -> tuple[str, ...]:
-    """The names of the dialects."""
+    """Return the names of the dialects."""
     return tuple(PACKAGES)
 
 
 def dialect(name: str) -> Dialect:
-    """A dialect by its name; KeyError where there is none."""
+    """Return a dialect by its name; KeyError if there is none."""
     __import__(PACKAGES[name])
     found: Dialect = sys.modules[PACKAGES[name]].DIALECT
     return found
 
 
 def unknown_model(name: str) -> tuple[str, str] | None:
-    """What is wrong with the name of a controller that no dialect knows, and a hint; None where one does."""
+    """Message and hint for the name of an unknown controller; None if it is known."""
     from motionlang.errors import nearest, shown
 
     languages = [dialect(each) for each in dialects()]
@@ -57,9 +57,9 @@ def unknown_model(name: str) -> tuple[str, str] | None:
 
 
 class Dialect:
-    """`name` as users write it, `title` as a sentence has it, its file `suffixes`, the number of its first axis.
+    """A dialect: `name` for users, `title` for sentences, file `suffixes`, first axis.
 
-    `cached` says that compiled programs are worth keeping: `Program.payload` and `load` are for those.
+    `cached` is true if compiled programs are worth caching, by `Program.payload` and `load`.
     """
 
     name: str
@@ -71,7 +71,7 @@ class Dialect:
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
     ) -> Program:
-        """Parse and compile; ProgramError with every mistake of the text.
+        """Parse and compile; raise ProgramError with all errors of the text.
 
         `ranges` is the accelerator of that name.
         """
@@ -84,7 +84,7 @@ class Dialect:
         values: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Program:
-        """A program that is to be run with many `values` of its names; like `compile` where it is no matter."""
+        """Compile for runs with many `values` of its names; like `compile` by default."""
         return self.compile(source, settings, ranges)
 
     def listing(
@@ -94,77 +94,86 @@ class Dialect:
         overrides: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Listing:
-        """What a run with these settings and overrides executes, to read; ProgramError with every mistake.
+        """Return the code of a run with these settings and overrides, for reading.
 
-        `ranges` is as in `compile`.
+        Raises ProgramError with all errors. `ranges` is as in `compile`.
         """
         raise NotImplementedError
 
     def compiled_in(self, key: str) -> bool:
-        """Whether a compiled program depends on a key of the machine file."""
+        """True if a compiled program depends on a key of the machine file."""
         return False
 
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-        """Every mistake and every warning, nothing run; `settings` are those of the machine file."""
+        """Return all errors and warnings without a run.
+
+        `settings` are those of the machine file.
+        """
         raise NotImplementedError
 
     def models(self) -> tuple[str, ...]:
-        """The names of the controllers that speak the dialect."""
+        """Return the names of the controllers that use the dialect."""
         return ()
 
     def knows_model(self, name: str) -> bool:
-        """Whether a name is that of such a controller, however it may be spelt."""
+        """True if a name is that of such a controller, in any spelling."""
         return name in self.models()
 
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
-        """What is wrong with a key of the dialect's own section of the machine file, and a hint; None for nothing."""
+        """Message and hint for a key of the dialect's machine file section, or None."""
         return None
 
     def switches(self) -> Mapping[str, Switch]:
-        """The readings that the machine file may set, by their names."""
+        """Return the assumptions that the machine file may set, by name."""
         return {}
 
     def what_ends(self, why: str) -> str:
-        """A hint at what would end a wait that is told as `why`; "" where the dialect knows nothing better."""
+        """Return a hint at what would end a wait reported as `why`, or ""."""
         return ""
 
     def load(self, payload: bytes) -> Program:
-        """The program that `Program.payload` was made of."""
+        """Return the program that `Program.payload` was made of."""
         raise NotImplementedError
 
     def table(self) -> Table:
-        """The vocabulary."""
+        """Return the vocabulary."""
         raise NotImplementedError
 
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
-        """Line, column and length of the place `at` that a task or a node names."""
+        """Return line, column and length of the source position `at` of a task or a node."""
         raise NotImplementedError
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
-        """The subs, tasks and handlers of a program: how each is called, its first and its last line."""
+        """Return name, first and last line of each sub, task and handler of a program."""
         return []
 
     def has_code(self, line: str) -> bool:
-        """Whether a line has more than blanks and a comment; cheap, as a profile asks it after every run."""
+        """True if a line has more than blanks and a comment.
+
+        It is cheap, because a profile calls it after every run.
+        """
         return bool(line.strip())
 
     def asked(self, source: Source) -> Callable[[int], Asked | None]:
-        """What the loop, or the wait for a condition, at a place asks for; None where that is not known."""
+        """Return a function for the readings of a loop or conditional wait at an offset.
+
+        The function returns None if they are not known.
+        """
         return lambda place: None
 
     def interactive(self, machine: Machine) -> Interactive:
-        """An interpreter for a person who types one line after the other."""
+        """Return an interpreter for lines typed one after the other."""
         raise NotImplementedError
 
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
-        """Kind, text and offset of each piece of `text`, for highlighting; never fails."""
+        """Kind, text and offset of each token of `text`, for highlighting; never fails."""
         raise NotImplementedError
 
 
 class Interactive:
-    """Keeps a program's names alive between lines.
+    """An interpreter that keeps a program's names between lines.
 
-    `keeps_places` says that the diagnostics of an earlier text, such as of a macro, have columns of that text.
+    `keeps_places` is true if diagnostics of an earlier text, such as a macro, have columns of that text.
     """
 
     keeps_places = False
@@ -174,5 +183,5 @@ class Interactive:
         return True
 
     def task(self, source: Source) -> Task:
-        """The task that executes `source`; ProgramError when it is wrong."""
+        """Return the task that executes `source`; ProgramError if it is invalid."""
         raise NotImplementedError

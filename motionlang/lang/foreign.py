@@ -1,4 +1,4 @@
-"""A file in the other language: one sentence that says so, instead of a mistake for each of its lines."""
+"""Detection of a file in the other language, for one diagnostic in place of many."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ if TYPE_CHECKING:
 
     from motionlang.lang.dialect import Dialect
 
-# The least share of wrong lines in a file that is looked at as one in another language, and how many lines must be
-# wrong in this language for each that is wrong in the other.
+# The least share of wrong lines in a file that is checked against the other language, and how many lines must
+# be wrong in this language for each that is wrong in the other.
 _WRONG = 1 / 3
 _TIMES = 4
-# As far as this many wrong lines the other language is asked: it tells no more than a hundred mistakes.
+# The number of wrong lines checked against the other language, which reports at most a hundred errors.
 _ASKED = 80
 
 
 def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """The diagnostics of a file in `language`, or the one that says in which language it is."""
+    """Return the diagnostics of a file, or the one that names its language."""
     wrong = _wrong_lines(found)
     if not wrong:
         return list(found)
-    # What stands behind the last mistake that is told has not been looked at.
+    # The text after the last reported error has not been checked.
     lines = len([line for line in source.text.split("\n")[: max(wrong)] if line.strip()])
     if len(wrong) < _WRONG * lines:
         return list(found)
@@ -43,7 +43,7 @@ def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic])
 
 
 def _begin(source: Source, wrong: set[int]) -> Source:
-    """The program as far as the last of the wrong lines that the other language is asked about."""
+    """The program up to the last wrong line that is checked in the other language."""
     if len(wrong) <= _ASKED:
         return source
     last = sorted(wrong)[_ASKED - 1]

@@ -1,4 +1,4 @@
-"""Gains of the servo loop by the words of a language, for who is given them outside a program."""
+"""Gains of the servo loop by keyword of a language, for use outside a program."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
     from motionlang.servo.gains import Gains
 
-# Quantities of MCCL that no command of their own sets: the integral's mode, and the rate, for which there are three.
+# Quantities of MCCL without a command of their own: the integral's mode, and the rate, for which there are
+# three.
 BESIDE = {"IO": "integral_mode", "RATE": "rate"}
 
 
 def gain_words(language: str, rows: Iterable[Keyword]) -> dict[str, str]:
-    """By its word the quantity of the loop that each gain of a language sets."""
+    """Return the quantity of the loop that each gain of a language sets, by keyword."""
     return {row.name: row.tunes for row in rows if row.tunes} | (BESIDE if language == "mccl" else {})
 
 
 def written(words: Mapping[str, str], values: Mapping[str, float]) -> Gains:
-    """Values by their word, as the loop takes them; ValueError where a word is no gain."""
+    """Return values by keyword as the loop's gains; ValueError for an unknown gain."""
     for word in values:
         if word not in words:
             raise ValueError(f"{word} is not a servo gain; these are {', '.join(words)}")
@@ -27,6 +28,6 @@ def written(words: Mapping[str, str], values: Mapping[str, float]) -> Gains:
 
 
 def spoken(words: Mapping[str, str], values: Mapping[str, float]) -> dict[str, float]:
-    """Values by their quantity as the words have them."""
+    """Return values by keyword from values by quantity."""
     by_quantity = {quantity: word for word, quantity in words.items()}
     return {by_quantity[quantity]: value for quantity, value in values.items()}

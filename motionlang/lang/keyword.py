@@ -1,7 +1,8 @@
-"""A keyword: one row of a dialect's vocabulary, from which everything else about the word derives.
+"""A keyword: one row of a dialect's vocabulary, from which all else derives.
 
 Dispatch, diagnostics, did-you-mean, completion, `help`, highlighting, the linter and `docs/keywords/` read
-these rows and nothing else. A row refers to the functions that carry it out (`Actions`), which its file defines.
+these rows and nothing else. A row refers to the functions that execute it (`Actions`), which its file
+defines.
 """
 
 from __future__ import annotations
@@ -11,11 +12,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
-# Units of what is read as a whole number. A time in ms may be written with a fraction all the same.
+# Units of integers. A time in ms may still be written with a fraction.
 WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))
 
-# What a statement with a word does to the axes it names. Of the first group a word has at most one, which is its role
-# in a program that is followed step by step; the others say more of it.
+# The effects of a statement on the axes it names. A keyword has at most one of the first group, its role in a
+# program that is followed step by step; the others add details.
 ROLES = {
     "move": "puts a move into the buffer of its axis, of which it is known where it ends",
     "entry": "puts something else into the buffer: a dwell, an output",
@@ -41,11 +42,11 @@ TRAITS = {
 
 
 class Actions:
-    """The functions that carry a keyword out, None where there is none; each language says how they are called.
+    """The functions of a keyword, None if there is none; each language defines calls.
 
-    `verb`       the name by which the controller, the compiler or the linter know what it does; "" where they need none
-    `read`, `write`, `load`, `do`   read its value, write it, put a move into the buffer, carry out a command
-    `held`       reads what a writing replaces, where `read` does not say
+    `verb`       the name of its function in the controller, the compiler or the linter; "" if they need none
+    `read`, `write`, `load`, `do`   read its value, write it, load a move into the buffer, execute a command
+    `held`       reads the value that a write replaces, if `read` does not
     `attribute`  the property that it reads and writes of its subject, such as the "edge" of a latch
     """
 
@@ -67,26 +68,30 @@ class Actions:
 
 
 class Keyword:
-    """One word of a motion language.
+    """One keyword of a motion language.
 
     `kind`     "setting" | "reading" | "command" | "move" | "function" | "constant" | "statement"
     `access`   "R", "W", "RW" (values) or "C" (a command without a value)
-    `index`    what stands in the brackets: "axis", "axes" (a list), "channel", "bank", "none"
+    `index`    the contents of the brackets: "axis", "axes" (a list), "channel", "bank", "none"
     `unit`     "uu", "uu/s", "uu/s2", "uu/s3", "s", "ms", "counts", "%", "bool", "bits", "number", "text", ""
-    `actions`  the functions that carry it out, or only a `verb`: the setting or the reading of the controller that it
-               stands for, the value of a constant, the name of a function or a statement; "" where it is not simulated
-    `low`…`high`  the accepted range, inclusive; None where open
-    `solved`   its reading takes the level that it is compared with, and so can tell when it passes that
-    `simulated`   False: recognised, documented, answered as "not simulated"
-    `effect`   what writing the word, or carrying it out, does to its axes: words of `ROLES` and `TRAITS`
-    `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the word written last counts
-    `changes`  "motion": what is read changes only while the axis moves; "always": each reading gives another value
-    `every`    read of several axes it is true where it is true of each
-    `optional` the number of values that may be left out at the end of the brackets
+    `actions`  the functions that execute it, or only a `verb`: a setting or a reading of the controller, the
+    value of a
+               constant, the name of a function or a statement; "" if it is not simulated
+    `low`…`high`  the accepted range, inclusive; None if open
+    `solved`   its reading takes the level of a comparison, and can solve when it passes that
+    `simulated`   False: recognised, documented, reported as "not simulated"
+    `effect`   the effect of writing or executing the keyword on its axes: words of `ROLES` and `TRAITS`
+    `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the last one written is
+    in force
+    `changes`  "motion": the value changes only while the axis moves; "always": each reading gives another
+    value
+    `every`    read of several axes it is true if it is true of each
+    `optional` the number of values that may be omitted at the end of the brackets
     `tunes`    the quantity of the servo loop that it sets: one of the gains of its language in `servo.gains`
-    `meant`    what people write for it where they do not know it
-    `family`   the words that a controller lacks or limits together with it; `models.py` of a language says which do
-    `driven`   the section of the machine file that says what is read, such as "input"
+    `meant`    words that people write for it if they do not know it
+    `family`   the keywords that a controller lacks or limits together with it, as defined in `models.py` of a
+    language
+    `driven`   the section of the machine file that sets the value read, such as "input"
     """
 
     __slots__ = (
@@ -156,7 +161,7 @@ class Keyword:
 
     @property
     def is_whole(self) -> bool:
-        """True if its value is read as a whole number."""
+        """True if its value is read as an integer."""
         return self.unit in WHOLE_UNITS
 
     @property
@@ -170,12 +175,12 @@ class Keyword:
         return self.actions.attribute
 
     def does(self, what: str) -> bool:
-        """Whether its effect has a word of `ROLES` or `TRAITS`."""
+        """True if its effect has a word of `ROLES` or `TRAITS`."""
         return what in self.effect.split()
 
     @property
     def role(self) -> str:
-        """Its word of `ROLES`, "" where it has none."""
+        """Its word of `ROLES`, "" if it has none."""
         return next((what for what in self.effect.split() if what in ROLES), "")
 
     def __repr__(self) -> str:
@@ -183,7 +188,10 @@ class Keyword:
 
 
 class Table:
-    """All words of a dialect, found by name or short form in any case; `hidden` ones only by their name."""
+    """All keywords of a dialect, by name or short form in any case.
+
+    `hidden` ones are found only by their name.
+    """
 
     __slots__ = ("_by_name", "rows")
 
@@ -204,13 +212,13 @@ class Table:
         return len(self.rows)
 
     def get(self, word: str) -> Keyword | None:
-        """The row of a word, by its name or its short form, in any case."""
+        """Return the row of a keyword, by its name or its short form, in any case."""
         return self._by_name.get(word.lower())
 
     def doing(self, verb: str) -> str:
-        """The name of the first word of a verb."""
+        """Return the name of the first keyword of a verb."""
         return next(row.name for row in self.rows if row.verb == verb)
 
     def names(self) -> list[str]:
-        """Every name, in the order of the table."""
+        """Return every name, in the order of the table."""
         return [row.name for row in self.rows]

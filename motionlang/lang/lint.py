@@ -1,7 +1,7 @@
-"""What linters of both languages share: their vocabulary, and the comments that silence a warning on a line.
+"""Common code of the linters: their warnings, and comments that silence them.
 
-`lint: ignore` in a comment silences every warning of its line, `lint: ignore code, code` those that are named. A
-comment that has a line to itself speaks of the line below it. Errors cannot be silenced.
+`lint: ignore` in a comment silences every warning of its line, `lint: ignore code, code` the listed ones. A
+comment on its own line applies to the line below it. Errors cannot be silenced.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from motionlang.source import Source
 
-# Every warning that a linter gives, with the languages it is about; `docs/lint.md` has a paragraph for each.
+# Every warning of a linter, with the languages it applies to; `docs/lint.md` has a paragraph for each.
 WARNINGS: dict[str, str] = {
     "never-started": "Mint",
     "in-motion": "Mint",
@@ -54,7 +54,10 @@ _IGNORE = re.compile(r"lint:\s*ignore\b[ \t]*([\w ,-]*)", re.IGNORECASE)
 
 
 def driven_inputs(settings: Mapping[str, object]) -> set[int] | None:
-    """The digital inputs that something in a machine file sets; None without one, where every input may come."""
+    """Return the digital inputs driven by a machine file; None without a file.
+
+    Without a file every input may change.
+    """
     if all(key.startswith(("controller.", "run.")) for key in settings):
         return None
     found: set[int] = {entry["channel"] for entry in settings.get("input", ())}  # type: ignore[attr-defined]
@@ -62,9 +65,10 @@ def driven_inputs(settings: Mapping[str, object]) -> set[int] | None:
 
 
 def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str]) -> list[Diagnostic]:
-    """The diagnostics without those that a comment silences; a comment that names no warning is one itself.
+    """Return the diagnostics without those that a comment silences.
 
-    `comment` matches a line up to where a comment of the language begins, which is its group 1.
+    A comment that names no warning gives one itself. `comment` matches a line up to the beginning of a
+    comment of the language, which is its group 1.
     """
     found = list(found)
     if "lint:" not in source.text.lower():

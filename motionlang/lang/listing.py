@@ -1,4 +1,4 @@
-"""What a program is turned into, as lines to read."""
+"""The generated code of a program, as lines to read."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    # The line of the program, 0 for none; the code that it became; a remark on the code, "" for none.
+    # The line of the program, 0 for none; its code; a remark on the code, "" for none.
     CodeLine = tuple[int, str, str]
 
 
 class Listing:
-    """`head` explains the `lines`; `is_python` states whether the code in them is Python."""
+    """`head` explains the `lines`; `is_python` is true if the code in them is Python."""
 
     __slots__ = ("head", "is_python", "lines")
 

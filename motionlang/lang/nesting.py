@@ -1,8 +1,9 @@
-"""How deep the calls of a program nest, and room for them on Python's own stack.
+"""The call depth of a program, and space for it on Python's stack.
 
-A language has a depth of its own, so that a recursion ends at the same call and the same time wherever it runs: from
-the command line, from `run` at any depth of Python calls, in a thread, on any version of Python. Python's recursion
-limit is raised for the length of a run, relative to where the run begins, so that it is never what ends a program.
+A language has a depth of its own, so that a recursion ends at the same call and the same time wherever it
+runs: from the command line, from `run` at any depth of Python calls, in a thread, on any version of Python.
+Python's recursion limit is raised for the duration of a run, relative to the depth at its beginning, so that
+it never ends a program.
 """
 
 from __future__ import annotations
@@ -14,23 +15,24 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     pass
 
-# Calls of subs, functions and Gosubs within one another, in one task or handler.
+# Nested calls of subs, functions and Gosubs, in one task or handler.
 MAX_DEPTH = 1000
-# Python frames that one call may take: the generator, its dispatcher, and parts of its blocks within one another.
+# Python frames that one call may take: the generator, its dispatcher, and functions for nested blocks.
 MAX_FRAMES = 10
-# Frames for what the deepest statement calls, and for passes over the nested text of a program.
+# Frames for the functions that the deepest statement calls, and for passes over the nested text of a program.
 _REST = 5000
 _ROOM = MAX_DEPTH * MAX_FRAMES + _REST
 
 _lock = allocate_lock()
-# The limits that the open blocks need, behind the limit before the first of them.
+# The limits that the open blocks need, after the limit before the first of them.
 _limits: list[int] = []
 
 
 class Room:
-    """A block in which Python may nest enough calls for any program; blocks of several threads may overlap.
+    """A block in which Python may nest enough calls for any program.
 
-    The limit belongs to all threads, so it is restored when the last block ends.
+    Blocks of several threads may overlap. The limit belongs to all threads, so it is restored when the last
+    block ends.
     """
 
     __slots__ = ("_limit",)
@@ -45,7 +47,7 @@ class Room:
 
     def __exit__(self, *_: object) -> None:
         with _lock:
-            _limits.reverse()  # what was first may be the same number
+            _limits.reverse()  # the first one may be an equal number
             _limits.remove(self._limit)
             _limits.reverse()
             setrecursionlimit(max(_limits))
@@ -54,7 +56,7 @@ class Room:
 
 
 def _depth() -> int:
-    """How many Python calls the caller is deep."""
+    """Return the depth of the caller in Python calls."""
     depth = 0
     frame = _getframe().f_back
     while frame is not None:

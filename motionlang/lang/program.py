@@ -1,4 +1,4 @@
-"""A compiled program: what a dialect makes of a source, ready to be started on a machine."""
+"""A compiled program: the result of a dialect for a source, ready to be started."""
 
 from __future__ import annotations
 
@@ -10,39 +10,42 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
 
-    # The blocks of a program as `Dialect.blocks` has them, and the lines of places in it.
+    # The blocks of a program in the form of `Dialect.blocks`, and the lines of source positions in it.
     Outline = tuple[list[tuple[str, int, int]], dict[int, int]]
 
 
 class Program:
-    """Something that can be started; each dialect has its own."""
+    """A program that can be started; each dialect has its own class."""
 
     __slots__ = ()
 
     @property
     def size(self) -> int:
-        """How much of it is compiled, where that grows as it runs."""
+        """How much of it is compiled, if that grows as it runs."""
         return 0
 
     @property
     def is_doubtful(self) -> bool:
-        """Whether it begins with what the language does not know: it may be in another one."""
+        """True if it begins with unknown text: it may be in another language."""
         return False
 
     @property
     def warnings(self) -> Sequence[Diagnostic]:
-        """What a run of it must be told beforehand."""
+        """Warnings to report before a run."""
         return ()
 
     @property
     def outline(self) -> Outline | None:
-        """What of the text is known without reading it again: blocks and lines; None where nothing is kept."""
+        """Blocks and lines, known without parsing again; None if they are not stored."""
         return None
 
     def start(self, machine: Machine) -> Task:
-        """The parent task of the program, bound to `machine`, not yet run."""
+        """Return the parent task of the program, bound to `machine`, not yet run."""
         raise NotImplementedError
 
     def payload(self) -> bytes | None:
-        """The program as bytes for the cache, for `Dialect.load`; None where compiling is as quick."""
+        """Return the program as bytes for the cache and `Dialect.load`.
+
+        None if compiling is as quick.
+        """
         return None

@@ -1,4 +1,4 @@
-"""What went wrong while a program ran, as a diagnostic at its place."""
+"""Errors of a running program, as diagnostics with a location."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from motionlang.lang.task import Task
     from motionlang.source import Source
 
-# Python's arithmetic troubles, said in the words of the program's author.
+# Python's arithmetic errors, in the terms of the program's author.
 _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
     ZeroDivisionError: ("division-by-zero", "division by zero", "test the divisor before dividing"),
     OverflowError: (
@@ -24,9 +24,10 @@ _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
 
 
 class NotSimulated(Exception):
-    """A statement has come to what this program knows and does not simulate; no handler of the language's hears of it.
+    """A statement has reached a keyword that is known and not simulated.
 
-    `at` is the place of the word in the program, -1 where only that of the statement is known.
+    No handler of the language catches it. `at` is the source position of the keyword, -1 if only that of the
+    statement is known.
     """
 
     def __init__(self, message: str, hint: str = "", at: int = -1) -> None:
@@ -35,7 +36,7 @@ class NotSimulated(Exception):
 
 
 def explain(dialect: Dialect, source: Source, task: Task | None, error: Exception) -> Diagnostic | None:
-    """The diagnostic for an error that came out of a run; None when the error is our own mistake."""
+    """Return the diagnostic for an error of a run; None if it is an internal error."""
     if isinstance(error, ProgramError):
         return error.diagnostics[0]
     if isinstance(error, Refusal):

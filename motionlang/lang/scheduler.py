@@ -1,42 +1,46 @@
 """The scheduler: run the tasks of a program in virtual time, from event to event.
 
-Problem. Tasks share one processor on which statements take time (10 µs each by default), while axes move and inputs
-change. A task that computes must not keep the others waiting. Each run of a program must give the same result, and
-eight hours of waiting must not take eight hours.
+Problem. Tasks share one processor on which statements take time (10 µs each by default), while axes move and
+inputs change. A task that computes must not delay the others. Each run of a program must give the same
+result, and eight hours of waiting must not take eight hours.
 
-Idea. No clock ticks. A task is resumed with a horizon, the first moment at which anything else may happen. It runs on
-its own until it reaches the horizon, has to wait, or ends. Then the clock catches up, and each event on the way runs at
-its own time. If all tasks wait, the clock jumps to the earliest moment at which an event happens or a wait may end.
+Idea. No clock ticks. A task is resumed with a horizon, the first time at which anything else may happen. It
+runs on its own until it reaches the horizon, has to wait, or ends. Then the clock catches up, and each event
+on the way runs at its own time. If all tasks wait, the clock jumps to the earliest time at which an event
+happens or a wait may end.
 
     time        0        1 ms     2 ms                    12.5 ms
     task A      ████████          ████ waits for 10 ms    ████
     task B               ████████     ███ waits for an input
                 time slices of 1 ms     all wait: jump
 
-The horizon is the earliest of four moments: the next event of the clock, the end of the run, the end of the time slice
-(`QUANTUM`, or the task's own if shorter), and the first moment at which the wait of another task may end.
+The horizon is the earliest of four times: the next event of the clock, the end of the run, the end of the
+time slice (`QUANTUM`, or the task's own if shorter), and the first time at which the wait of another task may
+end.
 
-Data. `tasks` has them in the order of their start, each with its `wait`, None while it can run. `interrupts` is the
-stack of event handlers; while there is one, only the innermost runs. Among the tasks that can run, those of the highest
-priority take turns, round robin. A wait whose end is a known moment (`ends`) is compared with the clock. For any other
-wait `ready` says whether it is over, and `due` when it may be over next.
+Data. `tasks` has them in the order of their start, each with its `wait`, None while it can run. `interrupts`
+is the stack of event handlers; while there is one, only the innermost runs. Among the tasks that can run,
+those of the highest priority alternate, round robin. A wait whose end is a known time (`ends`) is compared
+with the clock. For any other wait `ready` is true if it is over, and `due` is when it may be over next.
 
 Invariants.
-- A task reads the world or acts on it only after all events that are due by then. No slice outlasts the wait of
-  another task.
-- Moments less than `ROUNDING` apart are one moment: the order of the tasks decides, not the last bit.
-- An event interrupts a time slice. The slice continues unless the event starts a handler or ends another task's wait.
-- While all tasks that can run compute with data of their own (`busy`), a slice may last many quanta, since no other
-  task can tell the difference.
+- A task reads the world or acts on it only after all events that are due by then. No slice outlasts the wait
+  of another task.
+- Times less than `ROUNDING` apart are one time: the order of the tasks decides, not the last bit.
+- An event interrupts a time slice. The slice continues unless the event starts a handler or ends another
+  task's wait.
+- While all tasks that can run compute with data of their own (`busy`), a slice may last many quanta, since no
+  other task can observe the difference.
 - When the parent ends, the program has ended, and `settle` lets the motion in progress finish.
-- `Stuck` is raised if every task waits and nothing can end any of the waits. A wait that is due and, by rounding, not
-  ready is asked again slightly later, with doubling steps.
+- `Stuck` is raised if every task waits and nothing can end any of the waits. A wait that is due and, by
+  rounding, not ready is checked again slightly later, with doubling steps.
 
-`pace` holds the run to real time. `outside` is a world that may act at any moment, such as a host; the clock then
-advances only as far as that allows.
+`pace` synchronises the run with real time. `outside` is a world that may act at any time, such as a host; the
+clock then advances only as far as that allows.
 
-Cost. A single task runs from event to event without the scheduler in between. With several tasks each slice costs two
-passes over them. Other modules skip polls and waits that repeat; the result is the same without them.
+Cost. A single task runs from event to event without the scheduler in between. With several tasks each slice
+costs two passes over them. Other modules skip polls and waits that repeat; the result is the same without
+them.
 """
 
 from __future__ import annotations
@@ -57,20 +61,20 @@ if TYPE_CHECKING:
         """A world that acts by itself."""
 
         def start(self, machine: Machine) -> None:
-            """The program is about to start on `machine`."""
+            """Handle the start of the program on `machine`."""
 
         def may_act(self) -> bool:
-            """Whether a wait that nothing else can end may yet be ended from outside."""
+            """True if a wait that nothing else can end may still be ended from outside."""
 
         def advance(self, time: float) -> None:
-            """Advance the machine's clock to `time`, or less far where something has come from outside."""
+            """Advance the machine's clock to `time`, or less if an outside event has arrived."""
 
 
 # Virtual seconds that one task may run while another is runnable.
 QUANTUM = 1e-3
-# The same, less than whole, as a number of statements may fill it exactly.
+# Slightly less, as a number of statements may fill it exactly.
 TURN = QUANTUM - ROUNDING
-# How often a wait may be asked at one moment before time goes on without it.
+# How often a wait may be checked at one time before time advances without it.
 STALLS = 4
 
 
@@ -83,13 +87,14 @@ class Stuck(Exception):
 
 
 class Scheduler:
-    """Runs tasks on a machine, or on a bare controller; when the first one, the parent, ends, the program has ended.
+    """Runs tasks on a machine, or on a bare controller, until the parent ends.
 
-    `pace(now)` is called before time jumps, so that a run can be held to the wall clock. With `outside` there is a
-    world that acts by itself, such as a host: it says how far time passes, and no wait is without hope.
+    The parent is the first task. `pace(now)` is called before time jumps, so that a run can be synchronised
+    with real time. `outside` is a world that acts by itself, such as a host: it decides how far time
+    advances, and may end any wait.
     """
 
-    # When another task goes on, as far as that is known without asking each; in the past: it is not.
+    # When another task continues, if that is known without checking each; in the past if not.
     next_turn = -INFINITY
 
     def __init__(
@@ -108,24 +113,24 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
-        # The statement time knows whether anything may act while the task that runs waits.
+        # The statement time knows if anything may act while the running task waits.
         self._statements = getattr(machine, "statements", None) or StatementTime(0.0)
         self._statements.share()
-        # When the program had ended, while motion goes on.
+        # When the program had ended, while motion continues.
         self.ended: float | None = None
-        # When the running task was resumed, whether no other could have been, and when its time slice ends, 0 if there
-        # is none; an event cuts a slice in two, and does not end it.
+        # When the running task was resumed, true if no other could have been, and the end of its time slice,
+        # 0 if there is none. An event cuts a slice in two, and does not end it.
         self.began = 0.0
         self._alone = False
         self._end = 0.0
-        # The others that wait, for what has not come about yet.
+        # The other tasks whose waits are not over.
         self._waiting: list[Task] = []
         self.until = INFINITY
-        # The index of the task that is next, and how often in a row time stood still while all waited.
+        # The index of the next task, and how often in a row time did not advance while all waited.
         self._turn = 0
         self._stalls = 0
         machine.log.place_by(self._where)
-        # The length of the time slices of a round, and how many of them are still to come.
+        # The length of the time slices of a round, and how many of them remain.
         self._length, self._left = QUANTUM, 0
 
     @property
@@ -135,33 +140,34 @@ class Scheduler:
 
     @property
     def by_itself(self) -> bool:
-        """Whether the clock advances as far as the tasks let it."""
+        """True if only the tasks limit the advance of the clock."""
         return self.pace is None and self.outside is None
 
     def _where(self) -> int:
-        """Where the program stands, for the log."""
+        """Return the source position of the program, for the log."""
         return self.current.at
 
     def start(self, task: Task) -> None:
-        """Let a further task run from now on."""
+        """Start a further task now."""
         self.stir()
         self.tasks.append(task)
 
     def end(self, task: Task) -> None:
-        """Let no further task run that the running one ends."""
+        """Stop a task that the running one ends."""
         self.stir()
         self._forget(task)
 
     def interrupt(self, task: Task) -> None:
-        """Let a task run to its end before any other goes on."""
+        """Run a task to its end before any other continues."""
         self.stir()
         self.machine.log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:
-        """Run until the program has ended ("ended") or virtual time is up ("until"), then let motion finish.
+        """Run until the program has ended, or virtual time is up, then let motion finish.
 
-        Raises `Stuck` when the parent waits for what can never happen, and whatever a task raises.
+        The result is "ended" or "until". Raises `Stuck` if the parent waits for something that can never
+        happen, and any exception of a task.
         """
         if not self.run_program(until):
             return "until"
@@ -169,7 +175,7 @@ class Scheduler:
         return "ended" if self.settle(until) else "until"
 
     def run_program(self, until: float = INFINITY) -> bool:
-        """Run tasks until the parent ends; False when `until` came first."""
+        """Run tasks until the parent ends; False if `until` came first."""
         clock, statements, outside, parent = (
             self.clock,
             self._statements,
@@ -202,21 +208,21 @@ class Scheduler:
         return True
 
     def idle_round(self, until: float) -> bool:
-        """Let tasks that wait go on where it is known when their waits end; False if none went on."""
+        """Resume waiting tasks whose waits have known ends; False if there are none."""
         return False
 
     def slice_over(self, task: Task) -> None:
-        """The time slice of a task is over."""
+        """Handle the end of a task's time slice."""
 
     def stir(self) -> None:
-        """The running task has changed what another one waits for, or which tasks there are."""
+        """Invalidate the known ends of waits: the running task changed a wait or a task."""
         self._statements.share()
 
     def passes(self, wait: Wait) -> bool:
-        """Let a wait pass under the task that runs; False if the task must give way.
+        """Let a wait of the running task pass; False if the task must yield.
 
-        It must unless it is the only task, nothing outside holds the clock, nothing else begins meanwhile, and the wait
-        has an end.
+        It must unless it is the only task, nothing outside controls the clock, nothing else begins meanwhile,
+        and the wait has an end.
         """
         clock = self.clock
         if not self.by_itself or self._end:
@@ -232,11 +238,17 @@ class Scheduler:
         return False
 
     def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
-        """Like `passes` for one of several tasks: how far it may then go, 0.0 if it gives way."""
+        """Let a wait of one of several tasks pass, like `passes`.
+
+        Returns how far it may then run, 0.0 if it yields.
+        """
         return 0.0
 
     def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
-        """Like `passes`, for a wait from `since` until axes are at rest, whose end is known without asking."""
+        """Let a wait from `since` pass until axes are at rest, like `passes`.
+
+        Its end is known without a check.
+        """
         clock, until = self.clock, self.until
         if not self.by_itself or self._end:
             return False
@@ -253,7 +265,7 @@ class Scheduler:
         return False
 
     def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
-        """A task that went on has come to a time; when it did so, the next event was to be at `event`."""
+        """Advance to the time of a task; `event` was the next event when it was resumed."""
         clock = self.clock
         advance = clock.advance if self.pace is None and self.outside is None else self._advance
         advance(time)
@@ -269,11 +281,11 @@ class Scheduler:
             self._forget(task)
 
     def reach(self) -> float:
-        """Until when the running task has the machine for itself, if it does nothing; 0 where others can run, too."""
+        """Until when the running task may run alone without an action; 0 if not alone."""
         return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
 
     def next_change(self) -> float:
-        """When something will happen, or a task that waits may go on, if those that run do nothing."""
+        """Return the next event, or end of a wait, if the running tasks do nothing."""
         first = self.clock.next_time()
         for task in self.interrupts[-1:] or self.tasks:
             wait = task.wait
@@ -284,14 +296,14 @@ class Scheduler:
         return first
 
     def _waited(self, task: Task, wait: Wait) -> None:
-        """Write a wait that is over into the log."""
+        """Write a wait that is over to the log."""
         log = self.machine.log
         log.waits.add(task.waited(wait, self.clock.now))
         if log.turns.seconds:
             log.turns.close(self.clock.now)
 
     def _goes_on(self, task: Task) -> bool:
-        """Whether what has cut the turn of a task was nothing to anybody else: then it goes on with it."""
+        """True if the event woke no other task, so the time slice continues."""
         if task.wait is not None or task.done or self.interrupts:
             return False
         for other in self._waiting:
@@ -302,7 +314,7 @@ class Scheduler:
         return True
 
     def settle(self, until: float = INFINITY) -> bool:
-        """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
+        """Let the motion in progress end; False if `until` comes first or an axis jogs."""
         while True:
             busy = self.machine.moving()
             times = [self.machine.idle_time(axis) for axis in busy]
@@ -326,9 +338,10 @@ class Scheduler:
             self._advance(time)
 
     def _turn_length(self, horizon: float) -> float:
-        """How long a task runs while others can: many turns at once where nobody could tell the difference.
+        """The duration of a time slice, of many quanta if the difference is invisible.
 
-        That is so while every task that can run is busy with what is its own, and nothing is due before the round ends.
+        It is invisible while every task that can run computes with its own data, and nothing is due before
+        the round ends.
         """
         busy = self.current.busy
         if self._left and busy >= self._length:
@@ -351,7 +364,7 @@ class Scheduler:
         return self._length
 
     def _next_due(self, task: Task) -> float:
-        """When the first of the others that still wait may go on: a turn does not outlast it, so nobody oversleeps."""
+        """Return when the first other wait may end; no slice outlasts it."""
         waiting, now = self._waiting, self.clock.now
         waiting.clear()
         first = INFINITY
@@ -373,7 +386,7 @@ class Scheduler:
         self.current = task
         return (
             first - 0.5 * ROUNDING
-        )  # where a statement meets it, rounding does not decide which comes first
+        )  # if a statement coincides with it, rounding does not decide which comes first
 
     def _advance(self, time: float) -> None:
         if self.outside is not None:
@@ -390,7 +403,7 @@ class Scheduler:
                 tasks.remove(task)
 
     def _runnable(self) -> Task | None:
-        """The next task that does not wait or whose wait is over: of the highest priority, in turn."""
+        """Return the next task that can run: highest priority, round robin."""
         tasks = self.interrupts[-1:] if self.interrupts else self.tasks
         count, now = len(tasks), self.clock.now
         start = self._turn % count
@@ -427,7 +440,7 @@ class Scheduler:
         return found
 
     def _jump(self, until: float) -> None:
-        """All wait: go to the next moment at which something can change."""
+        """Jump to the next time at which something can change, since all tasks wait."""
         clock = self.clock
         due = self.next_change()
         time = due if due < until else until
@@ -435,7 +448,8 @@ class Scheduler:
             waiting = (self.interrupts or self.tasks)[-1 if self.interrupts else 0]
             assert waiting.wait is not None
             raise Stuck(waiting, waiting.wait)
-        # A wait that could end now and does not (rounding of its time) is asked again a little later, never for ever.
+        # A wait that could end now and does not (rounding of its time) is checked again slightly later, never
+        # for ever.
         self._stalls = self._stalls + 1 if time <= clock.now else 0
         late = 1e-9 * 2.0 ** min(self._stalls - STALLS, 30) if self._stalls > STALLS else 0.0
         if late or time <= clock.now or not self.by_itself:

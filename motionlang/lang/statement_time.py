@@ -1,7 +1,8 @@
-"""Machine time in whole statements: a base plus their number times their cost, never a running sum.
+"""Machine time in whole statements: a base plus their number times their duration.
 
-So it makes no difference to the last bit at how many moments between the clock was looked at, nor whether turns of a
-loop were carried out or skipped. A WAIT ends on a whole number of units, so that sums of such moments are exact, too.
+It is never a running sum. So it makes no difference, to the last bit, how often the clock was read in
+between, or if iterations of a loop were executed or skipped. A WAIT ends on a multiple of the time unit, so
+sums of such times are exact, too.
 """
 
 from __future__ import annotations
@@ -9,21 +10,21 @@ from __future__ import annotations
 from math import ceil
 
 INFINITY = float("inf")
-# 10 ps: decimal, as costs and waits are, and coarse enough that a day of them fits a float.
+# 10 ps: decimal, like durations and waits, and coarse enough that a day of them fits a float.
 UNITS = 1e11
-# So many units and fewer are each a float of its own.
+# Up to this many units, every number of units is a distinct float.
 EXACT = 2.0**52
-# The same in seconds.
+# That limit in seconds.
 LATEST = EXACT / UNITS
 NEVER = -INFINITY
 
 
 class StatementTime:
-    """The time of the task that runs; `base` is the machine time, s, of its statement 0, `cost` what one takes, s.
+    """The time of the running task, from the `base` of statement 0 and a `cost` each.
 
-    `count` is the statement at which the last task stopped, `reached` its time: whoever goes on there counts on.
-    `until` is the horizon of the one that runs, and `free`, up to which nobody but that one can act and the time is a
-    whole number of units; `NEVER` where it is not `alone`.
+    Both are in s. `count` is the statement at which the last task stopped, `reached` its time: a task that
+    continues there continues the count. `until` is the horizon of the running task. Up to `free` no other
+    task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`.
     """
 
     __slots__ = ("alone", "base", "cost", "count", "free", "reached", "until")
@@ -35,15 +36,18 @@ class StatementTime:
         self.alone, self.free = False, NEVER
 
     def at(self, count: float) -> float:
-        """The time of a statement."""
+        """Return the time of a statement."""
         return self.base + count * self.cost
 
     def share(self) -> None:
-        """Others may act while the task that runs waits."""
+        """Record that others may act while the running task waits."""
         self.alone, self.free = False, NEVER
 
     def go_on(self, now: float, horizon: float) -> tuple[float, float]:
-        """A task goes on at `now`: at which statement, and the first one not before `horizon`, as `limit` finds it."""
+        """Resume a task at `now`; return its statement, and the first one from `horizon`.
+
+        The latter is found like in `limit`.
+        """
         if now != self.reached:
             self.base, base, count = now, now, 0.0
         else:
@@ -60,25 +64,25 @@ class StatementTime:
         return count, last - 1.0 if base + (last - 1.0) * cost >= horizon else last
 
     def start(self, now: float) -> float:
-        """Count from 0 again."""
+        """Restart the count at 0."""
         self.base = now
         return 0.0
 
     def leave(self, count: float) -> float:
-        """The running task stops at a statement: its time."""
+        """Stop the running task at a statement, and return its time."""
         self.count = count
         self.reached = self.base + count * self.cost
         return self.reached
 
     def limit(self, horizon: float) -> float:
-        """The first statement that is not before `horizon`, up to which the running task may go."""
+        """Return the first statement not before `horizon`, the limit of the running task."""
         self.until = horizon
         if self.alone:
             self.free = horizon if horizon < LATEST else LATEST
         return self.first(horizon)
 
     def first(self, moment: float) -> float:
-        """The first statement that is not before a moment."""
+        """Return the first statement not before a time."""
         if moment == INFINITY:
             return INFINITY
         base, cost = self.base, self.cost
@@ -88,9 +92,10 @@ class StatementTime:
         return count - 1.0 if base + (count - 1.0) * cost >= moment else count
 
     def periods(self, base: float, count: float, here: float, until: float) -> float:
-        """How often by `until` the running task, now at `here`, can come as far as it has since `base` and `count`.
+        """Return how often the progress since `base` and `count` fits until `until`.
 
-        Not at all where it has waited, and did so neither for a whole turn nor to a whole unit.
+        The running task is now at `here`. The result is 0 if it has waited, neither for a complete iteration
+        nor to a whole unit.
         """
         if until == INFINITY:
             return INFINITY
@@ -101,7 +106,7 @@ class StatementTime:
         return (until - self.at(here)) // (self.base - base)
 
     def repeat(self, base: float, count: float, times: float) -> float:
-        """The running task goes on as far as it has come since `base` and `count`, so many times: its statement."""
+        """Repeat the progress since `base` and `count`, and return the new statement."""
         if base != self.base:
             here = units(self.base)
             self.base = (here + int(times) * (here - units(base))) / UNITS
@@ -111,7 +116,7 @@ class StatementTime:
 
 
 def units(moment: float) -> int:
-    """A moment in whole units, the nearest ones where it is none."""
+    """Return a time in whole units, rounded."""
     nearest = round(moment * UNITS)
     if nearest / UNITS == moment:
         return nearest

@@ -1,7 +1,7 @@
-"""A task: something that runs until the horizon, or until it must wait.
+"""A task: code that runs until the horizon, or until it must wait.
 
-Both languages answer to the scheduler in this one way. A Mint task is a generator that the compiler made; an MCCL
-task is a program counter over a tuple of operations.
+Both languages implement this interface for the scheduler. A Mint task is a generator made by the compiler; an
+MCCL task is a program counter over a tuple of operations.
 """
 
 from __future__ import annotations
@@ -20,33 +20,34 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
 
     class Shared(Protocol):
-        """What the tasks of a program share."""
+        """The state shared by the tasks of a program."""
 
         attention: Attention
 
         def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
-            """Two counters of what tasks did that cannot be compared, and what their variables hold."""
+            """Return two counters of actions that cannot be compared, and the variables."""
 
 
 INFINITY = float("inf")
-# Times that are nearer to each other than this are one: it is not rounding that decides who comes first.
+# Times that differ by less than this are equal, so that rounding does not decide the order.
 ROUNDING = 1e-9
-# So near to a solved moment, s, what was read is not relied upon: the solution is rounded, and so is the reading.
+# This close to a solved time, s, a reading is not relied upon: the solution and the reading are rounded.
 CLOSE = 1e-7
-# Who lets more time pass than this, s, between two looks keeps watch or shows something, and does not look in vain.
+# A task that lets more time than this, s, pass between two checks is monitoring or displaying something, and
+# is not in a futile poll.
 WATCH = 0.03
 
 
 class Wait:
-    """What a task waits for.
+    """The wait of a task.
 
     `since`   the time at which the task began to wait
-    `ready()` whether it may go on, asked whenever something has happened
+    `ready()` true if it may continue, checked after every event
     `due()`   the earliest time at which `ready` may become true if nothing else happens (infinite if never)
-    `why`     how a person would say it, for the report of a wait that never ends
-    `cause`   what kind of thing ends it, and `what` its numbers: one of `record.records.CAUSES`
-    `ends`    the moment at which it ends whatever happens, where there is one: then neither of the two need be asked
-    `place`   the place of its statement and those of the calls that led there, where it knows them itself
+    `why`     a description, for the report of a wait that never ends
+    `cause`   the kind of thing that ends it, and `what` its numbers: one of `record.records.CAUSES`
+    `ends`    the time at which it certainly ends, if there is one: then the two functions are not called
+    `place`   the source position of its statement and those of the calls that led there, if it knows them
     """
 
     __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
@@ -67,12 +68,12 @@ class Wait:
         self.ends: float | None = None
 
     def expected(self) -> float:
-        """When it ends if nothing happens but what is expected, and no sooner; -1 where nobody can tell, or it has."""
+        """Return when it ends if only expected events happen; -1 if not known, or over."""
         return -1.0
 
 
 class Delay(Wait):
-    """A wait for a moment; programs have millions of them, so its reason is put into words when somebody asks."""
+    """A wait for a time; its description is made on demand, as programs have millions."""
 
     __slots__ = ("_clock", "place")
 
@@ -87,11 +88,11 @@ class Delay(Wait):
 
     @property
     def length(self) -> float:
-        """How long all of it takes, s, to a nanosecond."""
+        """Its total duration, s, to a nanosecond."""
         return round(self.ends - self.since, 9)
 
     def move(self, time: float) -> None:
-        """It ends at another moment, and began as much earlier or later."""
+        """Move its end to another time, and its beginning by the same amount."""
         self.since += time - self.ends
         self.ends = time
 
@@ -107,12 +108,15 @@ class Delay(Wait):
 
 
 def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait:
-    """Wait for a moment."""
+    """Return a wait for a time."""
     return Delay(machine.clock, since, time)
 
 
 def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
-    """Wait until all of `axes` stand, with nothing released in their buffers; what follows stands with its master."""
+    """A wait until all of `axes` are idle, with nothing released in their buffers.
+
+    A follower is idle when its master is.
+    """
     waited = tuple(axes)
     names = ", ".join(str(axis) for axis in waited)
     return Wait(
@@ -126,14 +130,14 @@ def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait
 
 
 class Task:
-    """`resume(now, horizon)` runs on from `now` and answers with the time reached and what it waits for.
+    """`resume(now, horizon)` runs from `now`; it returns the time reached and a wait.
 
     `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
-    Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
+    Source positions ("at") are token numbers, which the dialect's `locate` converts to line and column.
 
-    A task that only polls says so in `look`: how much anybody has done by then, and whether it looks at anything.
-    `in_vain` is the time since which it has looked for something that nothing could bring about until the end of the
-    run, and `looks_at` what it looked at last, as text.
+    A task that only polls sets `look`: the number of actions by then, and true if it reads anything.
+    `in_vain` is the time since which it has polled for something that nothing could cause until the end of
+    the run, and `looks_at` its last reading, as text.
     """
 
     __slots__ = (
@@ -150,70 +154,73 @@ class Task:
 
     def __init__(self, name: str) -> None:
         self.name = name
-        # For how long, of its own running time, nobody can tell what the task does: it computes with what is its own.
+        # For how long, of its own running time, no other task can observe it: it computes with its own data.
         self.busy = 0.0
         self.look: tuple[int, bool] | None = None
         self.in_vain: float | None = None
         self.looks_at = ""
-        self.priority = 0  # of two tasks that can run, the one with the higher priority does
-        self.turn = INFINITY  # the most that it may run, s, while others can
+        self.priority = 0  # among tasks that can run, the one with the highest priority runs
+        self.turn = INFINITY  # the longest that it may run, s, while others can
         self.done = False
         self.wait: Wait | None = None
 
     @property
     def shared(self) -> Shared | None:
-        """What the tasks of its program share, where that can be compared."""
+        """The state shared by the tasks of its program, if that can be compared."""
         return None
 
     def state(self, alive: dict[int, object]) -> bytes | None:
-        """All that decides what it does next but its wait and what tasks share; None where that cannot be compared.
+        """Return the state that decides its future, without its wait and shared state.
 
-        Objects whose identity is part of it are added to `alive`.
+        None if it cannot be compared. Objects whose identity is part of it are added to `alive`.
         """
         return None
 
     @property
     def at(self) -> int:
-        """Where the task stands."""
+        """Its source position."""
         return 0
 
     @property
     def stack(self) -> tuple[int, ...]:
-        """Where it stands, behind the places of the calls that led there, the outermost first."""
+        """Its source position, after those of the calls that led there, outermost first."""
         return (self.at,)
 
     @property
     def standing(self) -> tuple[int, tuple[int, ...]]:
-        """Where it stands, and the places of the calls that led there."""
+        """Its source position, and those of the calls that led there."""
         *callers, at = self.stack
         return at, tuple(callers)
 
     @property
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
-        """The loops that it is in, the outermost first: place, begin, s, and the places of the calls that led there."""
+        """The loops that it is in, the outermost first.
+
+        Each is a source position, begin, s, and the positions of the calls that led there.
+        """
         return ()
 
     def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
-        """The record of a wait that is over, as `record.records.Waited` has it."""
+        """Return the record of a wait that is over, like `record.records.Waited`."""
         at, callers = wait.place or self.standing
         why = "" if wait.cause == "time" else wait.why
         return self.name, at, wait.since, until, wait.cause, wait.what, why, callers
 
     @property
     def running(self) -> bool:
-        """Whether a statement of the task is being executed at this very moment."""
+        """True if a statement of the task is being executed now."""
         return False
 
     def at_error(self, error: BaseException) -> int:
-        """Where `error`, which came out of `resume`, was raised."""
+        """The source position at which `error`, which came out of `resume`, was raised."""
         return self.at
 
     def time_at_error(self, error: BaseException) -> float:
-        """The time, s, to which the task had come by itself when `error` was raised; 0 where it does not say."""
+        """Return the task's own time, s, when `error` was raised; 0 if it is unknown."""
         return 0.0
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """Run until `horizon`, s, a wait or the end: the time reached, and the wait if there is one."""
+        """Run until `horizon`, s, a wait or the end; return the time and the wait, if any."""
         raise NotImplementedError
 
 
@@ -222,16 +229,16 @@ if TYPE_CHECKING:
 
 
 class GeneratorTask(Task):
-    """A task made of a generator: it yields the time at the horizon, or a `Wait`, and returns its last time.
+    """A task made of a generator, which yields times or `Wait`s and returns a time.
 
-    At the horizon it may yield `(time, busy)` instead, and say that way how long nobody can tell what it does.
-
-    `file` is the file name of the generated code and `places[n]` the place in the program of its line `n`.
+    At the horizon it may yield `(time, busy)` instead of a time, where `busy` is how long no other task can
+    observe it. `file` is the file name of the generated code and `places[n]` the source position of its line
+    `n`.
     """
 
     __slots__ = ("_calls", "_file", "_generator", "_make", "_places")
 
-    # The code of `resume`, behind which no further code of a program stands.
+    # The code of `resume`, below which there is no further code of a program.
     resumes: CodeType
 
     def __init__(
@@ -242,14 +249,14 @@ class GeneratorTask(Task):
         self._file = file
         self._places = places
         self._generator: Steps | None = None
-        # The places of calls, by the number of their code and where in it they stand.
+        # The source positions of calls, by the identity of their code and the offset in it.
         self._calls: dict[tuple[int, int], tuple[CodeType, int]] = {}
 
     @property
     def at(self) -> int:
-        """The place of the innermost sub that the task is in."""
+        """The source position of the innermost sub that the task is in."""
         if getattr(self._generator, "gi_running", False):
-            # A generator that runs does not tell what it has handed on to; the frames between here and it do.
+            # A running generator does not know its delegate; the frames between here and it do.
             caller: FrameType | None = _getframe(1)
             while caller is not None and caller.f_code.co_filename != self._file:
                 caller = caller.f_back
@@ -258,7 +265,7 @@ class GeneratorTask(Task):
 
     @property
     def stack(self) -> tuple[int, ...]:
-        """The places of its subs, the innermost last; not while it is running."""
+        """The source positions of its subs, the innermost last; not while it is running."""
         generator: Any = self._generator
         if generator is not None and generator.gi_yieldfrom is None and generator.gi_frame is not None:
             return (self._places[generator.gi_frame.f_lineno],)
@@ -271,9 +278,9 @@ class GeneratorTask(Task):
         return tuple(places) or (self._places[0],)
 
     def callers(self, above: int = 2) -> tuple[int, ...]:
-        """The same while it is running and without the innermost one, for what the program's code has called.
+        """Return the stack while it is running, without the innermost position.
 
-        `above` says how many calls above this one that code is.
+        `above` is the number of calls between this one and the program's code.
         """
         if _getframe(above + 1).f_code is self.resumes:
             return ()
@@ -287,11 +294,14 @@ class GeneratorTask(Task):
         return tuple(found[::-1])
 
     def _place(self, frame: FrameType) -> int:
-        """The place of a call. To find its line Python counts from where its code begins, as long as a wait takes."""
+        """Return the source position of a call, cached.
+
+        To find its line Python counts from the start of its code, which takes as long as a wait.
+        """
         code = frame.f_code
         known = self._calls.get((id(code), frame.f_lasti))
         if known is None:
-            # With the code, so that no other one gets its number.
+            # The code is stored too, so that its identity is not reused.
             known = self._calls[id(code), frame.f_lasti] = code, self._places[frame.f_lineno]
         return known[1]
 
@@ -300,7 +310,7 @@ class GeneratorTask(Task):
         return bool(getattr(self._generator, "gi_running", False))
 
     def at_error(self, error: BaseException) -> int:
-        """The place of the innermost frame of the program that the error came through."""
+        """Return the source position of the innermost frame of the program in the error."""
         line, traceback = 0, error.__traceback__
         while traceback is not None:
             if traceback.tb_frame.f_code.co_filename == self._file:
@@ -309,7 +319,7 @@ class GeneratorTask(Task):
         return self._places[line] if line else self.at
 
     def time_at_error(self, error: BaseException) -> float:
-        """The time, s, to which the program had counted when `error` was raised; 0 where it does not say."""
+        """Return the program's time, s, when `error` was raised; 0 if it is unknown."""
         reached, traceback = 0.0, error.__traceback__
         while traceback is not None:
             frame, traceback = traceback.tb_frame, traceback.tb_next
@@ -318,7 +328,7 @@ class GeneratorTask(Task):
         return reached
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """Run to the horizon, to a wait or to the end: the time reached, s, and the wait if there is one."""
+        """Run to the horizon, a wait or the end; return the time, s, and the wait, if any."""
         self.busy = 0.0
         try:
             if self._generator is None:

@@ -1,4 +1,4 @@
-"""Quotes, dashes and blanks that a word processor puts in the place of the plain ones of a program."""
+"""Typographic quotes, dashes and blanks that a word processor puts into a program."""
 
 from __future__ import annotations
 
@@ -8,14 +8,17 @@ _PLAIN = {
     "-": ("dash", "‐‑‒–—―−"),
     "a blank": ("blank", "\u00a0\u2002\u2003\u2007\u2009\u202f"),
 }
-# By the character: what it is, and the plain one.
+# By character: its name, and the plain character.
 TYPOGRAPHIC = {
     character: (kind, plain) for plain, (kind, characters) in _PLAIN.items() for character in characters
 }
 
 
 def typographic(text: str) -> tuple[str, str] | None:
-    """Message and hint for a text that begins with a typographic character; None for others."""
+    """Return message and hint for a text that begins with a typographic character.
+
+    None for others.
+    """
     character = text[:1]
     if "\x80" <= character <= "\x9f":  # Windows-1252, read as Latin-1
         character = character.encode("latin-1").decode("cp1252", "replace")

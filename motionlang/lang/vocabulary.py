@@ -1,7 +1,7 @@
-"""The keywords of a language, found one by one: a program uses a few dozen of a thousand.
+"""The keywords of a language, loaded on demand: a program uses few of a thousand.
 
-`index.py` beside the files of keywords names the keywords of each file. It is derived from their rows. A file is
-imported at the first use of one of its keywords, and all of them for a look through the whole vocabulary.
+`index.py` next to the files of keywords lists the keywords of each file. It is derived from their rows. A
+file is imported at the first use of one of its keywords, and all of them for a complete listing.
 """
 
 from __future__ import annotations
@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 class Vocabulary(Table):
-    """A table whose rows are imported when they are looked up; `index` has the keywords of each file of `package`."""
+    """A table whose rows are imported on lookup.
+
+    `index` has the keywords of each file of `package`.
+    """
 
     __slots__ = ("_file_of", "_index", "_package", "_whole")
 
@@ -34,7 +37,7 @@ class Vocabulary(Table):
         return self._whole
 
     def get(self, word: str) -> Keyword | None:
-        """The row of a word, by its name or its short form, in any case."""
+        """Return the row of a keyword, by its name or its short form, in any case."""
         key = word.lower()
         row = self._by_name.get(key)
         if row is None and key in self._file_of:
@@ -44,7 +47,7 @@ class Vocabulary(Table):
         return row
 
     def file(self, word: str) -> Any:
-        """The module that has a word, imported at its first use."""
+        """Return the module that has a keyword, imported at its first use."""
         return self._module(self._file_of[word.lower()])
 
     def _module(self, name: str) -> Any:
