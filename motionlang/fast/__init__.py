@@ -1,7 +1,7 @@
-"""Accelerators: each gives the same result as the part of the engine that it replaces, only sooner.
+"""Accelerators: faster replacements of engine components, with equal results.
 
-`motionlang.execution` reads the switch and hands them to a machine; nothing else imports this package. Each module says
-at its head what it replaces, where its hook is, what it gains and which test holds it equal.
+`motionlang.execution` reads the switch and passes them to a machine; nothing else imports this package. The
+head of each module states what it replaces, its hook, its gain and the test that holds it equal.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def everything() -> Accelerators:
-    """All accelerators; those that few programs need are imported when they are called."""
+    """Return all accelerators; those that few programs need are imported when called."""
     return Accelerators(
         axes=_axes,
         counted=_counted,

@@ -1,7 +1,8 @@
-"""The closed form of a linear servo: all samples along a cubic of its demand in one expression.
+"""The closed form of a linear servo: samples along a cubic in one expression.
 
-Replaces: the plain steps of `Ahead` (servo/ahead.py). A linear loop goes from one cubic of its demand to the
-next by its closed form; plain steps do what lies between them and around its limits, and all of what is not linear.
+Replaces: the plain steps of `Ahead` (servo/ahead.py). A linear loop goes from one cubic of its command to the
+next by its closed form. Plain steps do the samples between cubics and around the limits, and everything
+nonlinear.
 
 Hook: `Accelerators.servo`; `Feedback` makes its servo of it.
 
@@ -11,13 +12,13 @@ Held equal by: tests/fast/test_closed_form.py and tests/fast/test_both_ways.py.
 
 The algorithm
 
-Between its limits loop and plant are one linear system, and a ramp of the demand is four numbers. So a sample depends
-on the state and the demand at the beginning of its stretch by factors that are the same wherever that is: a table of
-them, made once for a loop and a plant by doubling. Products are added term by term, which no library of matrices
-promises: a sample is the same to the last bit whatever the processor and however long the stretch.
+Between its limits loop and plant are one linear system, and a ramp of the command is four numbers. So a
+sample depends on the state and the command at the beginning of its stretch by constant factors: a table, made
+once for a loop and a plant by doubling. Products are added term by term, which no matrix library promises: a
+sample is equal to the last bit whatever the processor and the length of the stretch.
 
-The points of the demand are on the cubic from the end of the first cycle on. That at its beginning and the one before
-it were given already, and what they are off by is given too.
+The points of the command are on the cubic from the end of the first cycle on. The point at its beginning and
+the one before it were given already, and so are their offsets from the cubic.
 """
 
 from __future__ import annotations
@@ -45,27 +46,31 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 LONGEST = 512
-"""Samples from which on a table is long enough."""
+"""The longest table, in samples."""
 _MOST_UNIT = 64
 _OUTPUT = SEEN.index("output")
-# What is left of a motion when it is less than this, whatever its unit, is nothing.
+# A motion smaller than this, in any unit, is zero.
 _NOTHING = 1e-30
-# Beyond this a loop that runs away without an end is left to the plain steps.
+# Beyond this a loop that diverges is left to the plain steps.
 _FAR = 1e250
 _WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
-# Samples of the first block: by the closed form they cost little beside their block.
+# Samples of the first block, which are cheap in the closed form compared with the block itself.
 _SHORT = 256
 # Samples of a cubic from which the closed form is quicker than plain steps.
 _WORTHWHILE = 48
-# Samples of plain steps behind one that breaks a limit; as many again each time that was too early, up to the most.
+# Samples of plain steps after one that exceeds a limit; each premature retry doubles them, up to the maximum.
 _PATIENCE, _MOST_PATIENCE = 32, 1024
-# Samples that a new loop goes by plain steps first: its table takes as long to make as some thousands of them.
+# Samples of plain steps at the start of a new loop: its table takes as long to make as some thousands of
+# them.
 _TRIAL = 256
 
 
 @lru_cache(maxsize=32)
 def closed_form(loop: Loop, plant: Motor | Drive) -> ClosedForm | None:
-    """The closed form of a loop and a plant; None where more than their state decides what acts."""
+    """Return the closed form of a loop and a plant.
+
+    None if more than their state decides which terms act.
+    """
     unit = lcm(loop.ratio, loop.derivative_every if loop.derivative else 1)
     if not (loop.is_linear and plant.is_linear) or unit > _MOST_UNIT:
         return None
@@ -75,10 +80,10 @@ def closed_form(loop: Loop, plant: Motor | Drive) -> ClosedForm | None:
 
 
 class ClosedForm:
-    """The table of one loop and one plant. Positions in it are counted from the demand at which a stretch begins.
+    """The table of one loop and one plant, relative to the command at its start.
 
-    A stretch begins with a trajectory cycle, and with a sample of the derivative. `longest` is the number of samples
-    that it may have.
+    A stretch begins with a trajectory cycle, and with a sample of the derivative. `longest` is the number of
+    samples that it may have.
     """
 
     def __init__(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
@@ -91,7 +96,7 @@ class ClosedForm:
         self._bounds = [(_OUTPUT, min(loop.output_limit, _FAR))]
         if loop.has_integral and loop.integral_limit < inf:
             self._bounds.append((len(SEEN), loop.integral_limit))
-        # A loop that grows beyond all numbers within a stretch breaks its limits before that.
+        # A loop that overflows within a stretch exceeds its limits before that.
         with np.errstate(all="ignore"):
             self._begin(loop, plant, unit)
             while self.longest < LONGEST:
@@ -102,19 +107,19 @@ class ClosedForm:
 
     @property
     def longest(self) -> int:
-        """Samples that a stretch may have."""
+        """The longest stretch, in samples."""
         return int(self._rows.shape[2])
 
-    # -- the table: over (state, 1, three coefficients of the demand, what the two points before are off by)
+    # -- the table: over (state, 1, three coefficients of the command, offsets of the two points before)
 
     def _begin(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
-        """The first samples, one by one."""
+        """Compute the first samples, one by one."""
         made = discretise(plant, loop.period)
         columns = ["position", "velocity", "output", "current", "integral", *["twist"] * made.load_encoder]
         probe = Probe(loop, plant, tuple(columns))
         nz, width = len(self._kept), self._width
         state, rows, states = np.eye(nz, width), [], []
-        for k in range(2 * unit):  # what those two points are off by is over then
+        for k in range(2 * unit):  # the offsets of those two points have no effect after that
             demand, feed = self._demand(k), self._feed(loop, k // self.ratio)
             step, outputs = probe.held if k % self.every else probe.sampled
             given = np.vstack((state, demand, feed, np.eye(width)[nz]))
@@ -131,12 +136,12 @@ class ClosedForm:
             rows.append(every[: len(SEEN) + len(self._bounds) - 1])
             states.append(state)
             state = _product(step, given)
-        # Factor by what is seen of which sample.
+        # Factor by column and sample.
         self._rows = np.ascontiguousarray(np.array(rows).transpose(2, 1, 0))
         self._states = np.ascontiguousarray(np.array([*states, state]).transpose(2, 1, 0))
 
     def _point(self, cycle: int) -> Array:
-        """The point at the beginning of a cycle."""
+        """Return the point at the beginning of a cycle."""
         made = np.zeros(self._width)
         made[-5:-2] = cycle, cycle**2, cycle**3
         if -1 <= cycle <= 0:
@@ -144,14 +149,14 @@ class ClosedForm:
         return made
 
     def _demand(self, sample: int) -> Array:
-        """The demand at a sample; from point to point it is a straight line."""
+        """Return the command at a sample; it is linear between points."""
         cycle, part = divmod(sample, self.ratio)
         here, there = self._point(cycle), self._point(cycle + 1)
         made: Array = here + (part / self.ratio) * (there - here)
         return made
 
     def _feed(self, loop: Loop, cycle: int) -> Array:
-        """Feed-forward in a cycle: `stretch.py` has the rule."""
+        """Return the feed-forward in a cycle, by the rule in `stretch.py`."""
         before, here, there = (self._point(cycle + k) for k in (-1, 0, 1))
         rate = loop.trajectory_rate
         made: Array = loop.velocity_ff * rate * (there - here)
@@ -159,7 +164,7 @@ class ClosedForm:
         return made
 
     def _double(self) -> None:
-        """As many samples again: those of a stretch that begins where this one ends."""
+        """Double the samples by those of a stretch that begins where this one ends."""
         count, nz = self.longest, len(self._kept)
         cycles = count // self.ratio
         moved = self._point(cycles)
@@ -181,8 +186,8 @@ class ClosedForm:
     def run(self, state: State, cubic: Cubic, off: tuple[float, float], out: Array) -> tuple[int, State]:
         """Fill `out`, a row for each of `SEEN`, as if there were no limits.
 
-        `off` is what the points before the beginning of the first cycle and at it are off the cubic by. Gives the
-        number of samples that keep to the limits, which is the first that does not, and the state after those.
+        `off` are the offsets from the cubic of the points before and at the beginning of the first cycle.
+        Returns the number of samples within the limits, and the state after those.
         """
         base, *ramp = cubic
         start = [state[place] for place in self._kept]
@@ -205,7 +210,7 @@ class ClosedForm:
         return good, tuple(full)
 
     def _inside(self, made: Array) -> int:
-        """How many samples, from the first, keep to the limits."""
+        """Return how many samples, from the first, are within the limits."""
         good = int(made.shape[1])
         for row, limit in self._bounds:
             values = made[row, :good]
@@ -217,7 +222,7 @@ class ClosedForm:
 
 
 def _summed(terms: list[tuple[Array, float]], height: int, count: int) -> Array:
-    """The sum of arrays times their factors, one after the other."""
+    """Return the sum of arrays times their factors, in order."""
     made = np.zeros((height, count))
     one = np.empty((height, count))
     for array, factor in terms:
@@ -227,7 +232,7 @@ def _summed(terms: list[tuple[Array, float]], height: int, count: int) -> Array:
 
 
 def _after(onward: Array, factors: Array) -> Array:
-    """Factors of what a stretch begins with, for factors of what it goes on with."""
+    """Return the factors of a stretch's start, from those of its continuation."""
     made = np.zeros_like(factors)
     for row, each in zip(onward, factors, strict=True):
         made += row[:, None, None] * each
@@ -235,26 +240,26 @@ def _after(onward: Array, factors: Array) -> Array:
 
 
 def _product(a: Array, b: Array) -> Array:
-    """The matrix product, term by term."""
+    """Return the matrix product, term by term."""
     made: Array = (a[:, :, None] * b).sum(axis=1)
     return made
 
 
 class ClosedFormServo(Ahead):
-    """One axis under servo, seen before its time by its closed form."""
+    """One axis under servo, simulated ahead of time by its closed form."""
 
     _form_of: tuple[Loop, ClosedForm | None] | None = None
-    # The loop that was in charge last, and the sample from which it counts as one that stays.
+    # The loop last in control, and the sample from which it counts as permanent.
     _loop: Loop | None = None
     _stays = 0
 
     @property
     def short(self) -> int:
-        """Samples of the first block behind something that may be followed by something else."""
+        """Samples of the first block after a change that another may follow."""
         return SHORT if self._form(self._sample + _SHORT) is None else _SHORT
 
     def look(self, count: int) -> Array:
-        """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
+        """Run `count` samples and return a row for each of `SEEN`, in motor coordinates."""
         first, until = self._sample, self._sample + count
         form = self._form(until)
         if form is None:
@@ -274,9 +279,10 @@ class ClosedFormServo(Ahead):
         return made
 
     def _next_cubic(self, form: ClosedForm, until: int) -> tuple[Cubic | None, int, int]:
-        """The next cubic that is worth it, from which sample to which; None where there is none before `until`.
+        """The next worthwhile cubic, and its first and last sample; None before `until`.
 
-        How long a cubic is decides, not how much of it comes before `until`: so what is run again is run alike.
+        The complete length of a cubic decides, not its length up to `until`, so that repeated samples are
+        computed equally.
         """
         ratio, sample = self.loop.ratio, self._sample
         if self._state[_WAIT]:  # a closed form begins with a sample of the derivative
@@ -292,9 +298,9 @@ class ClosedFormServo(Ahead):
         return None, sample, sample
 
     def _glide(self, form: ClosedForm, cubic: Cubic, until: int, out: Array) -> None:
-        """Go along a cubic to sample `until` (not included)."""
+        """Run along a cubic to sample `until` (exclusive)."""
         first, patience, ratio = self._sample, _PATIENCE, self.loop.ratio
-        unit = 2 * form.unit  # two cycles on, the points before the first one are out of it
+        unit = 2 * form.unit  # two cycles on, the points before the first one have no effect
         while self._sample < until:
             done = self._sample - first
             count = min(until - self._sample, form.longest)
@@ -315,9 +321,9 @@ class ClosedFormServo(Ahead):
                 patience = min(2 * patience, _MOST_PATIENCE)
 
     def _form(self, until: int) -> ClosedForm | None:
-        """The closed form of the loop in charge; None where none of it comes before sample `until`.
+        """The closed form of the loop in control; None if none applies before `until`.
 
-        The first loop stays, one that comes later after a while: a torque that rises makes one a cycle.
+        The first loop is permanent at once, a later one after a while: a rising torque makes one per cycle.
         """
         loop = self._in_charge
         if loop is not self._loop:

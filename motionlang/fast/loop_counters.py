@@ -1,8 +1,8 @@
-"""Counters of a loop that polls: how many iterations may be skipped in which they only count.
+"""Counters of a polling loop: how many iterations that only count may be skipped.
 
 Replaces: running every iteration of a polling loop in which a variable counts and decides nothing.
 
-Hook: `Accelerators.counted`; `Site.skip` of mint/runtime/loop_skipping.py asks it where counters have moved.
+Hook: `Accelerators.counted`; `Site.skip` of mint/runtime/loop_skipping.py calls it if counters have moved.
 
 Gain: 10² to 10⁵ times for a loop that counts while it polls (`poll_counter` of benchmarks/poll.py).
 
@@ -21,7 +21,7 @@ LARGEST = 2147483647  # Integer
 
 
 def counted(counters: Sequence[float], steps: Sequence[float]) -> float:
-    """How many turns counters can count on before they leave whole numbers or those that an Integer can be."""
+    """How many iterations counters can advance before one is no integer in range."""
     if any(n != int(n) for n in (*counters, *steps)):
         return 0
     left = [(LARGEST - abs(n)) // abs(step) for n, step in zip(counters, steps, strict=True) if step]

@@ -1,23 +1,25 @@
-"""Fast-path moves: a move from rest to rest on an axis that nobody looks at is a tuple of numbers.
+"""Fast-path moves: an unobserved move from rest to rest is a tuple of numbers.
 
-Replaces: the `Move` in the buffer, the `Move` and its two profiles on the track, and the event of its end, which the
-engine makes for each move. Here a move in the buffer is an `Entry`, a started one a `Row` (log/plain_moves.py), in the
-log and beside the track of its axis, and the event is used again and again.
+Replaces: the `Move` in the buffer, the `Move` and its two profiles on the track, and the event of its end,
+which the engine makes for each move. Here a move in the buffer is an `Entry`, a started one a `Row`
+(log/plain_moves.py), in the log and alongside the track of its axis, and the event is reused.
 
-Hook: `Accelerators.axes` makes the axes of a controller. `GO` calls `start_loaded` before it looks at the buffer, and a
-language that loads moves again and again asks for a `loader`; both do nothing on an `Axis` of the engine.
+Hook: `Accelerators.axes` makes the axes of a controller. `GO` calls `start_loaded` before it reads the
+buffer, and a language that loads moves repeatedly requests a `loader`; both are no-ops on an `Axis` of the
+engine.
 
 Gain: a shift to its report 3.0 times, its run 3.8 times (`shift` and `shift_run` of benchmarks/shift.py).
 
-Held equal by: tests/fast/test_plain_moves.py with random programs that look at the axes at any moment;
+Held equal by: tests/fast/test_plain_moves.py with random programs that read the axes at any time;
 tests/log/test_interrupted.py ends a run at each line of this file.
 
-Whoever reads the move, the buffer, the arrival event or the track of the axis materialises them: the tuples become the
-`Move`, the profiles and the rests that the engine would have made at the time. So nothing else knows of fast-path
-moves. Whatever may make a move special (a motor, a follower, another shape, a limit or a watch on its way)
-has to be checked only as it begins: a change that comes later reads the move first. Watches say once how far the axis
-may go before it passes one (`Watches.free`), until they change. The end of such a move is no news while nobody listens
-for rest, so a wait that knows when its axes will be at rest is not asked again (`Scheduler.comes_to_rest`).
+A read of the move, the buffer, the arrival event or the track of the axis materialises them: the tuples
+become the `Move`, the profiles and the rests that the engine would have made at the time. So no other module
+knows of fast-path moves. Anything that makes a move special (a motor, a follower, another shape, a limit or a
+watch in its range) has to be checked only as it begins: a later change reads the move first. Watches report
+once how far the axis may move before it passes one (`Watches.free`), until they change. The end of such a
+move wakes no task while there is no listener for rest, so a wait that knows when its axes will be at rest is
+not checked again (`Scheduler.comes_to_rest`).
 """
 
 from __future__ import annotations
@@ -40,10 +42,10 @@ if TYPE_CHECKING:
     from motionlang.log.plain_moves import Entry, Row
     from motionlang.planners import Profile
 
-    # Distance, speed, acceleration and deceleration, and what comes of them: duration and recipe of the profile.
+    # Distance, speed, acceleration and deceleration, and their result: duration and recipe of the profile.
     Plan = tuple[float, float, float, float, tuple[float, tuple[float, ...]]]
 
-# A plan that is that of no move.
+# A plan that matches no move.
 _NO_PLAN: Plan = (float("nan"), 0.0, 0.0, 0.0, (0.0, ()))
 
 
@@ -68,21 +70,22 @@ class FastAxis(Axis):
     )
 
     def __init__(self, index: int) -> None:
-        # The move in the buffer, and those that were started since the track was last written; whether the last of them
-        # is in motion, until when it is or was, and the event of its end.
+        # The move in the buffer, and those that were started since the track was last written. True if the
+        # last of them is in motion, its end time, and the event of its end.
         self.loaded: Entry | None = None
         self.rows: list[Row] = []
         self.in_motion = False
         self.ends = 0.0
         self.bell: Event | None = None
-        # Of the last move, and of the one before: cycles go there and back.
+        # Of the last move, and of the one before: cycles alternate between two.
         self.plan = self.plan_before = _NO_PLAN
-        # While rows are written on the track: how long it was, the rows, and the move that others see of the last one.
+        # While rows are written on the track: its previous length, the rows, and the visible `Move` of the
+        # last one.
         self.writing: tuple[int, list[Row], Move | None] | None = None
         self.logged: Moves | None = None  # the log of moves, from the first loader on
         super().__init__(index)
 
-    # ------------------------------------------------------------------------------------- what materialises rows
+    # ------------------------------------------------------------------------------------- materialising rows
 
     @property
     def move(self) -> Move | None:
@@ -112,7 +115,7 @@ class FastAxis(Axis):
 
     @property
     def buffer(self) -> list[Move]:
-        """The moves that wait, the next one first."""
+        """The waiting moves, the next one first."""
         if self.in_motion:
             self._write()
         if self.loaded is not None:
@@ -126,7 +129,7 @@ class FastAxis(Axis):
 
     @property
     def starts(self) -> list[float]:
-        """When each of `profiles` began."""
+        """The start times of `profiles`."""
         if self.rows:
             self._write()
         return self._starts
@@ -147,13 +150,13 @@ class FastAxis(Axis):
         self._profiles = profiles
 
     def _write(self) -> None:
-        """Write the rows on the track; the one in motion becomes the `Move` that everybody sees."""
+        """Write the rows on the track; the one in motion becomes a visible `Move`."""
         rows = self.rows[:]
         self.writing = len(self._profiles), rows, move_of(rows[-1]) if self.in_motion else None
         self._go_on_writing()
 
     def _go_on_writing(self) -> None:
-        """Do what `writing` says; after an interrupt again, from its beginning."""
+        """Execute `writing`; after an interrupt again, from its beginning."""
         assert self.writing is not None
         first, rows, move = self.writing
         self._starts[first:], self._profiles[first:] = written(rows, move is not None)
@@ -169,7 +172,7 @@ class FastAxis(Axis):
         self.writing = None
 
     def keep_whole(self, now: float) -> None:
-        """After an interrupt: complete what was being written, and take back a move that is not in the log."""
+        """After an interrupt, complete partial writes and roll back an unlogged move."""
         if self.writing is not None:
             self._go_on_writing()
         row = self.rows[-1] if self.rows else None
@@ -179,46 +182,50 @@ class FastAxis(Axis):
             self.ends = self.rows[-1][1] + self.rows[-1][4] if self.rows else now
             self.present = None if self.rows else self._profiles[-1]
 
-    # --------------------------------------------------------------------------------- what rows answer themselves
+    # --------------------------------------------------------------------------------- answered from rows
 
     @property
     def moves(self) -> bool:
-        """Whether a move is in progress, for who asks for no more."""
+        """True if a move is in progress, for callers that need no more."""
         return self.in_motion or self._move is not None
 
     @property
     def stands(self) -> bool:
-        """Whether it is idle, or in a motion that rests as long as nobody else moves, such as following."""
+        """True if it is idle, or in a motion that rests unless another axis moves."""
         return not self.in_motion and super().stands
 
     def position(self, time: float) -> float:
-        """The demanded position at `time`; without a simulated motor, the actual one too."""
+        """The commanded position at `time`; without a simulated motor also the actual one."""
         if self.rows and not self.in_motion and time > self.ends:
             return self.rows[-1][3] + 0.0
         return super().position(time)
 
     def velocity(self, time: float) -> float:
-        """The demanded velocity at `time`, counts/s."""
+        """Return the commanded velocity at `time`, counts/s."""
         if self.rows and not self.in_motion and time > self.ends:
             return 0.0
         return super().velocity(time)
 
     def end_of_motion(self) -> float:
-        """The time at which the present profile is done: infinite while jogging."""
+        """Return the end time of the present profile: infinite while jogging."""
         return self.ends if self.rows else super().end_of_motion()
 
     def end_of_move(self) -> float:
-        """The time at which it will be idle if nothing else happens; -1 where it is."""
+        """Return the time at which it will be idle if nothing else happens; -1 if it is."""
         return self.ends if self.in_motion else -1.0 if self._move is None else self.end_of_motion()
 
     def idle_reader(self) -> Callable[[], bool]:
-        """The function that answers whether no move is in progress."""
+        """Return a function that is true if no move is in progress."""
         return lambda: not self.in_motion and self._move is None
 
-    # ----------------------------------------------------------------------------------- loading and starting moves
+    # ----------------------------------------------------------------------------------- loading and starting
+    # moves
 
     def loader(self, controller: Core, relative: bool, command: str) -> Loader:
-        """Load a move to a place or by a distance, user units, for a line; false where it must be a `Move`."""
+        """Return a fast loader of moves to a position or by a distance, user units.
+
+        It takes a line too, and returns false if the move must be a `Move`.
+        """
         braked, scale, axis = controller.braked, self.scale, self.index
         self.logged = controller.log.moves
 
@@ -252,7 +259,7 @@ class FastAxis(Axis):
         return load
 
     def start_loaded(self, controller: Core) -> bool:
-        """Start the move of `loader`; false where the buffer holds none, or the axis is not alone with it."""
+        """Start the move of `loader`; false without one, or with another entry."""
         entry = self.loaded
         if entry is None or (
             self._move is not None
@@ -319,7 +326,10 @@ class FastAxis(Axis):
         return True
 
     def _arrival_of(self, controller: Core) -> Callable[[], bool]:
-        """What is called at the end of each fast-path move; it answers whether that is no news."""
+        """Return the handler of the end of each fast-path move.
+
+        It returns true if it woke no task.
+        """
         clock, log, listeners = controller.clock, controller.log, controller.listeners
 
         def arrive() -> bool:
@@ -341,7 +351,10 @@ class FastAxis(Axis):
 
 
 def written(rows: list[Row], in_motion: bool) -> tuple[list[float], list[Profile]]:
-    """The starts and profiles of moves in a row, with the rests behind them; no rest behind one that is in motion."""
+    """Return the starts and profiles of moves in a row, with the rests after them.
+
+    There is no rest after one that is in motion.
+    """
     starts: list[float] = []
     profiles: list[Profile] = []
     for row in rows:

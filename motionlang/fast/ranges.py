@@ -1,19 +1,20 @@
-"""Interval analysis of one Mint function: what is known of its own variables wherever they are read.
+"""Interval analysis of one Mint function: the ranges of its own variables.
 
-Replaces: checks of values whose range is known, such as overflow of Integer and the bounds of an array. A For loop that
-only counts then runs in chunks (mint/compile/for_loops.py).
+Replaces: checks of values whose range is known, such as overflow of Integer and the bounds of an array. A For
+loop that only counts then runs in chunks (mint/compile/for_loops.py).
 
-Hook: `Accelerators.ranges`; the compiler calls it for each function and asks `Body.facts` for the range of a node.
+Hook: `Accelerators.ranges`; the compiler calls it for each function and reads the range of a node from
+`Body.facts`.
 
 Gain: For loops 2.5 to 3.6 times, While 1.25 times (benchmarks/loop.py). Compiling takes 27 % longer.
 
-Held equal by: tests/fast/test_range_analysis.py and tests/fast/test_for_loops.py, tests/generated/test_loops.py with
-generated programs.
+Held equal by: tests/fast/test_range_analysis.py and tests/fast/test_for_loops.py,
+tests/generated/test_loops.py with generated programs.
 
-An abstract run along the ways of the function with ranges in place of values. Where ways come together what is known
-of both is joined; where they lead back, bounds that keep moving jump to the next constant of the function, then to the
-ends of Integer and of the exact doubles. The result holds for every real run: what it leaves out (shared variables,
-arrays, by-reference) counts as unknown.
+An abstract run along the paths of the function with ranges in place of values. Where paths join, the ranges
+are joined. Where they lead back, bounds that keep moving jump to the next constant of the function, then to
+the ends of Integer and of the exact doubles. The result is valid for every real run: excluded values (shared
+variables, arrays, by-reference) count as unknown.
 """
 
 from __future__ import annotations
@@ -35,22 +36,22 @@ if TYPE_CHECKING:
 
     from motionlang.mint.resolve.flowgraph import Step
 
-    # The variable of a For, which way it counts ("" where that is not known), its limit and its step.
+    # The variable of a For, its direction ("" if not known), its limit and its step.
     Counter = tuple[Symbol, str, Range, Range]
 
 State = dict[Symbol, Range]
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
-# Turns of a loop after which only the coarse thresholds are left.
+# Iterations of a loop after which only the coarse thresholds remain.
 _PATIENCE = 24
 _COARSE = [-intervals.EXACT, intervals.INT_LOW, -1, 0, 1, intervals.INT_HIGH, intervals.EXACT]
 
 
 def analysed(function: Function) -> set[Symbol]:
-    """The variables that the analysis follows: plain numbers that nothing else can touch."""
+    """Return the variables that the analysis follows: unshared plain numbers."""
     if not (function.loops or function.jumps) or function.plain:
         return set()
     if function.jumps and function.graph.handlers:
-        return set()  # they may come between any two statements
+        return set()  # they may run between any two statements
     found = set()
     for symbol in (*function.scope.names.values(), *((function.result,) if function.result else ())):
         simple = symbol.kind == "variable" and not (symbol.shared or symbol.boxed or symbol.by_ref)
@@ -71,26 +72,29 @@ def ranges(function: Function) -> tuple[set[Symbol], dict[int, Range]]:
 
 
 class Flow:
-    """One analysis; `facts` holds, by `id` of a Name (or of a For, for its variable at Next), what is known there."""
+    """One analysis; `facts` has the range at a Name, or at the Next of a For, by `id`."""
 
     def __init__(self, function: Function, followed: set[Symbol]) -> None:
         self.function, self.followed = function, followed
         self.facts: dict[int, Range] = {}
         self._counters: dict[int, Counter] = {}
-        # Loops whose limit or step is another now than when they were followed last.
+        # Loops whose limit or step has changed since they were last followed.
         self._changed: set[int] = set()
-        # How often a way has led back to a step.
+        # How often a path has led back to a step.
         self._turns: dict[Step, int] = {}
         self._fine = sorted({*_COARSE, *_constants(function.body)})
 
     def run(self) -> dict[int, Range]:
-        """All facts of the function."""
+        """Return all facts of the function."""
         start: State = dict.fromkeys(self.followed, (0, 0, "i"))
         self.function.graph.forward(start, self._follow, self._met, start, dict)
         return self.facts
 
     def _met(self, old: State, new: State, step: Step, back: bool) -> State:
-        """What both say before a step; bounds move on by thresholds where a way leads back to it."""
+        """Return the join of two states before a step.
+
+        Bounds move on by thresholds where a path leads back to it.
+        """
         if back:
             turn = self._turns[step] = self._turns.get(step, 0) + 1
             met = _widened(old, new, self._fine if turn < _PATIENCE else _COARSE)
@@ -184,7 +188,7 @@ class Flow:
     # -------------------------------------------------------------------------------------- expressions
 
     def _followed(self, node: nodes.Expr) -> Symbol | None:
-        """The followed variable that a name stands for."""
+        """Return the followed variable that a name refers to."""
         if type(node) is not nodes.Name or node.args is not None:
             return None
         symbol = node.symbol
@@ -198,7 +202,7 @@ class Flow:
         return symbol if symbol in self.followed else None
 
     def _value(self, node: nodes.Expr, state: State) -> tuple[str, Range]:
-        """Type and range of an expression; notes what is known of each variable in it."""
+        """Type and range of an expression, and record the range of each variable in it."""
         follow = _VALUES.get(type(node))
         if follow is not None:
             return follow(self, node, state)
@@ -255,7 +259,7 @@ class Flow:
 
     def _binary(self, node: nodes.Binary, state: State) -> tuple[str, Range]:
         left = self._value(node.left, state)
-        # What follows And and Or is looked at only sometimes: what is known there holds all the same.
+        # The right side of And and Or is evaluated only sometimes; its facts are valid anyway.
         return _operated(node.op, left, self._value(node.right, state))
 
     def _chain(self, node: nodes.Chain, state: State) -> tuple[str, Range]:
@@ -265,7 +269,7 @@ class Flow:
         return found
 
     def _read_all(self, node: nodes.Node, state: State) -> None:
-        """Note what is known in every expression below a statement."""
+        """Record the ranges in every expression below a statement."""
         for slot in type(node).__slots__:
             child = getattr(node, slot)
             for each in child if child.__class__ is list else (child,):
@@ -277,7 +281,7 @@ class Flow:
     # ---------------------------------------------------------------------------------------- branching
 
     def _narrow(self, node: nodes.Expr, truth: bool, state: State | None) -> State | None:
-        """What is known where a condition is true, or false."""
+        """Return the state in which a condition is true, or false."""
         if state is None:
             return None
         if type(node) is nodes.Unary and node.op == "Not":
@@ -310,7 +314,7 @@ class Flow:
 
 
 def _operated(op: str, one: tuple[str, Range], other: tuple[str, Range]) -> tuple[str, Range]:
-    """Type and range of an operation on two sides."""
+    """Return type and range of an operation on two sides."""
     (left_type, left), (right_type, right) = one, other
     integer = left_type == INTEGER and right_type == INTEGER
     kind = INTEGER if integer else FLOAT
@@ -330,7 +334,7 @@ def _operated(op: str, one: tuple[str, Range], other: tuple[str, Range]) -> tupl
     return INTEGER, intervals.INTEGER
 
 
-# None is what reads nothing; what is not named here, everything below it.
+# None reads nothing; a type that is not listed reads everything below it.
 _STATEMENTS: dict[type, Callable[..., None] | None] = {
     nodes.Assign: Flow._assign,
     nodes.Dim: Flow._dim,
@@ -353,24 +357,26 @@ _VALUES: dict[type, Callable[..., tuple[str, Range]]] = {
 
 
 def _result(op: str, integer: bool, a: Range, b: Range) -> Range:
-    """As `ranges.arithmetic`; the compiler may know more than this analysis, so a Float that would have to be made a
-    float here may still be an int there."""
+    """Return the range of `ranges.arithmetic`, for a compiler that may know more.
+
+    A Float that would have to be made a float here may still be an int there.
+    """
     known, how = intervals.arithmetic(op, integer, a, b)
     return intervals.ANY if how == intervals.COERCED else known
 
 
 def _held(symbol: Symbol, known: Range) -> Range:
-    """What a variable holds after it was given a value."""
+    """Return the range of a variable after an assignment."""
     return intervals.to_integer(known) if symbol.type.name == INTEGER else known
 
 
 def _join(a: State, b: State) -> State:
-    """What both say; `a` itself where that is nothing new."""
+    """Return the join of two states; `a` itself if it contains `b`."""
     return _moved(a, [(symbol, intervals.join(known, b[symbol])) for symbol, known in _unlike(a, b)])
 
 
 def _widened(old: State, new: State, thresholds: list[int]) -> State:
-    """The same with bounds that move on by thresholds."""
+    """Return the join with bounds that move on by thresholds."""
     return _moved(
         old,
         [(symbol, intervals.widen(known, new[symbol], thresholds)) for symbol, known in _unlike(old, new)],
@@ -378,18 +384,21 @@ def _widened(old: State, new: State, thresholds: list[int]) -> State:
 
 
 def _unlike(a: State, b: State) -> Iterable[tuple[Symbol, Range]]:
-    """What `a` says otherwise than `b`: all states say something of the same variables, in the same order."""
+    """Yield the differences of `a` from `b`.
+
+    All states have the same variables, in the same order.
+    """
     return compress(a.items(), map(is_not, a.values(), b.values()))
 
 
 def _moved(state: State, moves: list[tuple[Symbol, Range]]) -> State:
-    """A state with other ranges, itself where they are none."""
+    """Return a state with changed ranges; itself if there are no changes."""
     moved = {symbol: known for symbol, known in moves if known != state[symbol]}
     return state | moved if moved else state
 
 
 def _constants(body: Iterable[object]) -> set[int]:
-    """The whole numbers that occur in a function, and their neighbours: where bounds settle."""
+    """Return the integers of a function, and their neighbours: where bounds settle."""
     found: set[int] = set()
     for node in walk(body):
         known: object = None

@@ -1,26 +1,27 @@
-"""Tasks that poll side by side: when their joint state repeats, execution is periodic and whole periods are skipped.
+"""Skipping of periods when the joint state of polling tasks repeats.
 
 Replaces: running every iteration of tasks none of which does more than poll and wait.
 
-Hook: `Accelerators.scheduler`; `TimeSlices.slice_over` calls it after each time slice of a task that has only polled.
+Hook: `Accelerators.scheduler`; `TimeSlices.slice_over` calls it after each time slice of a task that has only
+polled.
 
-Gain: 32 tasks that poll take no longer for hours than for seconds, 10² to 10⁵ times (`poll_32_tasks_reading` of
-benchmarks/poll.py).
+Gain: 32 tasks that poll take no longer for hours than for seconds, 10² to 10⁵ times (`poll_32_tasks_reading`
+of benchmarks/poll.py).
 
 Held equal by: tests/fast/test_recurrence.py, tests/generated/test_tasks.py with generated tasks.
 
-A joint state is all that decides what the tasks do next:
+A joint state is everything that decides the next actions of the tasks:
 
-* of each task where it is in its code, its local variables and what is left of its wait (`Task.state`),
-* the variables that tasks share, and the counters of what they did to anything else (`Shared.state`),
-* whose time slice is next, and the events so far.
+* of each task its position in the code, its local variables and the rest of its wait (`Task.state`),
+* the variables that tasks share, and the counters of their other actions (`Shared.state`),
+* the task of the next time slice, and the events so far.
 
-Readings are part of it through their dependencies. `Attention.read` collects those of all tasks since the first state
-was remembered. The period repeats until the first moment at which one of them may change, an event happens, or a wait
-that is no part of the period ends. So a state that is met again is proof of a period, whatever the tasks are doing.
+Readings are included by their dependencies. `Attention.read` collects those of all tasks since the first
+state was stored. The period repeats until the first time at which one of them may change, an event happens,
+or a wait outside the period ends. So a state that recurs proves a period, whatever the tasks are doing.
 
-What tasks did is compared first, so that nothing is remembered while they act. States are small: contents are replaced
-by numbers, and a task that has not run since keeps its number.
+The actions of tasks are compared first, so that nothing is stored while they act. States are small: contents
+are replaced by numbers, and a task that has not run since keeps its number.
 """
 
 from __future__ import annotations
@@ -41,22 +42,22 @@ if TYPE_CHECKING:
     # When a state was met: the time, and the base and the count of the statement time.
     Met = tuple[float, float, float]
 
-# Waits that are so many times as long as the shortest one are also taken as what ends a short period, and all waits
-# where a task polls without one.
+# Waits that are this many times as long as the shortest one may also end a short period, and so may all waits
+# if a task polls without one.
 LONGER = 4.0
-# So many states, and contents of so many bytes, are remembered; then all are forgotten.
+# Up to this many states, and contents of this many bytes, are stored; then all are dropped.
 MAX_STATES = 20_000
 MAX_BYTES = 10_000_000
 
 
 class Recurrence:
-    """The joint states since the tasks began to do no more than poll and wait."""
+    """The joint states since the tasks began to only poll and wait."""
 
     def __init__(self, machine: Controller | Machine, pace: Callable[[float], None] | None) -> None:
         self._clock, self._pace = machine.clock, pace
         self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
         cost_units = self._statements.cost * UNITS
-        # What a statement costs in units, 0 where that is no whole number of them.
+        # The duration of a statement in units, 0 if that is no integer.
         self._cost_units = round(cost_units) if abs(cost_units - round(cost_units)) < 1e-6 else 0
         self._shared: Shared | None = None
         self._since: object = None
@@ -69,17 +70,20 @@ class Recurrence:
         self._alive: dict[int, object] = {}
 
     def forget(self) -> None:
-        """The tasks no longer do no more than poll and wait."""
+        """Drop all states, because a task did more than poll and wait."""
         if self._shared is not None:
             self._shared.attention.read = None
             self._since = self._shared = None
 
     def has_run(self, task: Task) -> None:
-        """`task` may stand elsewhere by now."""
+        """Invalidate the position of a task that has run."""
         self._states.pop(task, None)
 
     def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:
-        """After a time slice: skip as many whole periods as fit before anything can change, if a period is known."""
+        """Skip as many complete periods as fit before a change, if a period is known.
+
+        This is called after a time slice.
+        """
         shared = tasks[0].shared
         unknown = any(task.wait is None and task.look is None for task in tasks)
         if shared is None or unknown or self._statements.reached != self._clock.now:
@@ -111,14 +115,14 @@ class Recurrence:
                 return
 
     def _begin(self, since: object, shared: Shared) -> None:
-        """Remember no state from before this moment."""
+        """Drop all states from before now."""
         self._since, self._shared = since, shared
         self._read = shared.attention.read = set()
         self._met, self._numbers, self._bytes = {}, {}, 0
         self._states, self._alive = {}, {}
 
     def _number(self, contents: bytes) -> int:
-        """The number that stands for some contents."""
+        """Return the number of some contents."""
         number = self._numbers.get(contents)
         if number is None:
             number = self._numbers[contents] = len(self._numbers)
@@ -126,7 +130,7 @@ class Recurrence:
         return number
 
     def _skips(self, tasks: list[Task], others: list[Wait], state: tuple[float, ...], until: float) -> bool:
-        """Whether whole periods of `tasks` were skipped, during which `others` last."""
+        """Skip periods of `tasks` during which `others` wait; True if there were any."""
         clock, statements = self._clock, self._statements
         now, base, count = clock.now, statements.base, statements.count
         waits = [task.wait for task in tasks if isinstance(task.wait, Delay)]
@@ -145,7 +149,7 @@ class Recurrence:
         shared = self._shared
         assert shared is not None
         level = shared.attention.until(before[0] - CLOSE, self._read) - CLOSE
-        if level <= now:  # something that was read has changed, and the next period may be another one
+        if level <= now:  # a reading has changed, and the next period may differ
             self._begin(self._since, shared)
             return False
         if any(wait.ready() for wait in others):
@@ -172,9 +176,10 @@ class Recurrence:
         return True
 
     def _shift(self, before: Met, wait: bool) -> int | None:
-        """How much later, in units, waits end period by period; None where a period is not the same to the last bit.
+        """Return how much later, in units, waits end period by period.
 
-        It is where statements count on from the same moment or as far from another one, of which each is a whole unit.
+        None if periods are not equal to the last bit. They are if statements continue their count from the
+        same time, or equally far from another one, each of which is a whole unit.
         """
         base, count = self._statements.base, self._statements.count
         if base == before[1]:
@@ -189,7 +194,7 @@ def _is_whole(moment: float) -> bool:
 
 
 def _lasts(wait: Wait | None) -> float:
-    """How long a wait takes; infinite where it is not known."""
+    """Return the duration of a wait; infinite if it is not known."""
     if wait is None:
         return 0.0
     return wait.length if isinstance(wait, Delay) else INFINITY

@@ -1,12 +1,13 @@
-"""Time slices of tasks that wait, found without asking each task.
+"""Time slices of tasks that wait, found without checking each task.
 
-Replaces: the round of `Scheduler` in which every task is asked whether its wait is over. `idle_round` lets tasks that
-wait for a time or for motion to end go on one after the other, each found in one look at when the waits end.
-`passes_in_turn` lets a wait pass where it stands if its task is the next to go on anyway. Whatever else happens (two
-tasks at one moment, an event in between, a wait for a condition) is left to the scheduler.
+Replaces: the round of `Scheduler` in which every task is checked for the end of its wait. `idle_round`
+resumes tasks that wait for a time or for motion to end one after the other, each found in one pass over the
+ends of the waits. `passes_in_turn` lets a wait pass without a switch if its task is the next to continue
+anyway. All other cases (two tasks at one time, an event in between, a wait for a condition) are left to the
+scheduler.
 
-Hook: `Accelerators.scheduler`. The run loop of `Scheduler` calls `idle_round` while all tasks may be waiting; a WAIT or
-PAUSE of Mint calls `passes_in_turn`. After each time slice `slice_over` calls `recurrence.py`.
+Hook: `Accelerators.scheduler`. The run loop of `Scheduler` calls `idle_round` while all tasks may be waiting;
+a WAIT or PAUSE of Mint calls `passes_in_turn`. After each time slice `slice_over` calls `recurrence.py`.
 
 Gain: four tasks 1.8 to 2.0 times (`shift_four_tasks` of benchmarks/shift.py).
 
@@ -46,26 +47,26 @@ class TimeSlices(Scheduler):
     ) -> None:
         super().__init__(machine, parent, pace, outside)
         self.next_turn = -INFINITY
-        # How many time slices in a row have brought nothing about, and what finds the period of such.
+        # The number of successive time slices without an action, and the search for their period.
         self._calm = 0
         self._recurrence: Recurrence | None = None
-        # The waits of all tasks, None for the one that runs; when each goes on at the latest, and when if nothing but
-        # what is expected happens; the places of those that wait for motion to end; and what they are called.
+        # The waits of all tasks, None for the running one; the latest and the expected end of each; the
+        # source positions of those that wait for motion to end; and their names.
         self._known: list[Any] = []
         self._surely: list[float] = []
         self._ends: list[float] = []
         self._resting: set[int] = set()
         self._names: list[tuple[str]] = []
-        # The place of the task that runs, the next event, and how many have gone on.
+        # The index of the running task, the next event, and how many tasks have continued.
         self._place = 0
         self._event = INFINITY
         self._went = 0
 
     def idle_round(self, until: float) -> bool:
-        """Where all wait for a time or for motion to end, let them go on one after the other, each found in one look.
+        """Resume tasks one after the other while all wait for a time or for motion to end.
 
-        So it goes up to the moment at which that takes more: as two can go on, something else happens before, somebody
-        does not wait, or waits for what cannot be told. False where nobody went on.
+        It stops at the time of a more complex case: two tasks can continue, an event comes first, a task does
+        not wait, or its wait is unpredictable. False if no task continued.
         """
         if self._left:
             return False
@@ -103,7 +104,8 @@ class TimeSlices(Scheduler):
                 self.current, self._alone, last = found, place == last, place
                 self._turn, self._place, found.wait, known[place] = place + 1, place, None, None
                 waits(found.waited(wait, first))
-                # Where a statement meets the moment at which another goes on, rounding does not decide who comes first.
+                # If a statement coincides with the time at which another task continues, rounding does not
+                # decide the order.
                 due = (min(surely) if resting else second) - 0.5 * ROUNDING
                 self.next_turn = second
                 went += 1
@@ -151,7 +153,7 @@ class TimeSlices(Scheduler):
         self._leave(task, self._event, time, True)
 
     def slice_over(self, task: Task) -> None:
-        """If all tasks only poll or wait and their joint state recurs, skip to what may change it."""
+        """If all tasks only poll or wait and their state recurs, skip to the next event."""
         recurrence = self._recurrence
         if task.look is None or task.busy or task.done or self.interrupts or self.outside is not None:
             self._calm = 0
@@ -163,22 +165,22 @@ class TimeSlices(Scheduler):
         if recurrence is not None:
             recurrence.has_run(task)
         if self._calm < count or (self._calm % count and not self._waiting):
-            return  # some have not polled yet; if none waits, one comparison a round finds as much
+            return  # some have not polled yet; if none waits, one comparison per round finds as much
         if recurrence is None:
             from motionlang.fast.recurrence import Recurrence
 
             recurrence = self._recurrence = Recurrence(self.machine, self.pace)
         elif self._calm == count:
-            recurrence.forget()  # tasks may have run since it was last asked
+            recurrence.forget()  # tasks may have run since the last call
         recurrence.leap(self.tasks, self._turn, self.until)
 
     def stir(self) -> None:
-        """What is known of the waits no longer holds."""
+        """Invalidate the known ends of the waits."""
         super().stir()
         self.next_turn, self._known = -INFINITY, []
 
     def _horizon(self, task: Task, now: float, due: float) -> float:
-        """How far a task may go that wakes now: another one goes on at `due`."""
+        """Return how far a task that wakes now may run, if another continues at `due`."""
         turn, clock, until = task.turn, self.clock, self.until
         self._end = horizon = now + (turn if turn < TURN else TURN)
         event = clock.horizon
@@ -190,9 +192,10 @@ class TimeSlices(Scheduler):
         return due if due < horizon else horizon
 
     def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
-        """The same for one of several tasks, while they wake in turn: how far it may then go, 0.0 where it gives way.
+        """Let a wait of one of several tasks pass, if they wake in turn.
 
-        `by_bell`: its end is an event, of which nobody else hears.
+        Returns how far it may then run, 0.0 if it yields. With `by_bell` its end is an event that wakes no
+        other task.
         """
         clock, known, ends, surely = self.clock, self._known, self._ends, self._surely
         if self.interrupts:
