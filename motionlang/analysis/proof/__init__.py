@@ -1,1 +1,1 @@
-"""The proof of a run: checks its motion against what the program commanded, without the planners."""
+"""The proof of a run: checks its motion against the commands, without planners."""

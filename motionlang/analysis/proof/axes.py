@@ -1,4 +1,4 @@
-"""Checks single axes: bounds and times of what was planned from their settings."""
+"""Checks of single axes: bounds and times of motion planned from their settings."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from motionlang.log.track import WholeTrack
     from motionlang.planners import Profile
 
-# Kinds that are planned from the settings of the axis, and so keep its rates.
+# Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})
-# Places of a span at which two motions are compared: two cubics that agree at four of them are one.
+# Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
 def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bool, length: float) -> None:
-    """Speed, rates, jerk and time of what was planned from the settings of the axis; continuity of all in pieces.
+    """Check a profile planned from the settings, and the continuity of all pieces.
 
-    A profile that was `shifted` is the one before at a new zero.
+    The bounds are speed, rates, jerk and time. A profile that was `shifted` is the one before at a new zero.
     """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
@@ -40,7 +40,7 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
     _judge_knots(proof, a, i, order, parts)
     if order.kind not in PLANNED:
         return
-    # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
+    # An axis that begins too fast, or with too much acceleration, is excused until it has slowed down.
     begun = begin(a, i, order, shifted)
     slow = _slowing(profile, order, begun)
     still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
@@ -53,9 +53,9 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
         for power, left, right in sides:
             side = 0 if power > 0.0 else 1
             rate, jerk = order.rates[side], order.jerks[side]
-            if max(abs(left[1]), abs(right[1])) <= still:  # at rest but for rounding
+            if max(abs(left[1]), abs(right[1])) <= still:  # at rest within rounding
                 rate = max(order.rates)
-            if len(sides) > 1:  # what turns round eases out at the jerk that it came with
+            if len(sides) > 1:  # a motion that reverses eases out at the jerk that it began with
                 jerk = max(order.jerks)
             name = ("acceleration", "deceleration")[side]
             uses.look(
@@ -75,9 +75,10 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
 
 
 def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
-    """What was planned takes as long as its bounds ask for, from whatever state it begins with, and ends as ordered.
+    """Check that a planned profile takes as long as its bounds require, and its end.
 
-    `size` is the position at which it begins, at the zero before it or its own, whichever is farther away.
+    This applies from any initial state. `size` is the position at which it begins, at the zero before it or
+    its own, whichever is farther away.
     """
     by = law(order.shape, order.rates, order.jerks, order.ramp)
     v0, a0 = begun.velocity, begun.acceleration
@@ -94,7 +95,7 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
             words = f"it comes to {profile.end_velocity:g} counts/s, ordered is {order.goal:g}"
             proof.breaks(order.line, f"{where}: {words}")
     least, most = least + begun.time, most + begun.time
-    if begun.left is not None:  # it may go on as it was planned to
+    if begun.left is not None:  # it may continue as planned
         least, most = min(least, begun.left), max(most, begun.left)
     slack = 1e-9 + 4e-16 * abs(profile.start)
     if took > most * (1.0 + SLACK) + slack:
@@ -104,16 +105,19 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
 
 
 def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
-    """The distance of a move behind the flank that it begins with, and the seconds that a stepper saves.
+    """The distance of a move after its initial flank, and the stepper's saving, s.
 
-    It stops at once at the velocity of its step, as if it came to rest so much later and farther on.
+    A stepper stops at once at the velocity of its step, as if it came to rest that much later and farther on.
     """
     late = order.step / order.rates[1]
     return profile.distance + copysign(0.5 * order.step * late, profile.distance) - begun.way, late
 
 
 def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
-    """How it comes to its speed; without the room to do so and to stop, to a higher one."""
+    """Return how it reaches its speed.
+
+    If the distance does not suffice for this and a stop, it is a higher speed.
+    """
     by = law(order.shape, order.rates, order.jerks, order.ramp)
     v0, a0, speed = begun.velocity, begun.acceleration, order.speed
     if order.kind in ("move", "step") and isfinite(profile.duration):
@@ -127,7 +131,7 @@ def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
 
 
 def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
-    """A profile begins and ends where its pieces do: what it says of its ends is what joins are compared by."""
+    """Check that a profile begins and ends like its pieces, as joins depend on it."""
     profile = a.profiles[i]
     duration = profile.duration
     if not isfinite(duration) or not duration:
@@ -135,7 +139,7 @@ def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     if profile.pieced:
         first, speed = derivatives(profile.pieces[0], 0.0)[:2]
         last = derivatives(profile.pieces[-1], profile.knots[-1] - profile.knots[-2])[0]
-    else:  # a moment before its end
+    else:  # just before its end
         early = 1e-9 * duration
         state = profile.at(duration - early)
         first, last, speed = profile.at(0.0).position, state.position + early * state.velocity, state.velocity
@@ -148,13 +152,14 @@ def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
 
 
 def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:
-    """Position goes on from piece to piece; the velocity of planned motion too, and the acceleration of S-ramps."""
+    """Check continuity of pieces: position, planned velocity, S-ramp acceleration."""
     profile = a.profiles[i]
     names = ("position", "velocity", "acceleration")[
         : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends and profile.shape != "blend" else 2
     ]
     sizes = [max(1.0, abs(profile.start))]
-    # A ramp between velocities that differ by their rounding takes no time, whatever its rate: what it changes counts.
+    # A ramp between velocities that differ by rounding takes no time, whatever its rate: its change of
+    # velocity counts.
     if not parts:
         return
     left, changed = parts[0], [0.0, 0.0, 0.0]

@@ -1,6 +1,7 @@
-"""Checks paths that overlap: two at most, each within its own bounds, and the axes do the sum of both.
+"""Checks of overlapping paths: at most two, each within its bounds, and their sum.
 
-So the sum keeps the bounds that the program has set for both. A stop, an override or a limit acts on each of them.
+So the sum observes the bounds that the program has set for both. A stop, an override or a limit acts on each
+of them.
 """
 
 from __future__ import annotations
@@ -25,14 +26,14 @@ if TYPE_CHECKING:
 MAX_OVERLAP = 2
 # The largest share of a path that another one may overlap.
 MAX_SHARE = 0.5
-# Seconds of a path that are looked at to find the place where it is.
+# Seconds of a path that are searched for its position.
 MOMENT = 1e-6
-# The parts of a profile at which the velocities of its paths are added up.
+# The fractions of a profile at which the velocities of its paths are added.
 SHARES = (0.0, 0.35, 0.65, 0.95)
 
 
 def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
-    """The paths that the path of a profile is blended with, while that is in force."""
+    """Check the paths blended with a profile's path, while the profile is in force."""
     path, begin = order.path, master.starts[i]
     assert path is not None
     if begin == path.begun:
@@ -58,10 +59,13 @@ def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
 
 
 def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:
-    """A path begins at its distance before the end of the one before it, as soon as what it waits for is there."""
+    """Check that a path begins at its distance before the end of the one before it.
+
+    It begins as soon as everything it waits for is there.
+    """
     path, begin = order.path, master.starts[i]
     assert path is not None
-    while i > 0 and master.starts[i] == begin:  # a path that has come to its end stands there for no time
+    while i > 0 and master.starts[i] == begin:  # a path that has ended takes no time at its end
         i -= 1
     earlier = path.tails[-1].path if path.tails else run.orders.of[master.index][i].path
     if earlier is None or earlier.members != path.members or earlier.rests or earlier.entry == path.entry:
@@ -72,7 +76,7 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     if not path.tails and any(
         run.path_before(each) is not before for each, before in _pairs(run, path, moves)
     ):
-        return  # another path of one of its axes has come between them
+        return  # another path of one of its axes is in between
     way = Way(earlier, [move.profile.start for move in moves if move.profile is not None])
     profiles = [(move.profile, begin - move.start_time) for move in moves if move.profile is not None]
     left, speed = _left(way, profiles)
@@ -83,7 +87,7 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
         for number in path.members
         for each in run.orders.prompted(number, _planned(run, moves[0]) + late, begin + late)
     ]
-    # A blend that is planned by then keeps the distance that was in force, and paths that are joined stay so.
+    # A blend that is planned by then keeps the distance that was in force, and joined paths stay joined.
     if left is None or any(word in ("blend_mode", "blend_distance") for _, word in prompts):
         return
     where = f"path from {begin:.6f} s"
@@ -99,12 +103,12 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
 
 
 def _pairs(run: Run, path: PathOrder, moves: Sequence[Move]) -> Iterator[tuple[Move, Move]]:
-    """The entries of a path, each with that of the path before it."""
+    """Yield the entries of a path, each with that of the path before it."""
     return zip(run.members(path), moves, strict=False)
 
 
 def _planned(run: Run, move: Move) -> float:
-    """When the run of joined paths to which an entry belongs began: it has been planned as one from then on."""
+    """Return when the run of joined paths of an entry began, and was planned as one."""
     while (before := run.path_before(move)) is not None and before.profile is not None:
         end = before.start_time + before.profile.duration
         stands = not before.profile.velocity(before.profile.duration)
@@ -115,7 +119,7 @@ def _planned(run: Run, move: Move) -> float:
 
 
 def _left(way: Way, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
-    """How far a path is before its end, None where nothing says so, and its speed along it."""
+    """The remaining distance of a path, None if unknown, and its speed along it."""
     parts = [
         (end - profile.position(time), profile.velocity(time), end - start, abs(k))
         for (profile, time), start, end, k in zip(
@@ -131,7 +135,10 @@ def _left(way: Way, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | 
 
 
 def _causes(run: Run, before: Move, prompts: Sequence[tuple[float, str]], begin: float) -> Iterator[float]:
-    """The times at which a path may begin late: of a prompt, and of the end of a path that the one before is on."""
+    """Yield the times at which a path may begin late.
+
+    They are those of a prompt, and of the end of a path that the one before is blended with.
+    """
     yield from (time for time, _ in prompts)
     entries = run.paths[before.axis]
     k = bisect_left(entries, begin, key=lambda move: move.start_time) - 1

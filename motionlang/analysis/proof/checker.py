@@ -1,4 +1,4 @@
-"""What a proof notes, and what it looks things up in."""
+"""The results of a proof, and its lookups."""
 
 from __future__ import annotations
 
@@ -17,15 +17,18 @@ if TYPE_CHECKING:
     from motionlang.log.order import Order, PathOrder
     from motionlang.log.orders import Orders
 
-# A part of the largest figure that rounding may be worth.
+# The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6
-# By how much of itself an end may be late, which is a beginning and a time added up.
+# The relative error of an end, which is the sum of a beginning and a time.
 ROUNDED = 4e-16
 
 
 class Proof:
-    """What was proved: `counts` of things looked at, the `worst` use of each bound (1.0: all of it), `exceptions` that
-    the program has ordered by name, and `violations`, each a diagnostic at its line."""
+    """The results of a proof.
+
+    `counts` of checked items, the `worst` use of each bound (1.0: all of it), `exceptions` that the program
+    has commanded by name, and `violations`, each a diagnostic at its line.
+    """
 
     def __init__(self) -> None:
         self.counts = {"moves": 0, "profiles": 0, "joins": 0, "paths": 0}
@@ -35,11 +38,11 @@ class Proof:
 
     @property
     def holds(self) -> bool:
-        """Whether nothing was broken."""
+        """True if there is no violation."""
         return not self.violations
 
     def lines(self) -> list[str]:
-        """The same for a person."""
+        """Return the results as lines of text."""
         looked = ", ".join(f"{name} {count}" for name, count in self.counts.items())
         found = [
             f"proof: {looked}; {len(self.violations) or 'no'} violation{'s'[: len(self.violations) != 1]}"
@@ -49,15 +52,15 @@ class Proof:
         return found
 
     def breaks(self, line: int, message: str) -> None:
-        """Something is broken."""
+        """Record a violation."""
         self.violations.append(Diagnostic("proof", message, line))
 
     def excuses(self, name: str) -> None:
-        """Something would be broken if the program had not ordered it."""
+        """Record a violation that the program has commanded."""
         self.exceptions[name] = self.exceptions.get(name, 0) + 1
 
     def uses(self, name: str, figure: float, bound: float) -> bool:
-        """Note how much of a bound is used; whether it is kept."""
+        """Record the fraction of a bound that is used; True if it is observed."""
         if bound == inf:
             return True
         share = figure / bound if bound else (0.0 if figure <= SLACK else inf)
@@ -69,7 +72,7 @@ class Proof:
 
 
 class Uses:
-    """The bounds of one profile, of which each that is broken is told once, with its largest figure."""
+    """The bounds of one profile; each violation is reported once, at its worst."""
 
     __slots__ = ("_broken", "_proof")
 
@@ -78,25 +81,28 @@ class Uses:
         self._broken: dict[str, tuple[float, float]] = {}
 
     def look(self, name: str, figure: float, bound: float) -> None:
-        """A figure beside its bound; what stands behind "of" in the name is left out of the figures of the whole."""
+        """Compare a figure with its bound.
+
+        The text after "of" in the name is omitted from the totals.
+        """
         if not self._proof.uses(name.split(" of axis")[0], figure, bound):
             self._broken[name] = max(self._broken.get(name, (0.0, bound)), (figure, bound))
 
     def tell(self, line: int, where: str, unit: str) -> None:
-        """Tell of what is broken."""
+        """Report the violations."""
         for name, (figure, bound) in self._broken.items():
             self._proof.breaks(line, f"{where}: the {name} reaches {figure:g}{unit}, above {bound:g}")
 
 
 class Offsets:
-    """The entries of one axis that lie on top of its following, in the order of their beginnings."""
+    """The entries of one axis superposed on its following, by start time."""
 
     __slots__ = ("_ends", "_moves", "_starts", "_sums")
 
     def __init__(self) -> None:
         self._moves: list[Move] = []
         self._starts: list[float] = []
-        # Up to each entry, that not included: the latest end, and how far all of them have gone by then.
+        # For each index: the latest end of the entries before it, and their total distance by then.
         self._ends: list[float] = []
         self._sums = [0.0]
 
@@ -112,21 +118,21 @@ class Offsets:
         self._sums.append(self._sums[-1] + (profile.distance if isfinite(profile.duration) else 0.0))
 
     def gone(self, time: float) -> float:
-        """How far all of them have gone at a time."""
+        """Return the distance of all of them at a time."""
         in_force, over = self._in_force(time)
         return fsum((self._sums[over], *(gone(move, time)[0] for move in in_force)))
 
     def moves_at(self, time: float) -> bool:
-        """Whether one of them is under way."""
+        """True if one of them is in progress."""
         return bool(self._in_force(time)[0])
 
     def begin_at(self, time: float) -> bool:
-        """Whether one of them begins at a time."""
+        """True if one of them begins at a time."""
         k = bisect_left(self._starts, time)
         return k < len(self._starts) and self._starts[k] == time
 
     def _in_force(self, time: float) -> tuple[list[Move], int]:
-        """Those under way at a time, and the number of entries before them."""
+        """Return those in progress at a time, and the number of entries before them."""
         k, found = bisect_right(self._starts, time), []
         while k > 0 and self._ends[k - 1] > time:
             k -= 1
@@ -135,25 +141,25 @@ class Offsets:
 
 
 class Run:
-    """What a run left behind: the tracks of its axes, its log, what was ordered, and when it ended."""
+    """The records of a run: tracks of its axes, log, orders, and its end time."""
 
     def __init__(
         self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: Orders, until: float
     ) -> None:
         self.axes, self.orders, self.until = axes, orders, until
-        # A log makes its entries anew each time it is read; those of paths and offsets, by number, are kept.
+        # A log creates its entries on each read; those of paths and offsets, by number, are cached.
         self._log = moves
         self._kept: dict[int, Move] = {}
-        # The entries of paths by axis, beginning and number, as the orders name them; and in a row.
+        # The entries of paths by axis, beginning and number, as the orders refer to them; and as a list.
         self.entries: dict[tuple[int, float, int], Move] = {}
         self.paths: dict[int, list[Move]] = {}
-        # Of each entry of a path its number in that row; and by axis the latest end of any entry up to each.
+        # The index of each path entry in that list; and by axis the latest end of any entry up to each.
         self._numbers: dict[int, int] = {}
-        # Of each entry of a path the number in the log of the entry before it on its axis, whatever that is.
+        # For each path entry the log number of the entry before it on its axis, of any kind.
         self._previous: dict[int, int] = {}
         self._ends: dict[int, list[float]] = {}
         self.offsets: dict[int, Offsets] = {}
-        # By axis the last offset that was judged, and how far it is to go.
+        # By axis the last offset that was checked, and its distance.
         self.offset_goals: dict[int, tuple[Move, float]] = {}
         self._begins: dict[int, list[float]] = {}
         self._order_of: dict[int, Order] = {}
@@ -179,7 +185,7 @@ class Run:
                 self._previous[id(move)] = previous
 
     def _add_path(self, move: Move) -> None:
-        """Put an entry of a path into the row of its axis."""
+        """Add a path entry to the list of its axis."""
         entries, ends = self.paths.setdefault(move.axis, []), self._ends.setdefault(move.axis, [])
         end = move.start_time + (move.profile.duration if move.profile is not None else 0.0)
         self._numbers[id(move)] = len(entries)
@@ -188,37 +194,37 @@ class Run:
 
     @property
     def moves(self) -> Iterator[Move]:
-        """The entries of the log in their order."""
+        """The entries of the log in order."""
         for number, move in enumerate(self._log):
             yield self._kept.get(number, move)
 
     def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
-        """When a profile of a track was in force."""
+        """Return when a profile of a track was in force."""
         begin = a.starts[i]
         if i + 1 < len(a.starts):
             return begin, a.starts[i + 1]
         return begin, min(self.until, begin + a.profiles[i].duration)
 
     def track(self, a: Axis) -> WholeTrack:
-        """The whole motion of a master, an axis or an encoder."""
+        """Return the complete motion of a master, an axis or an encoder."""
         found = self._tracks.get(id(a))
         if found is None:
             found = self._tracks[id(a)] = WholeTrack(a)
         return found
 
     def order_of(self, move: Move) -> Order:
-        """What holds for an entry of the log when it begins."""
+        """Return the order in force when an entry of the log begins."""
         found = self._order_of.get(id(move))
         if found is None:
             a, records = self.axes[move.axis], self.orders.of[move.axis]
             i = a.place(move.start_time)
             while records[i].path is not None and i and a.starts[i] == move.start_time:
-                i -= 1  # a path that begins at the moment at which a move without a distance has ended
+                i -= 1  # a path that begins at the end of a move without a distance
             found = records[i]
         return found
 
     def begins_near(self, axis: int, time: float) -> list[float]:
-        """The times next to one, or at it, at which motion or an offset of an axis has begun."""
+        """The times at or next to one at which motion or an offset of an axis began."""
         begins = self._begins.get(axis)
         if begins is None:
             offsets = {begun for number, begun in self.orders.offsets if number == axis}
@@ -227,26 +233,26 @@ class Run:
         return begins[max(k - 1, 0) : k + 1]
 
     def members(self, path: PathOrder) -> list[Move]:
-        """The entries of a path."""
+        """Return the entries of a path."""
         found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
         return [entry for entry in found if entry is not None and entry.profile is not None]
 
     def path_before(self, move: Move) -> Move | None:
-        """The entry before that of a path on its axis, None if it is not that of a path."""
+        """Return the entry before a path's on its axis; None if it is not of a path."""
         return self._kept.get(self._previous[id(move)])
 
     def path_after(self, move: Move) -> Move | None:
-        """The entry behind that of a path on its axis, None if it is not that of a path."""
+        """Return the entry after a path's on its axis; None if it is not of a path."""
         entries, k = self.paths[move.axis], self._numbers[id(move)] + 1
         after = entries[k] if k < len(entries) else None
         return after if after is not None and self.path_before(after) is move else None
 
     def is_blended(self, a: WholeTrack, time: float) -> bool:
-        """Whether an axis is on two paths at once."""
+        """True if an axis is on two paths at once."""
         return a.profiles[a.place(time)].shape == "blend"
 
     def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
-        """The position of a track as a log entry tells it: of paths that are blended without what the others add."""
+        """Return a track's position from a log entry, without the motion of blended paths."""
         done = position(a, time, ending)
         k = self._numbers.get(id(move))
         if k is None:
@@ -264,7 +270,7 @@ class Run:
 
 
 def gone(move: Move, time: float) -> tuple[float, float]:
-    """How far a log entry has come at a time, and how far that is from its end, signed."""
+    """Return the distance of a log entry at a time, and the signed rest of it."""
     profile = move.profile
     assert profile is not None
     here = profile.position(min(time - move.start_time, profile.duration))
@@ -272,7 +278,10 @@ def gone(move: Move, time: float) -> tuple[float, float]:
 
 
 def position(a: WholeTrack, time: float, ending: bool = False) -> float:
-    """The position of a track; `ending` before what begins at that very moment, such as another zero."""
+    """Return the position of a track; with `ending` before events of that time.
+
+    A new zero is such an event.
+    """
     i = a.place(time)
     while ending and i > 0 and a.starts[i] >= time - ROUNDED * (1.0 + time):
         i -= 1

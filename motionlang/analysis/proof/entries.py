@@ -1,6 +1,6 @@
-"""Checks the entries of the log beside each other: one after the other, all that their axis has done.
+"""Checks of the log's entries in sequence: together they are the axis's motion.
 
-Each ends for the reason that it gives, before the run does, and the last one where its axis is left.
+Each ends for the reason that it states, before the run does, and the last one where its axis is.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile
 
 
-# A part of a time by which one that was added up may differ.
+# The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED
 # The reasons of entries that another one follows at once.
 FOLLOWED = ("retarget", CONTINUED)
@@ -31,12 +31,12 @@ RESTING = ("move", "jog")
 
 
 class Ends:
-    """How the entries of one axis end: `going` are those that end after the run, `last` is the one begun last.
+    """The ends of one axis's entries: `going` end after the run, `last` began last.
 
-    `until` is the latest end of all, and `place` the number of the profile of the track that comes behind it. `begun`
-    are the times at which motion has begun that no entry tells of, `stood` those of entries that take no time by the
-    clock. `said` are the stops, time and word, that an entry says it was ended by; `unsaid` are those at the edge of an
-    entry that says nothing of it, with its line and the message: one of its neighbours has to.
+    `until` is the latest end of all, and `place` the index of the profile of the track that follows it.
+    `begun` are the times at which motion has begun that is in no entry, `stood` those of entries without
+    duration. `said` are the stops, time and keyword, that entries state as their ends; `unsaid` are those at
+    the edge of an entry that states none, with its line and the message: one of its neighbours has to.
     """
 
     __slots__ = ("begun", "going", "last", "place", "said", "stood", "unsaid", "until")
@@ -52,7 +52,7 @@ class Ends:
 
 
 def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> None:
-    """Judge an entry beside the one before it; those that lie on top of another one are none of their own."""
+    """Check an entry against the one before it; superposed ones are checked elsewhere."""
     profile = move.profile
     if profile is None:
         return
@@ -97,7 +97,7 @@ def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
 
 
 def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
-    """The lines of what begins on an axis at a moment."""
+    """Return the lines of motion that begins on an axis at a time."""
     i, records = a.place(start), run.orders.of[a.index]
     found = {records[i].line}
     while i > 0 and a.starts[i] == start:
@@ -107,7 +107,7 @@ def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
 
 
 def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
-    """Between the entries up to now and a time the axis has not moved."""
+    """Check that the axis has not moved between the entries up to now and a time."""
     records = run.orders.of[a.index]
     while found.place < len(a.starts) and a.starts[found.place] < until:
         i = found.place
@@ -126,7 +126,10 @@ def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
 
 
 def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
-    """An entry has ended for the reason that it gives: a stop that was ordered, another one, or its own end."""
+    """Check that an entry has ended for its stated reason.
+
+    The reasons are a commanded stop, another entry, or its own end.
+    """
     assert move.profile is not None
     orders, start = run.orders, move.start_time
     end = start + move.profile.duration
@@ -168,8 +171,10 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
 
 
 def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool:
-    """Whether what an entry ends with comes to its own end then: what is to go on for ever, or has been stopped, has
-    none."""
+    """True if the last profile of an entry reaches its own end then.
+
+    An endless or stopped profile has none.
+    """
     order = run.orders.of[a.index][i]
     if order.tie is not None and order.tie.table is not None and order.tie.table[2] == "even":
         gone = position(run.track(order.tie.master), end) - order.tie.origin
@@ -177,7 +182,7 @@ def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool
         return abs(gone * order.tie.direction - length) <= SLACK * max(1.0, length)
     if order.kind in ("jog", "stop", "Gear"):
         return False
-    # The clock has no rounding: what takes over a last digit before the end has replaced it.
+    # The clock does not round: a profile that begins one digit before the end has replaced it.
     over = a.starts[i + 1] if i + 1 < len(a.starts) else end + late
     return a.starts[i] + a.profiles[i].duration <= (over if abs(over - end) <= late else end + late)
 
@@ -190,7 +195,7 @@ def _order_before(run: Run, a: WholeTrack, time: float) -> Order:
 
 
 def _last(a: WholeTrack, start: float, end: float) -> int:
-    """The number of the last profile of an entry."""
+    """Return the index of the last profile of an entry."""
     i = a.place(end)
     while i > 0 and a.starts[i] >= end - LATE * (1.0 + end) and a.starts[i] > start:
         i -= 1
@@ -198,7 +203,10 @@ def _last(a: WholeTrack, start: float, end: float) -> int:
 
 
 def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
-    """No entry ends after the run unless its axis is on it, as fast as it says; the last one ends where its axis is."""
+    """Check that no entry ends after the run unless its axis is on it, at its speed.
+
+    The last one ends where its axis is.
+    """
     for number, a in run.axes.items():
         found = ends.get(number)
         if found is None:
@@ -224,7 +232,10 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
 
 
 def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
-    """No move that was released waits as the run ends, unless another one is under way or an error ends the run."""
+    """Check that no released move waits at the end of the run without a reason.
+
+    The reasons are another move in progress, and an error that ends the run.
+    """
     offsets = run.offsets.get(a.index)
     follows = run.orders.of[a.index][-1].tie is not None
     found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
@@ -237,7 +248,7 @@ def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
 
 
 def _is_refused(run: Run, a: WholeTrack) -> bool:
-    """Whether the next move of an axis was refused as the run ended, or was due when that of another axis was."""
+    """True if an axis's next move was rejected at the end, or due when another's was."""
     times = [run.orders.refused.get(a.index, -1.0)]
     if a.starts[-1] == run.until:
         times += run.orders.refused.values()
@@ -271,7 +282,7 @@ def _judge_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
     if a.feedback is not None or a.index in run.offsets or not isfinite(profile.end) or run.orders.was_cut:
         return
     data, done = run.orders.data[a.index], position(a, run.until)
-    # What it has been shifted by since it began: another zero may have come at that very moment.
+    # Its shift since it began: another zero may have been set at that time.
     i = a.place(last.start_time)
     shifts = [data[-1] - data[i]]
     while i > 0 and a.starts[i] >= last.start_time - ROUNDED * (1.0 + last.start_time):

@@ -1,8 +1,8 @@
-"""How planned motion begins: its velocity and acceleration, and for PMC's S-curves the flank that leaves a ramp.
+"""Initial velocity, acceleration and, for PMC's S-curves, flank of planned motion.
 
-A ramp of PMC's has no jerk of its own. Left in its middle, it first lets the acceleration fall along its falling flank,
-and the new ramp follows. The proof takes slope and wave of the ramp from the track before the profile, never from the
-profile that it judges.
+A ramp of PMC's has no jerk of its own. Left in its middle, it first reduces the acceleration along its
+falling flank, and the new ramp follows. The proof takes slope and wave of the ramp from the track before the
+profile, never from the profile that it checks.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 
 class Begin(NamedTuple):
-    """The velocity and acceleration that a plan begins with, once a flank of so much time and distance is over.
+    """The initial velocity and acceleration of a plan, after its initial flank.
 
-    `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before would
-    have gone on changing its velocity, for motion that may simply go on as it was planned.
+    `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before
+    would have continued to change its velocity, for motion that may continue as planned.
     """
 
     velocity: float
@@ -37,7 +37,7 @@ class Begin(NamedTuple):
 
 
 def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
-    """How profile number i begins, which was `shifted` if it is the one before at a new zero."""
+    """Return how profile i begins; `shifted` is the one before at a new zero."""
     profile = a.profiles[i]
     entry = profile.at(0.0)
     v, bent = entry.velocity, entry.acceleration
@@ -45,7 +45,7 @@ def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
     stops = order.kind == "stop" and bent * v < 0.0
     if i and a.profiles[i - 1].pieced and (v or bent) and (shifted or stops):
         left = max(0.0, last_change(a.profiles[i - 1]) - (a.starts[i] - a.starts[i - 1]))
-    own = left if shifted else None  # what is left of a plan is rounded as the whole of it is
+    own = left if shifted else None  # the rest of a plan is rounded like the complete plan
     if order.jerks[0] < inf:
         return Begin(v, bent, 0.0, 0.0, abs(v), bent, own)
     if order.shape == "trapezoid" or not bent or not i or not a.profiles[i - 1].pieced:
@@ -61,15 +61,15 @@ def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
 
 
 def last_change(profile: Profile) -> float:
-    """The time after which the velocity of a profile changes no more."""
+    """Return the time after which the velocity of a profile is constant."""
     knots = profile.knots
     return knots[-1] if isfinite(knots[-1]) else knots[-2]
 
 
 def _flank(profile: Profile, elapsed: float) -> tuple[Piece, float, float] | None:
-    """The flank of the ramp that a profile is in: its curve, from where on, and for how long.
+    """Return the flank of a profile's ramp: its curve, its start, and its duration.
 
-    None where the ramp has none, as a trapezoid.
+    None if the ramp has none, like a trapezoid.
     """
     knots = profile.knots
     k = min(max(0, bisect_right(knots, elapsed) - 1), len(profile.pieces) - 1)

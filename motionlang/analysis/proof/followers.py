@@ -1,4 +1,4 @@
-"""Checks what follows: slaves beside their masters, curves and splines beside the tables they were made of."""
+"""Checks of following: slaves against masters, curves and splines against tables."""
 
 from __future__ import annotations
 
@@ -17,14 +17,17 @@ if TYPE_CHECKING:
     from motionlang.log.track import WholeTrack
     from motionlang.planners import Profile
 
-# Places of a span at which two motions are compared: two cubics that agree at four of them are one.
+# Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)
 # Stretches, beyond which only the ends of each are compared.
 MANY = 24
 
 
 def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
-    """A slave is where its ratio, or its table, has it wherever its master is; before that it ramps at its rates."""
+    """Check that a slave is where its ratio or table puts it.
+
+    Before that it ramps at its rates.
+    """
     tie = order.tie
     assert tie is not None
     track, begin = run.track(tie.master), a.starts[i]
@@ -61,7 +64,7 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
 
 
 def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
-    """Until it has the velocity of its ratio a slave changes its own at its rates, no faster and no slower."""
+    """Check that a slave changes its velocity at its rates until it meets the ratio's."""
     tie = order.tie
     assert tie is not None
     if _offset_moves(run, a, a.starts[i]):
@@ -82,7 +85,10 @@ def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, en
 
 
 def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
-    """The ends of every stretch on which both master and slave are one piece, and of the first ones four places."""
+    """Return the ends of stretches on which master and slave are one piece.
+
+    Of the first ones four times in between are included.
+    """
     knots = {begin, end}
     for track in (a, master):
         k = track.place(begin)
@@ -95,7 +101,10 @@ def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> lis
 
 
 def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
-    """The curve leads through its table; between its places it is straight, smooth, or changes evenly."""
+    """Check that the curve passes its table, straight, smooth or linear in between.
+
+    The last of these has a linearly changing slope.
+    """
     tie = order.tie
     assert tie is not None
     assert tie.table is not None
@@ -145,7 +154,7 @@ def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
 
 
 def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
-    """The ratio of a flying shear begins at rest, or where the segment before it ends, and changes evenly."""
+    """Check that a flying shear's ratio begins at the last one, or 0, and is linear."""
     tie = order.tie
     assert tie is not None
     before = run.orders.of[a.index][i - 1].tie if i else None
@@ -154,7 +163,7 @@ def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, 
     if before is not None and before.curve is not None and before.table is not None:
         last = before.curve
         if before.table == tie.table and (before.origin == tie.origin or last.start == curve.start):
-            return  # the same segment, looked at again
+            return  # the same segment, checked again
         on = before.master is tie.master and before.direction == tie.direction
         if on and before.table[2] == "even":
             wanted = derivatives(last.pieces[-1], last.knots[-1] - last.knots[-2])[1]
@@ -164,7 +173,7 @@ def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, 
 
 
 def _wanted(tie: Tie, curve: Profile, along: float) -> float:
-    """Where a slave is on its curve: of a table with straight lines worked out from its numbers."""
+    """A slave's position on its curve; linear tables are evaluated from numbers."""
     if tie.table is None or tie.table[2] != "linear":
         return _on(curve, along)
     places, values, _ = tie.table
@@ -174,7 +183,10 @@ def _wanted(tie: Tie, curve: Profile, along: float) -> float:
 
 
 def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
-    """What runs through points is at each of them at its time, at its velocity, on one cubic from one to the next."""
+    """Check that a profile through points has each position and velocity at its time.
+
+    Between two points it is one cubic.
+    """
     assert order.points is not None
     points, velocities, times = order.points
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
@@ -198,7 +210,10 @@ def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
 
 
 def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
-    """A position that is written is where the profile ends; a speed is come to by its slopes, in their time."""
+    """Check that a position reference ends at its position, and a speed in its time.
+
+    A speed is reached by its slopes.
+    """
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
     if order.slopes is None:
         if abs(profile.end - order.goal) > SLACK * max(1.0, abs(order.goal)):
@@ -230,7 +245,10 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
 
 
 def _carried(a: WholeTrack, i: int) -> float:
-    """The acceleration that profile number i finds; its own may begin with another one, where a slope has no edge."""
+    """Return the initial acceleration of profile i, from the one before.
+
+    Its own may begin with another one, if a slope has no edge.
+    """
     if not i or not a.profiles[i - 1].pieced:
         return 0.0
     before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
@@ -238,7 +256,7 @@ def _carried(a: WholeTrack, i: int) -> float:
 
 
 def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:
-    """From a velocity and an acceleration, which fades first, to a velocity."""
+    """Return the time between two velocities; an initial acceleration decays first."""
     up, down = slopes
     rate, _, end = up if a0 * v0 >= 0.0 else down
     if a0 and end:
@@ -250,14 +268,17 @@ def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, 
 
 
 def _slope_time(change: float, slope: tuple[float, float, float]) -> float:
-    """T = dv/A + (T_begin + T_end)/2, and a change too small for the rate in the time in which both slopes meet."""
+    """Return the time of a change of speed: T = dv/A + (T_begin + T_end)/2.
+
+    A change too small for the rate takes the time in which both slopes meet.
+    """
     rate, begin, end = slope
     edges = begin + end
     return change / rate + 0.5 * edges if 2.0 * change >= rate * edges else sqrt(2.0 * change * edges / rate)
 
 
 def _on(curve: Profile, along: float) -> float:
-    """A curve over its distance; straight on before its beginning and beyond its end."""
+    """Return a curve at a distance; linear beyond its ends."""
     knots = curve.knots
     x = min(max(along, 0.0), knots[-1])
     k = max(0, min(bisect_right(knots, x), len(curve.pieces)) - 1)
@@ -266,7 +287,7 @@ def _on(curve: Profile, along: float) -> float:
 
 
 def _offset(run: Run, a: WholeTrack, time: float) -> float:
-    """What offsets on top of following have added up to a time."""
+    """Return the total of superposed offsets at a time."""
     offsets = run.offsets.get(a.index)
     return 0.0 if offsets is None else offsets.gone(time)
 

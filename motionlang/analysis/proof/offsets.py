@@ -1,4 +1,7 @@
-"""Checks offsets on top of following: each goes as far as was ordered, and what the one before it has left."""
+"""Checks of superposed offsets: each covers its commanded distance.
+
+The rest of the one before it is added.
+"""
 
 from __future__ import annotations
 
@@ -11,23 +14,23 @@ if TYPE_CHECKING:
     from motionlang.controller.move import Move
     from motionlang.planners import Profile
 
-# A part of a time by which one that was added up may differ.
+# The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED
 
 
 def _left(run: Run, move: Move) -> float:
-    """What the offset before one has left to do, if that one takes its place."""
+    """Return the remaining distance of the offset that one replaces."""
     before, wanted = run.offset_goals.get(move.axis, (None, 0.0))
     if before is None or before.profile is None or before.ended != "retarget":
         return 0.0
     start, end = move.start_time, before.start_time + before.profile.duration
     if abs(start - end) > LATE * (1.0 + start) or start in run.orders.begun[move.axis]:
-        return 0.0  # other following begins then, and with it nothing of an offset goes on
+        return 0.0  # other following begins then, and no offset continues
     return wanted - before.profile.end
 
 
 def judge_missing(proof: Proof, run: Run) -> None:
-    """Every OFFSET that adds a distance has an entry."""
+    """Check that every OFFSET that adds a distance has an entry."""
     if run.orders.was_cut:
         return
     for (axis, time), (line, distance) in run.orders.offsets.items():
@@ -39,7 +42,10 @@ def judge_missing(proof: Proof, run: Run) -> None:
 
 
 def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
-    """The entry of an offset; what an offset goes on with after a suspension has no order of its own."""
+    """Check the entry of an offset.
+
+    The rest of an offset after a suspension has no order of its own.
+    """
     start, end = move.start_time, move.start_time + profile.duration
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + end)
     if abs(profile.start) > SLACK:

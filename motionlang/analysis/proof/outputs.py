@@ -1,4 +1,4 @@
-"""Checks what is told of a run: its report and its trace say what the tracks of its axes do."""
+"""Checks of the outputs of a run: report and trace agree with the tracks."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ROWS = 40
 
 
 def judge_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
-    """Every move of a report is where the track is when it begins and ends, lasts as long, and peaks as high."""
+    """Check each move of a report against the track: ends, duration and peak speed."""
     moves = (move for move in run.moves if move.profile is not None)
     told, logged, before = 0, 0, len(proof.violations)
     for row, move in zip_longest(rows, moves):
@@ -68,10 +68,10 @@ def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
 def _judge_peak(
     proof: Proof, run: Run, a: WholeTrack, told: float, time: tuple[float, float], line: int
 ) -> None:
-    """The peak speed of a move: exactly that of its pieces, and no less than any speed of a formula."""
+    """Check the peak speed of a move: that of its pieces, at least any of a formula."""
     begin, finish = time[0], min(time[1], run.until)
     k, seen, exact = max(a.place(begin), 0), 0.0, True
-    late = finish - ROUNDED * (1.0 + finish)  # an end is a beginning and a time added up
+    late = finish - ROUNDED * (1.0 + finish)  # an end is the sum of a beginning and a time
     while k < len(a.starts) and a.starts[k] < late:
         profile, first = a.profiles[k], max(begin - a.starts[k], 0.0)
         last = min(finish, a.starts[k + 1] if k + 1 < len(a.starts) else finish) - a.starts[k]
@@ -79,7 +79,7 @@ def _judge_peak(
             return
         if profile.pieced:
             seen = max([seen, *(span.peak(1) for span in spans(profile, first, last - first))])
-        elif last > first:  # another profile may take its place at once
+        elif last > first:  # another profile may replace it at once
             exact = False
             steps = [first + (last - first) * n / 16.0 for n in range(17)]
             seen = max([seen, *(abs(profile.velocity(step)) for step in steps)])
@@ -92,14 +92,14 @@ def _judge_peak(
 
 
 def judge_trace(proof: Proof, run: Run, samples: Samples) -> None:
-    """Every row of a trace is where the track is, and as fast."""
+    """Check position and velocity of every row of a trace against the track."""
     for column, values in zip(samples.columns, samples.data, strict=True):
         if column.axis is None or column.quantity != "position":
             continue
         a = run.axes[column.axis]
         for time, value in zip(samples.time.tolist(), values.tolist(), strict=True):
             counts = value * a.scale.counts + a.scale.zero
-            # The time of a row is rounded: what begins at that moment may have begun.
+            # The time of a row is rounded: a profile that begins then may have begun.
             late = time + 4e-15 * (1.0 + time)
             places = position(a, late), position(a, time, ending=True)
             slack = SLACK * max(1.0, *map(abs, places)) + 8e-16 * (1.0 + time) * _speed(a, time)

@@ -1,5 +1,4 @@
-"""Checks paths: the way that was ordered, the speed along it and how it changes, the limits of every axis, and
-where it ends."""
+"""Checks of paths: geometry, speed and its changes, limits of every axis, and end."""
 
 from __future__ import annotations
 
@@ -25,17 +24,17 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile
 
 
-# A part of the time of the clock within which one path is told from the next.
+# Fraction of the clock's time that distinguishes one path from the next.
 ROUNDED = 1e-12
 
 
 class Way:
-    """A path as it was ordered, laid out from where it began, in user units.
+    """A commanded path, laid out from where it began, in user units.
 
-    `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per way along the path
-    and `begin` its direction at first; `flat` is the part of the way that its plane has, `climbs` those of the further
-    axes. `stretch` is the way in space per unit of the length that the path counts as. `origin` is how far a line
-    begins from where all axes are at 0, along its direction.
+    `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per distance
+    along the path and `begin` its initial direction; `flat` is the fraction of the distance in its plane,
+    `climbs` those of the further axes. `stretch` is the distance in space per unit of the nominal length. `origin` is
+    the distance of a line's start from the point where all axes are at 0, along its direction.
     """
 
     def __init__(self, path: PathOrder, starts: Sequence[float]) -> None:
@@ -68,7 +67,7 @@ class Way:
         self.climbs = [abs(climb) / size for climb in climbs]
 
     def slopes(self, first: float, last: float) -> list[float]:
-        """The largest part of the speed along the path that each axis has between two places of it."""
+        """Return each axis's largest fraction of the path speed between two distances."""
         if self.unit is not None:
             return [abs(each) * self.stretch for each in self.unit]
         angles = self._angles(first, last, 0.0)
@@ -78,7 +77,7 @@ class Way:
         return found
 
     def rates(self, first: float, last: float, rate: float, speed: float) -> list[float]:
-        """The largest acceleration that each axis can have there at a rate and a speed along the path."""
+        """Each axis's largest acceleration there at a rate and a speed along the path."""
         if self.unit is not None:
             return [abs(each) * self.stretch * rate for each in self.unit]
         across = self.turn * speed * speed
@@ -90,7 +89,10 @@ class Way:
         return found
 
     def _angles(self, first: float, last: float, summit: float) -> list[float]:
-        """The directions of the radius at two places and, between, at all quarters and at a summit from these."""
+        """Return the directions of the radius at two distances and at extrema in between.
+
+        The extrema are all quarters, and a maximum counted from these.
+        """
         way = copysign(self.turn, self.path.angle)
         low, high = sorted((self.begin + way * first, self.begin + way * last))
         found = [low, high]
@@ -103,8 +105,11 @@ class Way:
         return found
 
     def turning(self) -> Iterator[tuple[int, float, float]]:
-        """The places of the axes of an arc, the acceleration that each has as it turns at a speed of one along it,
-        counts, and the share of its limits that this and a change of the speed may each take."""
+        """The axes of an arc with their turning acceleration and share of the limits.
+
+        They are the indices of the axes, the acceleration of each at a speed of one along the arc, counts,
+        and the share of its limits for this and a change of the speed each.
+        """
         if self.unit is not None:
             return
         x, y = self.path.plane
@@ -119,7 +124,7 @@ class Way:
             yield place, self.flat * self.turn * abs(self.path.scales[place]) * least, share
 
     def at(self, gone: float) -> list[float]:
-        """The place, counts, that lies so far along an arc."""
+        """Return the position, counts, at a distance along an arc."""
         angle = self.begin + copysign(self.turn, self.path.angle) * gone
         part = gone / self.length
         found = [start + part * (end - start) for start, end in zip(self.starts, self.ends, strict=True)]
@@ -129,7 +134,7 @@ class Way:
         return found
 
     def off(self, places: Sequence[float]) -> float:
-        """How far a point, counts, lies off the way, user units."""
+        """Return how far a point, counts, is off the path, user units."""
         point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
         if self.unit is not None:
             gone = [p - f for p, f in zip(point, self.first, strict=True)]
@@ -140,7 +145,7 @@ class Way:
 
 
 def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
-    """The way, the speed along it and how that changes, and the limits of each axis, while one profile is in force."""
+    """Check geometry, speed, its changes, and limits of each axis, for one profile."""
     path = order.path
     assert path is not None
     proof.counts["paths"] += 1
@@ -173,7 +178,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         if rest:
             _judge_along(proof, order, way, rest, where, fresh, beyond)
         reached = [profile.position(end - path.begun) for profile in profiles]
-        if not blended:  # what was planned counts, also where something else has come before its end
+        if not blended:  # the plan applies, even if something else has preceded its end
             planned = min(profile.duration - time for profile, time in tracks)
             if planned == inf and order.speed and min(order.rates) and way.length and not path.rests:
                 proof.breaks(order.line, f"{where}: it never comes to its end")
@@ -191,7 +196,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
 
 
 def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
-    """Whether the path before one was not slowing down: what begins too fast then should have slowed down for it."""
+    """True if the path before was not slowing down for one that begins too fast."""
     earlier = run.orders.of[master.index][i - 1].path
     if earlier is None or earlier.rests or earlier.members != path.members:
         return False
@@ -208,7 +213,7 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
 
 
 def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
-    """The speed along a path, and how that changes, while another one is on top of it."""
+    """Check the speed along a path, and its changes, while another is blended onto it."""
     path = order.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
@@ -227,9 +232,9 @@ def _judge_way(
     time: tuple[float, float],
     where: str,
 ) -> None:
-    """At four times its axes are on the way, and on an arc as far along it as the path has come.
+    """Check at four times that the axes are on the path, at its distance on an arc.
 
-    `time` is when the profile begins, since the path did, and how long it is in force.
+    `time` is the start of the profile relative to the path's, and how long it is in force.
     """
     first, length = time
     slack = SLACK * max(
@@ -251,7 +256,10 @@ def _judge_way(
 
 
 def _keeps_stop(before: Order, order: Order, way: Way, along: list[Span], beyond: float) -> bool:
-    """Whether a path that is resumed comes to rest first: by the rates of now it would stop behind its end."""
+    """True if a resumed path comes to rest first, as it could not stop before its end.
+
+    This is by the present rates.
+    """
     path, earlier = order.path, before.path
     assert path is not None
     if earlier is None or earlier.entry != path.entry or not earlier.rests or path.rests:
@@ -263,7 +271,7 @@ def _keeps_stop(before: Order, order: Order, way: Way, along: list[Span], beyond
 
 
 def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
-    """The spans up to the first rest, and those behind it."""
+    """Return the segments up to the first rest, and those after it."""
     for k, span in enumerate(along):
         if abs(span.at(span.length)[1]) <= SLACK * max(1.0, along[0].at(0.0)[1]):
             return along[: k + 1], along[k + 1 :]
@@ -271,7 +279,7 @@ def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
 
 
 def _beyond(run: Run, move: Move) -> float:
-    """The length of the paths that are run through behind one before the axes come to rest, user units."""
+    """The length of the paths after one until the axes come to rest, user units."""
     length = 0.0
     while (after := run.path_after(move)) is not None and move.profile is not None:
         assert after.profile is not None
@@ -297,7 +305,10 @@ def _judge_along(
     fresh: bool = False,
     beyond: float = 0.0,
 ) -> None:
-    """The bounds along a path, `beyond` which the axes go so far; a `fresh` one may not begin above them."""
+    """Check the bounds along a path, `beyond` which the axes continue that far.
+
+    A `fresh` path may not begin above them.
+    """
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
@@ -312,28 +323,29 @@ def _judge_along(
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
-    # An axis that turns beyond its limit has to brake for that, and turning and braking add up until it has.
+    # An axis that exceeds its limit in a curve has to brake for that, and both accelerations add up until it
+    # has.
     braking = min(order.rates[1], _hardest(path, way)) if way.unit is None else 0.0
     for span in slow.cuts(along):
         if span.length <= late:  # the time of a join is rounded
             continue
-        # What begins too fast, since a limit has come down, is excused until it has slowed down.
+        # A path that begins too fast, because a limit was lowered, is excused until it has slowed down.
         middle = span.begin + 0.5 * span.length
         excused = middle < max(slow.until, slow.eased)
         came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
         eased = bent if middle < slow.eased else 0.0
         fastest, peak = 0.0 if path.rests else max(speed, slow.speed), span.peak(1)
-        if peak > SLACK or not path.rests:  # at rest but for rounding
+        if peak > SLACK or not path.rests:  # at rest within rounding
             uses.look("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, fast = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
-            if fast <= SLACK * max(1.0, slow.came):  # at rest but for rounding
+            if fast <= SLACK * max(1.0, slow.came):  # at rest within rounding
                 continue
             name = ("path acceleration", "path deceleration")[side]
             uses.look(name, rate, max(rates[side], eased))
             if smooth:
-                # Rounding at the end of a ramp says nothing of its side.
+                # Rounding at the end of a ramp does not show its side.
                 jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
                 uses.look("path jerk", max(abs(left[3]), abs(right[3])), jerk)
             first, last = left[0], right[0]
@@ -368,15 +380,16 @@ def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, whe
 
 
 def _slowing(order: Order, way: Way, v0: float, a0: float, left: float) -> Slowing:
-    """How a path that begins too fast, for its speed or for one of its axes, comes to its speed.
+    """Return how a path that begins too fast slows down to its speed.
 
-    Without the room to do so and to stop, to a higher one: two S-ramps need more of what is `left` than one.
+    It may be too fast for the path or for one of its axes. If the distance does not suffice for this and a
+    stop, it is a higher speed: two S-ramps need more of `left` than one.
     """
     assert order.path is not None
     speed, by = _least(order, way)
     extra = 0.0
     if a0 and order.shape != "trapezoid" and not by.smooth:
-        # The flank of the ramp that PMC's S-curve is in, as long as a whole one to its speed at the most.
+        # The flank of the ramp of PMC's S-curve, at most as long as a complete ramp to its speed.
         v0 *= 2.0
         extra = ramp(0.0, max(speed, v0), by)[0]
     if order.path.rests:
@@ -387,13 +400,16 @@ def _slowing(order: Order, way: Way, v0: float, a0: float, left: float) -> Slowi
 
 
 def _hardest(path: PathOrder, way: Way) -> float:
-    """The highest deceleration along a path that keeps the limits of its axes, turning not counted."""
+    """Return the highest deceleration along a path within its axes' limits.
+
+    Centripetal acceleration does not count.
+    """
     slopes = zip(way.slopes(0.0, way.length), path.scales, path.most_decel, strict=True)
     return min((limit / (slope * abs(k)) for slope, k, limit in slopes if slope), default=inf)
 
 
 def _gentlest(order: Order, way: Way, rate: float) -> float:
-    """The lowest deceleration that a stop has to keep, on a path and on those behind it that it may come into."""
+    """The lowest deceleration of a stop on a path and those it may continue into."""
     assert order.path is not None
     for each in order.path.ahead:
         assert each.path is not None
@@ -403,21 +419,22 @@ def _gentlest(order: Order, way: Way, rate: float) -> float:
 
 
 def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
-    """What ends a path takes no longer than to stop, and to run the rest of it alone, from rest to rest.
+    """Check that the last path takes no longer than a stop and a move from rest.
 
-    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster.
+    That motion observes all bounds, whatever follows: a plan may only be faster.
     """
     if not order.speed or not min(order.rates) > 0.0:
         return
     first, last = along[0].at(0.0), along[-1].at(along[-1].length)
     speed, by = _least(order, way)
     bent = first[2] if by.smooth else 0.0
-    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
+    # The time of the gentlest stop and the distance of the hardest one: a path that begins too fast gains by
+    # braking gently.
     hard = by._replace(rates=order.rates)
     time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
     shaped = order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates)
     if shaped:
-        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
+        # The flank of the ramp of PMC's S-curve, which is no longer than a complete ramp to its speed.
         time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
         gone = 0.0
     due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
@@ -431,9 +448,9 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
 
 
 def _least(order: Order, way: Way) -> tuple[float, Law]:
-    """The speed and the law that a path may always be run by, whatever its axes are limited to.
+    """Return the speed and law that a path may always use, whatever its axes' limits.
 
-    On arcs turning and a change of the speed take the same share of the limits of an axis.
+    On arcs the change of direction and that of the speed take the same share of the limits of an axis.
     """
     path = order.path
     assert path is not None
@@ -458,9 +475,9 @@ def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[f
 
 
 def spans_along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span]:
-    """The distance along the way over time, of profiles that have been in force for some time already.
+    """Return the distance along the path over time, from profiles already in force.
 
-    Empty where it cannot be told.
+    Empty if it cannot be determined.
     """
     found: list[Span] = []
     gone = 0.0
@@ -481,7 +498,10 @@ def spans_along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) 
 
 
 def _part(profile: Profile, time: float) -> tuple[Profile, float, float]:
-    """The profile of a row of them that is in force at a time, how long it has been, and how long it still is."""
+    """Return the profile of a sequence that is in force at a time.
+
+    Also return how long it has been, and how long it still is.
+    """
     parts = getattr(profile, "parts", None)
     if parts is None:
         left = profile.duration - time
@@ -499,9 +519,9 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
             return spans(travelled, begin, length) if travelled.pieced else None
     if not all(profile.pieced for profile, _ in parts):
         return None
-    if way.unit is None:  # an arc of which every axis is straight is none, or stands
+    if way.unit is None:  # an arc of which every axis is linear is none, or at rest
         return []
-    # Of axes that the path moves: what has a length and leads nowhere (a user defined path) moves none.
+    # Axes that the path moves: a path with a length and no distance (user defined) moves none.
     moving = [
         (spans(profile, begin, length), u / k / way.stretch)
         for (profile, begin), u, k in zip(parts, way.unit, way.path.scales, strict=True)
@@ -517,7 +537,7 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
 
 
 def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
-    """A path ends where the program has it end, and takes time."""
+    """Check that a path ends where commanded, and takes time."""
     profile = move.profile
     assert profile is not None
     path = run.order_of(move).path
@@ -537,7 +557,7 @@ def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
 
 
 def _centre(path: PathOrder, starts: Sequence[float]) -> tuple[float, float]:
-    """The centre of an arc, user units."""
+    """Return the centre of an arc, user units."""
     x, y = (
         (c + (starts[k] if path.relative else 0.0)) / path.scales[k]
         for c, k in zip(path.centre, path.plane, strict=True)
@@ -546,7 +566,7 @@ def _centre(path: PathOrder, starts: Sequence[float]) -> tuple[float, float]:
 
 
 def _ends(path: PathOrder, starts: Sequence[float]) -> list[float]:
-    """Where a path that begins at `starts` ends, counts."""
+    """Return the end of a path that begins at `starts`, counts."""
     if path.line:
         return [s + t for s, t in zip(starts, path.line, strict=True)] if path.relative else list(path.line)
     rest = iter(path.rest)

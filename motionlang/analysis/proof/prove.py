@@ -1,40 +1,42 @@
-"""A proof of a run: check all motion against what the program ordered.
+"""A proof of a run: check all motion against the commands of the program.
 
-Problem. A planner that is wrong in a rare case gives a plausible profile, and a test finds it only if it has that case.
-The same holds for the log and for the report. So a whole run can be checked afterwards, by code that shares nothing
-with the planners and uses only what the run has recorded.
+Problem. A planner that is wrong in a rare case gives a plausible profile, and a test finds it only if it has
+that case. The log and the report may be wrong in the same way. So a complete run can be checked afterwards,
+by code that shares nothing with the planners and uses only what the run has recorded.
 
-Idea. During the run `Orders` records the expected motion, an `Order` for each profile: the kind of motion and the
-settings in force when it began, never anything that a planner has computed. Afterwards each profile is compared with
-its order and with the profile before it, and each entry of the log with the tracks of the axes.
+Idea. During the run `Orders` records the expected motion, an `Order` for each profile: the kind of motion and
+the settings in force when it began, never anything that a planner has computed. Afterwards each profile is
+compared with its order and with the profile before it, and each entry of the log with the tracks of the axes.
 
     program ──▶ settings ──▶ planners ──▶ profiles ──▶ tracks, log ──▶ report, trace
                    │                                       │                │
                    └──────▶ expected motion ─────────▶ checkers ◀───────────┘
 
-Data. `Run` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how much was
-checked, the largest fraction used of each bound, exceptions by name, and violations, each a diagnostic at the line of
-its move. The other files each check one kind of motion or record. They use the arithmetic of `segments.py`
-(extremes of polynomials and waves) and `time_bounds.py` (how long a motion may take).
+Data. `Run` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how
+much was checked, the largest fraction used of each bound, exceptions by name, and violations, each a
+diagnostic at the line of its move. The other files each check one kind of motion or record. They use the
+arithmetic of `segments.py` (extremes of polynomials and waves) and `time_bounds.py` (how long a motion may
+take).
 
 `prove` checks, in this order:
 1. the report and the trace, if there are any,
 2. each axis: every profile, and how it continues the one before,
 3. settings that were written in motion,
 4. each entry of the log,
-5. the entries of each axis together: none is missing, that of an OFFSET included, and the last one leads to where the
-   axis is.
+5. the entries of each axis together: none is missing, that of an OFFSET included, and the last one leads to
+   where the axis is.
 
 Invariants.
 - The checkers import no planner. Ramps, times and bounds are computed a second time.
 - No bound is checked by sampling. Extremes are found in closed form.
-- A rule that the program breaks on purpose, such as by CANCEL, a new zero or a kink within CONTOURANGLE, is an
-  exception. Exceptions are counted by name, so none goes unseen.
+- A rule that the program breaks on purpose, such as by CANCEL, a new zero or a kink within CONTOURANGLE, is
+  an exception. Exceptions are counted by name, so none goes unseen.
 - A figure may exceed its bound only by rounding (`SLACK`).
 - A run with too many different orders to record is not proved, and that is a violation.
 
-Cost. One pass over the profiles of each axis and one over the log; lookups are bisections. Packed records are read
-chunk by chunk, so memory grows only with the orders and with the entries of paths and offsets. Other runs record none.
+Cost. One pass over the profiles of each axis and one over the log; lookups are bisections. Packed records are
+read chunk by chunk, so memory grows only with the orders and with the entries of paths and offsets. Other
+runs record none.
 """
 
 from __future__ import annotations
@@ -65,7 +67,7 @@ if TYPE_CHECKING:
     from motionlang.log.track import Recorded, WholeTrack
     from motionlang.planners import Profile, State
 
-# The part of the time of a log entry at which the track is compared with it, beside its ends.
+# The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
 LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 
@@ -76,9 +78,10 @@ def prove(
     report: Iterable[Mapping[str, object]] | None = None,
     samples: Samples | None = None,
 ) -> Proof:
-    """Prove what a controller did up to a time, by its log; the moves of a report and a trace too, where there are.
+    """Prove the motion of a controller up to a time, from its log.
 
-    Of a run with more motion than is kept nothing is proved, which is a violation.
+    The moves of a report and a trace are checked too, if given. If a run has more motion than is recorded
+    nothing is proved, which is a violation.
     """
     proof = Proof()
     if orders.is_full:
@@ -128,7 +131,7 @@ def prove(
 
 
 def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
-    """Position and velocity go on where one profile follows another, and the acceleration of S-ramps."""
+    """Check continuity of position, velocity and S-ramp acceleration between profiles."""
     proof.counts["joins"] += 1
     orders = run.orders
     time, order, earlier = a.starts[i], orders.of[a.index][i], orders.of[a.index][i - 1]
@@ -137,7 +140,7 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     shift = orders.data[a.index][i] - orders.data[a.index][i - 1]
     where = f"axis {a.index} at {time:.6f} s"
     line = order.line or earlier.line
-    # The time of a join is rounded to the clock, and the axis has gone on by as much.
+    # The time of a join is rounded to the clock, and the axis has moved on accordingly.
     late = 4e-16 * (1.0 + time)
     moved = abs(after.position - before.position - shift)
     if shift:
@@ -176,7 +179,7 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
 
 
 def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
-    """What the program has ordered that makes the velocity jump; "" where nothing has."""
+    """Return the command that makes the velocity jump; "" if there is none."""
     if (a.index, a.starts[i]) in run.orders.stands:
         return "a stop at once: cancelled, switched off, or at a limit"
     order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
@@ -194,7 +197,7 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
         k = order.path.members.index(a.index)
         jump, part = new[k].velocity - old[k].velocity, alone[1][k].velocity - alone[0][k].velocity
         if abs(jump - part) > SLACK * max(1.0, abs(jump)):
-            return ""  # what is blended with both goes on as it was
+            return ""  # a path that is blended with both continues unchanged
         old, new = alone
     before, after = _speed(scales, old), _speed(scales, new)
     if abs(before - after) > SLACK * max(1.0, before) or not before:
@@ -209,7 +212,7 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
 
 
 def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:
-    """By how much the acceleration along a path changes from one state of its axes to the other."""
+    """Return the change of acceleration along a path between two states of its axes."""
     scales = path.scales
     rates = []
     for states in both:
@@ -226,14 +229,14 @@ def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
 
 
 def _at_last(profile: Profile, time: float) -> State:
-    """Its state at a time that may be rounded to its end, where it has no acceleration any more."""
+    """Its state at a time that may round to its end, without acceleration there."""
     return profile.at(min(time, nextafter(profile.duration, 0.0)))
 
 
 def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] | None:
-    """The states at the end of a path and at the beginning of the next, without those of one that is blended with both.
+    """Return the states at a join of paths, without a path blended with both.
 
-    None where no path goes on into another one, or none is blended with it.
+    None if no path continues into another one, or none is blended with it.
     """
     earlier, path = (run.orders.of[a.index][k].path for k in (i - 1, i))
     if earlier is None or path is None or a.profiles[i - 1].shape != "blend":
@@ -247,11 +250,12 @@ def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] |
 
 
 def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
-    """The states of the axes of a path just before a moment and from then on."""
+    """Return the states of a path's axes just before a time and from then on."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
     places = [a.place(time) for a in axes]
-    # An axis that was given another zero has a profile of its own from then on, the others of the path have not.
+    # An axis that was given another zero has a profile of its own from then on, the other axes of the path do
+    # not.
     before = [k - (a.starts[k] == time) for a, k in zip(axes, places, strict=True)]
     old = [_at_last(a.profiles[k], time - a.starts[k]) for a, k in zip(axes, before, strict=True)]
     return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
@@ -261,7 +265,7 @@ def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]
 
 
 def _judge_move(proof: Proof, run: Run, move: Move) -> None:
-    """An entry of the log: it takes time, its phases add up, it ends where it was sent, and the track says the same."""
+    """Check an entry of the log: duration, phases, end, and agreement with the track."""
     proof.counts["moves"] += 1
     profile, a = move.profile, run.axes[move.axis]
     assert profile is not None
@@ -292,7 +296,7 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
     zero = _zero(run, a, move.start_time)
     for share in LOOKS:
         time = move.start_time + share * length
-        if _zero(run, a, time) != zero:  # another zero, which a later one may take back
+        if _zero(run, a, time) != zero:  # another zero, which a later one may cancel
             continue
         if not a.starts or time < move.start_time:
             continue
@@ -309,6 +313,6 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
 
 
 def _zero(run: Run, a: WholeTrack, time: float) -> float:
-    """The zero of an axis at a time; of a run that was interrupted the last one that was recorded."""
+    """The zero of an axis at a time, or the last one recorded before an interrupt."""
     data = run.orders.data[a.index]
     return data[min(a.place(time), len(data) - 1)] if data and a.starts else 0.0

@@ -1,7 +1,8 @@
-"""Stretches of a motion as plain formulas, evaluated and bounded exactly: the proof's own arithmetic, no planner's.
+"""Segments of a motion as formulas, evaluated and bounded exactly.
 
-A span is c0 + c1 x + c2 x² + c3 x³ + A sin(ωx + φ) over a length of time; its derivatives have their extrema where the
-next ones are zero, and those places are found in closed form.
+This is the proof's own arithmetic, not a planner's. A segment is c0 + c1 x + c2 x² + c3 x³ + A sin(ωx + φ)
+over a length of time. Its derivatives have their extrema at the zeros of the next ones, which are found in
+closed form.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Span:
-    """One piece of a motion from `begin` on, seconds since its profile began, for `length` seconds."""
+    """A piece of a motion for `length` s, from `begin`, s after its profile began."""
 
     __slots__ = ("begin", "length", "piece")
 
@@ -26,15 +27,15 @@ class Span:
         self.begin, self.length, self.piece = begin, length, piece
 
     def at(self, x: float) -> tuple[float, float, float, float]:
-        """Position, velocity, acceleration and jerk `x` seconds after it began."""
+        """Return position, velocity, acceleration and jerk `x` seconds after it began."""
         return derivatives(self.piece, x)
 
     def part(self, first: float, last: float) -> Span:
-        """The span from `first` to `last` seconds after it began."""
+        """Return the segment from `first` to `last` seconds after it began."""
         return Span(self.begin + first, last - first, _from(self.piece, first))
 
     def cuts(self) -> list[float]:
-        """Its ends, and the times between at which velocity or acceleration change sign or have an extremum."""
+        """Its ends, and the zeros and extrema of velocity and acceleration in between."""
         _, c1, c2, c3, amplitude, omega, phase = self.piece
         found: list[float] = []
         if c3:
@@ -49,11 +50,14 @@ class Span:
         return [0.0, *sorted(x for x in found if 0.0 < x < self.length), self.length]
 
     def peak(self, order: int) -> float:
-        """The largest absolute value of a derivative: 1 the velocity, 2 the acceleration, 3 the jerk."""
+        """The largest absolute value of a derivative: 1 velocity, 2 acceleration, 3 jerk."""
         return max(abs(self.at(x)[order]) for x in self.cuts())
 
     def sides(self) -> Iterator[tuple[float, tuple[float, ...], tuple[float, ...]]]:
-        """The parts in which the motion either speeds up or slows down: the power (its sign) and both end states."""
+        """Yield the sections of speeding up or slowing down.
+
+        Each is the power (its sign) and both end states.
+        """
         cuts = self.cuts()
         states = [self.at(x) for x in cuts]
         for (x, left), (y, right) in pairwise(zip(cuts, states, strict=True)):
@@ -62,7 +66,7 @@ class Span:
 
 
 def derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
-    """Position, velocity, acceleration and jerk of a piece."""
+    """Return position, velocity, acceleration and jerk of a piece."""
     c0, c1, c2, c3, amplitude, omega, phase = piece
     p, v = c0 + x * (c1 + x * (c2 + x * c3)), c1 + x * (2.0 * c2 + 3.0 * c3 * x)
     a, j = 2.0 * c2 + 6.0 * c3 * x, 6.0 * c3
@@ -73,7 +77,7 @@ def derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
 
 
 def spans(profile: Profile, begin: float, length: float) -> list[Span]:
-    """The spans of a pieced profile from `begin` on, for `length` seconds."""
+    """Return the segments of a pieced profile from `begin` on, for `length` seconds."""
     found = []
     knots = profile.knots
     for piece, first, last in zip(profile.pieces, knots, knots[1:], strict=False):
@@ -84,7 +88,7 @@ def spans(profile: Profile, begin: float, length: float) -> list[Span]:
 
 
 def combined(parts: Sequence[Span], weights: Sequence[float], origin: float) -> Span:
-    """The weighted sum of spans of one time, of which no two wave differently, counted from an origin."""
+    """Return the weighted sum of simultaneous segments with equal waves, counted from an origin."""
     sums = [fsum(w * s.piece[k] for w, s in zip(weights, parts, strict=True)) for k in range(5)]
     sums[0] -= origin
     waving = next((s for s in parts if s.piece[4]), parts[0])
@@ -92,7 +96,7 @@ def combined(parts: Sequence[Span], weights: Sequence[float], origin: float) -> 
 
 
 def _from(piece: Piece, x: float) -> Piece:
-    """The same piece with its time counted from `x`."""
+    """Return the same piece with its time counted from `x`."""
     if not x:
         return piece
     c0, c1, c2, c3, amplitude, omega, phase = piece
@@ -101,7 +105,7 @@ def _from(piece: Piece, x: float) -> Piece:
 
 
 def _roots(a: float, b: float, c: float) -> list[float]:
-    """Where a x² + b x + c is zero."""
+    """Return the real roots of a x² + b x + c."""
     if not a:
         return [-c / b] if b else []
     under = b * b - 4.0 * a * c
@@ -112,23 +116,23 @@ def _roots(a: float, b: float, c: float) -> list[float]:
 
 
 def _quarters(omega: float, phase: float, length: float) -> list[float]:
-    """Where a wave is zero or has a crest."""
+    """Return the times at which a wave is zero or has a crest."""
     first, last = ceil(phase / (0.5 * pi)), floor((omega * length + phase) / (0.5 * pi))
     return [(k * 0.5 * pi - phase) / omega for k in range(first, last + 1)]
 
 
 def _angles(angle: float, omega: float, phase: float, length: float) -> list[float]:
-    """Where the cosine of a wave has the value of that of an angle."""
+    """Return the times at which the cosine of a wave equals that of an angle."""
     turns = range(floor(phase / (2.0 * pi)) - 1, ceil((omega * length + phase) / (2.0 * pi)) + 2)
     return [(sign * angle + 2.0 * pi * k - phase) / omega for k in turns for sign in (1.0, -1.0)]
 
 
 def rotation(x: float, y: float, degrees: float) -> tuple[float, float]:
-    """A vector turned by an angle."""
+    """Return a vector rotated by an angle."""
     angle = degrees * pi / 180.0
     return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
 
 
 def half_angle(chord: float) -> float:
-    """The angle, degrees, between two unit vectors whose ends lie a chord apart."""
+    """The angle, degrees, between two unit vectors with a chord between their ends."""
     return 2.0 * asin(min(1.0, 0.5 * chord)) * 180.0 / pi

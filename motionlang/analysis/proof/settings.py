@@ -1,7 +1,7 @@
-"""Checks settings that are written in motion: the profile in force is replaced, or keeps them all the same.
+"""Checks of settings written in motion: they replace the profile, or it continues.
 
-A planner that goes on as it had planned is judged by what the setting asks for from that moment on. New rates may come
-too late: a move that could not stop at its end with them goes on as it was.
+A planner that continues its plan is checked against the setting from that time on. New rates may come too
+late: a move that could not stop at its end with them continues unchanged.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def judge_settings(proof: Proof, run: Run) -> None:
-    """Every setting that has not replaced the profile of its axis."""
+    """Check every setting that has not replaced the profile of its axis."""
     for (number, time), wanted in run.orders.unheeded.items():
         a = run.axes[number]
         i = a.place(time)
@@ -38,8 +38,8 @@ def _judge_setting(
         if order.path.rests or order.path.entry != wanted.path.entry:
             return
         if _law(order) != _law(wanted) and not _stops_within(run, wanted, time):
-            return  # by the settings of now it would stop behind its end, where it comes to rest as planned
-        # Only what is lower: a path may keep its speed where it could not stop at its end otherwise.
+            return  # by the present settings it would stop after its end, where it comes to rest as planned
+        # Only lower values: a path may keep its speed if it could not stop at its end without it.
         path = order.path._replace(
             most=tuple(map(min, order.path.most, wanted.path.most)),
             most_accel=tuple(map(min, order.path.most_accel, wanted.path.most_accel)),
@@ -78,13 +78,16 @@ def _judge_setting(
 
 
 def _law(order: Order) -> tuple[object, ...]:
-    """What the ramps of a path go by."""
+    """Return the law of the ramps of a path."""
     assert order.path is not None
     return order.shape, order.rates, order.jerks, order.path.most_accel, order.path.most_decel
 
 
 def _stops_within(run: Run, wanted: Order, time: float) -> bool:
-    """Whether a path could stop before its end, or the end of those that it goes on into, by an order given then."""
+    """True if a path could stop in time by an order given then.
+
+    It stops before its end, or that of the paths it continues into.
+    """
     path = wanted.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]

@@ -1,8 +1,8 @@
-"""Slowing down: motion that begins above its speed, or above its rates, comes back within them as fast as it may.
+"""Slowing down of motion that begins above its speed or rates, as fast as allowed.
 
-A profile may begin above its speed, as that has come down, and with more acceleration than its S-ramp may have. Both
-are accepted only for as long as the ramp from there takes. Until then the speed is at most that of the ramp; from then
-on the bounds hold as for any other motion. The ramp is worked out from what was ordered alone.
+A profile may begin above its speed, because that was lowered, and with more acceleration than its S-ramp may
+have. Both are accepted only for as long as the ramp from there takes. Until then the speed is at most that of
+the ramp; from then on the bounds apply as for any other motion. The ramp is computed from the commands alone.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
     from motionlang.analysis.proof.segments import Span
     from motionlang.analysis.proof.time_bounds import Law
 
-# Seconds by which a span may be late, as its time is rounded.
+# Seconds by which a segment may be late, as its time is rounded.
 LATE = 1e-9
 
 
 class Slowing(NamedTuple):
-    """Entering at velocity v0 >= 0 and acceleration a0 what may have `speed`: `came` is the peak of the entry.
+    """An entry at v0 >= 0 and a0 above its limits for `speed`; `came` is its peak.
 
-    The speed may be above `speed` until `until`, and the acceleration above its rate until `eased`.
+    The speed may exceed `speed` until `until`, and the acceleration its rate until `eased`.
     """
 
     v0: float
@@ -37,11 +37,11 @@ class Slowing(NamedTuple):
     stretches: tuple[tuple[float, float, float], ...]
 
     def bound(self, middle: float) -> float:
-        """The bound on the speed of a stretch of `cut` spans that has a time inside."""
+        """Return the bound on the speed of a `cut` segment with a time inside."""
         return max(self.came, self.speed) if middle < self.until else self.speed
 
     def cuts(self, spans: Sequence[Span]) -> Iterator[Span]:
-        """The spans, cut where the excuses end."""
+        """Yield the segments, cut where the excuses end."""
         for span in spans:
             first = 0.0
             for end in sorted((self.until, self.eased)):
@@ -52,7 +52,7 @@ class Slowing(NamedTuple):
             yield span.part(first, span.length) if first else span
 
     def due(self, time: float) -> float:
-        """The speed that is left `time` seconds after the entry, at the most."""
+        """Return the highest speed `time` seconds after the entry."""
         if time >= self.until:
             return self.speed
         if not self.stretches:
@@ -68,7 +68,7 @@ class Slowing(NamedTuple):
 
 
 def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> Slowing:
-    """How motion that begins with a velocity and an acceleration comes to a speed, `extra` seconds not counted."""
+    """Return how a motion reaches a speed; `extra` seconds do not count."""
     if v0 < 0.0:
         v0, a0 = -v0, -a0
     came, until, eased = v0, 0.0, 0.0
@@ -76,11 +76,11 @@ def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> 
         came += 0.5 * a0 * a0 / by.jerks[0] if a0 > 0.0 else 0.0
         eased = abs(a0) / min(by.jerks) * (1.0 + SLACK) + LATE
     beyond = 0.5 * a0 * a0 / by.jerks[1] - v0 if by.smooth and a0 < 0.0 else 0.0
-    if beyond > speed:  # it is as fast the other way before its acceleration is taken back
+    if beyond > speed:  # it has that speed in the other direction before its acceleration is ramped down
         until = (abs(a0) / by.jerks[1] + ramp(beyond, speed, by)[0]) * (1.0 + SLACK) + extra + LATE
         return Slowing(v0, speed, max(came, beyond), until, eased, ())
     if came > speed:
-        # A ramp with a shape that leads to rest, where the motion turns round, is later at the speed than one to it.
+        # A shaped ramp that leads to rest at a reversal reaches the speed later than one to that speed.
         to = speed if by.stretch == 1.0 else 0.0
         until = lead(v0, a0 if by.smooth else 0.0, to, by)[0] * (1.0 + SLACK) + extra + LATE
     stretches = _stretches(v0, a0, came, speed, by) if until and by.stretch == 1.0 and not extra else ()
@@ -90,7 +90,10 @@ def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> 
 def _stretches(
     v0: float, a0: float, came: float, speed: float, by: Law
 ) -> tuple[tuple[float, float, float], ...]:
-    """The stretches of the ramp to a lower speed: the acceleration at first, its change, and the time."""
+    """Return the sections of the ramp to a lower speed.
+
+    Each is the initial acceleration, its change, and the time.
+    """
     rate, jerk = by.rates[1], by.jerks[1]
     if not by.smooth:
         return ((-rate, 0.0, (v0 - speed) / rate),)

@@ -1,8 +1,8 @@
-"""How long motion may take: times and ways of ramps, stops and moves, worked out from what was ordered alone.
+"""Times and distances of ramps, stops and moves, from the commands alone.
 
-The proof's own arithmetic, no planner's. A move is as fast as the rules of `docs/decisions.md` let it be: it turns at
-rest, and velocities of opposite signs meet there. Velocities and accelerations are counted in one direction; rates and
-jerks are pairs, of speeding up and of slowing down.
+This is the proof's own arithmetic, not a planner's. A move is as fast as the rules of `docs/decisions.md`
+allow: it reverses at rest, and velocities of opposite signs meet there. Velocities and accelerations count in
+one direction; rates and jerks are pairs, of speeding up and of slowing down.
 """
 
 from __future__ import annotations
@@ -13,19 +13,20 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    # A time, and the signed way gone in it.
+    # A time, and the signed distance in it.
     Leg = tuple[float, float]
 
-# Halves of an interval of speeds after which nothing changes any more.
+# Bisections of an interval of speeds after which nothing changes any more.
 _HALVES = 70
-# Parts of a distance, and of the positions at its ends, that rounding may be worth.
+# The relative rounding of a distance, and of the positions at its ends.
 _ROUNDING, _EPSILON = 1e-13, 4e-16
 
 
 class Law(NamedTuple):
-    """How velocities change: at rates, with jerks, or in a shape that takes `stretch` times as long as a straight ramp.
+    """The law of a change of velocity: rates, jerks, or a shape.
 
-    Of a ramp between two speeds `heavy` is the part of the way that goes by the higher one.
+    A shape takes `stretch` times as long as a linear ramp. Of a ramp between two speeds `heavy` is the
+    fraction of the distance due to the higher one.
     """
 
     rates: tuple[float, float]
@@ -35,12 +36,15 @@ class Law(NamedTuple):
 
     @property
     def smooth(self) -> bool:
-        """Whether accelerations have a slope that is bounded."""
+        """True if the slope of the acceleration is bounded."""
         return self.jerks[0] < inf
 
 
 def law(shape: str, rates: tuple[float, float], jerks: tuple[float, float], ramp: float) -> Law:
-    """The law of a shape; TN1069's have T = (pi/2) V/A, V/(A (1 - n)) and 2 V/A with two thirds of V T."""
+    """Return the law of a shape.
+
+    TN1069's have T = (pi/2) V/A, V/(A (1 - n)), and 2 V/A with two thirds of V T.
+    """
     if jerks[0] < inf or shape == "trapezoid":
         return Law(rates, jerks)
     if shape == "sinusoidal":
@@ -51,7 +55,7 @@ def law(shape: str, rates: tuple[float, float], jerks: tuple[float, float], ramp
 
 
 def ramp(u: float, v: float, by: Law) -> Leg:
-    """From speed u >= 0 to v >= 0, with no acceleration at either end."""
+    """Return a ramp from speed u >= 0 to v >= 0, without acceleration at its ends."""
     side = 0 if v > u else 1
     rate, jerk, change = by.rates[side], by.jerks[side], abs(v - u)
     if jerk < inf:
@@ -62,12 +66,12 @@ def ramp(u: float, v: float, by: Law) -> Leg:
 
 
 def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
-    """From velocity v0 and acceleration a0 to velocity v1 and none."""
+    """Return a ramp from velocity v0 and acceleration a0 to velocity v1 and none."""
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and v1 < 0.0))):
         time, way = lead(-v0, -a0, -v1, by)
         return time, -way
     if v1 < 0.0:
-        if _turns(v0, a0, by):  # it is on its way there when its acceleration is taken back
+        if _turns(v0, a0, by):  # it is already accelerating that way when its acceleration is ramped down
             back = _steps(v0, a0, [(-a0, -a0 / by.jerks[1])])
             return _both(back, lead(v0 - 0.5 * a0 * a0 / by.jerks[1], 0.0, v1, by))
         return _both(lead(v0, a0, 0.0, by), lead(0.0, 0.0, v1, by))
@@ -77,12 +81,12 @@ def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
     rate, jerk, size = by.rates[side], by.jerks[side], abs(a0)
     eased = 0.5 * size * size / jerk
     gain = v1 - v0 if a0 > 0.0 else v0 - v1
-    if gain < eased:  # it does not serve: it is taken back first
+    if gain < eased:  # it does not help: it is ramped down first
         return _both(
             _steps(v0, a0, [(-a0, size / jerk)]), lead(v0 + (eased if side == 0 else -eased), 0.0, v1, by)
         )
     sign = 1.0 if side == 0 else -1.0
-    if size > rate:  # beyond what is allowed now: it is taken back to that first
+    if size > rate:  # above the present limit: it is ramped down to that first
         held = (gain - eased) / rate
         return _steps(
             v0, a0, [(-sign * (size - rate), (size - rate) / jerk), (0.0, held), (-sign * rate, rate / jerk)]
@@ -95,7 +99,7 @@ def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
 
 
 def _steps(v: float, a: float, steps: list[tuple[float, float]]) -> Leg:
-    """Stretches in which the acceleration changes evenly by so much in so much time."""
+    """Return a sequence of linear changes of the acceleration, each with its time."""
     way = 0.0
     for change, time in steps:
         way += time * (v + time * (0.5 * a + change / 6.0))
@@ -109,15 +113,16 @@ def _both(first: Leg, second: Leg) -> Leg:
 
 
 def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float = 0.0) -> float:
-    """From a velocity and an acceleration to rest after `distance`, at `speed` at most.
+    """Return the time from a velocity and an acceleration to rest after `distance`.
 
-    A distance of `rounding` takes no time that is left over at the highest speed, which rounding may have near zero.
+    The speed is at most `speed`. A distance of `rounding` at the highest speed takes no time, because that
+    speed may be near zero by rounding.
     """
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
     if _turns(
         v0, a0, by
-    ):  # it runs the other way when its acceleration is taken back, towards the target perhaps
+    ):  # it moves the other way when its acceleration is ramped down, possibly towards the target
         change = -a0 / by.jerks[1]
         time, way = _steps(v0, a0, [(-a0, change)])
         return time + move_time(v0 + 0.5 * a0 * change, 0.0, distance - way, speed, by, rounding)
@@ -128,17 +133,17 @@ def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, roun
 
 
 def rounding(distance: float, *places: float) -> float:
-    """What rounding of a distance between places may be worth."""
+    """Return the possible rounding of a distance between positions."""
     return _ROUNDING * abs(distance) + _EPSILON * max(map(abs, places))
 
 
 def move_times(
     v0: float, a0: float, distance: float, speed: float, by: Law, rounded: float
 ) -> tuple[float, float]:
-    """The shortest and the longest time of such a move over a distance that is rounded.
+    """Return the shortest and longest time of such a move over a rounded distance.
 
-    Where it hardly has the room that a stop needs, what is missing or left over is gone from a standstill: its time
-    goes by the square root of it, or the cube root.
+    If it hardly has the distance for a stop, the difference is covered from standstill: its time grows with
+    its square root, or cube root.
     """
     if not (v0 or a0):
         whole = move_time(v0, a0, distance, speed, by)
@@ -152,12 +157,12 @@ def move_times(
 
 
 def _turns(v0: float, a0: float, by: Law) -> bool:
-    """Whether a velocity is through zero before its acceleration can be taken back."""
+    """True if a velocity passes zero before its acceleration can be ramped down."""
     return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] > v0 * (1.0 + 1e-9)
 
 
 def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
-    """The speed to which a move goes up, or down, before it comes to rest after `distance`: `speed`, or less room."""
+    """Return the top speed of a move to rest after `distance`, at most `speed`."""
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
     if lead(v0, a0, 0.0, by)[1] > distance or _turns(v0, a0, by):
@@ -166,14 +171,14 @@ def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> f
 
 
 def _travel(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float) -> float:
-    """The same where a stop has the room that it needs: up, or down, to the highest speed that leaves it."""
+    """Return the top speed if the distance suffices for a stop."""
     top, left = _top(v0, a0, distance, speed, by)
     held = max(0.0, left - rounding) / top if top > 0.0 else 0.0
     return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + held
 
 
 def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:
-    """That speed, and the distance that is left for it."""
+    """Return the top speed, and the distance that is left for it."""
 
     def room(v: float) -> float:
         return distance - lead(v0, a0, v, by)[1] - ramp(v, 0.0, by)[1]
@@ -185,7 +190,7 @@ def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:
     elif eased <= speed:
         crest = room(eased) >= 0.0
         top = _last(eased if crest else 0.0, speed if crest else eased, room)
-    elif room(eased) >= 0.0:  # two brakings need more room than one: a higher speed between them needs less
+    elif room(eased) >= 0.0:  # two brakings need more distance than one; a higher speed between needs less
         top = _last(eased, speed, room)
     else:
         top = _last(0.0, speed, room)
@@ -193,7 +198,7 @@ def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:
 
 
 def _last(fits: float, other: float, room: Callable[[float], float]) -> float:
-    """The speed farthest from one that fits, towards another one, that fits too."""
+    """The farthest speed from a fitting one, towards another one, that fits too."""
     for _ in range(_HALVES):
         middle = 0.5 * (fits + other)
         if middle in (fits, other):
