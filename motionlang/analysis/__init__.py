@@ -1,1 +1,1 @@
-"""Questions about a run, or about many: cycle time, differences, recordings, proof, sweeps."""
+"""Questions about one or many runs: cycle time, differences, proof, sweeps."""

@@ -1,7 +1,7 @@
-"""The limit certificate: each limit that the machine file gives an axis, the extreme reached, and the margin.
+"""The limit certificate: machine file limits, extremes reached, and margins.
 
-The extremes come from the closed form of the motion (`extremes.py`); a second look at the motion, sampled by other
-code, must find nothing beyond them.
+The extremes come from the closed form of the motion (`extremes.py`). A second check of the motion, sampled by
+other code, must find nothing beyond them.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ LIMITS = {
     "following_error": ("error", "uu"),
 }
 MOTOR = ("torque", "following_error")
-# A figure that is beyond a limit by less than this part of it is on it.
+# A figure that exceeds a limit by less than this fraction of it equals it.
 SLACK = 1e-9
-# Samples of each axis for the second look.
+# Samples of each axis for the second check.
 SAMPLES = 100_000
 HINT = "give {} a section such as [axis.0.limits] with speed = 500, acceleration = 8000"
-# What jumps where a derivative is infinite.
+# The derivative that jumps where another one is infinite.
 JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
 
 
 class Limit:
-    """One line of the certificate: a limit, what was `reached` and when, on which `line` of the program.
+    """One line of the certificate: a limit, the extreme `reached`, when and where.
 
-    `reached` is None where the run cannot tell: no motor is simulated. `margin` is the part of the limit that is left,
-    below 0 where it was passed; of a position it is in user units.
+    `reached` is None if it is unknown: no motor is simulated. `margin` is the remaining fraction of the
+    limit, below 0 if it is exceeded; of a position it is in user units.
     """
 
     def __init__(
@@ -69,13 +69,13 @@ class Limit:
         return "within" if self.margin >= -SLACK * size else "beyond"
 
     def as_dict(self) -> dict[str, object]:
-        """The line as the JSON report has it."""
+        """Return the line in the form of the JSON report."""
         return {name: getattr(self, name) for name in ("axis", "name", "unit", "limit", "reached", "time", "line",
                                                        "margin", "verdict")}  # fmt: skip
 
 
 def certificate(controller: Controller, settings: Mapping[str, object], until: float) -> list[Limit]:
-    """A line for each limit of the machine file, by axis; a position has two."""
+    """Return a line for each limit of the machine file, by axis; a position has two."""
     found = []
     for number, a in controller.axes.items():
         given = {
@@ -106,7 +106,7 @@ def _of_axis(controller: Controller, a: Axis, given: Mapping[str, object], until
 
 
 def _line(controller: Controller, a: Axis, time: float) -> int:
-    """The line whose move an axis was in at a time; 0 where none had begun."""
+    """Return the line of the move of an axis at a time; 0 if none had begun."""
     line = 0
     for move in controller.log.moves:
         if move.start_time > time + SLACK:
@@ -119,9 +119,9 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
 def violations(
     controller: Controller, lines: list[Limit], until: float, machine: str = "the machine file"
 ) -> list[Diagnostic]:
-    """What speaks against signing a certificate: limits that were passed, or that nobody can know; a contradiction.
+    """The objections to a certificate: exceeded or unknown limits, contradictions.
 
-    `machine` is where limits would stand.
+    `machine` is where limits would be set.
     """
     found = [_told(line) for line in lines if line.verdict != "within"]
     found += [Diagnostic("proof", each) for each in contradictions(controller, lines, until)]
@@ -148,7 +148,10 @@ def _told(line: Limit) -> Diagnostic:
 
 
 def least_margin(lines: list[Limit]) -> float | None:
-    """The smallest margin of the limits, each as a part of it; of a position of its size. None where none is known."""
+    """Return the smallest relative margin of the limits; None if none is known.
+
+    That of a position is relative to its magnitude.
+    """
     shares = [
         line.margin / max(abs(line.limit), 1e-12) if "position" in line.name else line.margin
         for line in lines
@@ -158,7 +161,7 @@ def least_margin(lines: list[Limit]) -> float | None:
 
 
 def contradictions(controller: Controller, lines: list[Limit], until: float) -> list[str]:
-    """What a second look at the motion finds beyond the extremes of a certificate: nothing, unless that is wrong."""
+    """Extremes of the second check beyond those of a certificate: normally none."""
     found = []
     rate = min(1000.0, SAMPLES / until) if until else 1.0
     for number in {line.axis for line in lines}:

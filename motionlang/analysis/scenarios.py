@@ -1,6 +1,7 @@
-"""Scenarios: several worlds for one program, each a machine file on top of its own, and what is expected there.
+"""Scenarios: several worlds for one program, each with its expectations.
 
-`pick.mnt` has them in the folder `pick.scenarios` beside it: `late.toml`, `stuck.toml`.
+A world is a machine file on top of the program's own. `pick.mnt` has them in the folder `pick.scenarios` next
+to it: `late.toml`, `stuck.toml`.
 """
 
 from __future__ import annotations
@@ -20,24 +21,27 @@ if TYPE_CHECKING:
 
     Entry = Mapping[str, object]
 
-# What follows a program's name, without its suffix, in the name of the folder with its scenarios.
+# The suffix of the scenario folder, after a program's name without its own suffix.
 FOLDER_SUFFIX = ".scenarios"
-# How far off a figure may be where that is not said.
+# The default tolerance of a figure.
 WITHIN = 1e-6
 
 
 class Scenario:
-    """One world: `settings` are those of its machine file on top of the program's, `expected` the entries of both."""
+    """One world: `settings` on top of the program's, `expected` entries of both."""
 
     __slots__ = ("expected", "path", "program", "settings")
 
     def __init__(self, program: str, path: str) -> None:
-        """Read it. OSError where a file cannot be read, ProgramError where the scenario is wrong."""
+        """Read a scenario.
+
+        Raises OSError if a file cannot be read, ProgramError if the scenario is invalid.
+        """
         self.program, self.path = program, path
         below = machine_of(program)
         settings = read_machine(Source.read(below)) if below is not None else {}
         above = read_machine(Source.read(path))
-        # What is expected of the program's own world is not expected of another one.
+        # Expectations of the program's own world do not apply to another one.
         self.expected: list[Entry] = above.pop("expect", [])  # type: ignore[assignment]
         settings.pop("expect", None)
         self.settings = layered(settings, above)
@@ -48,12 +52,12 @@ class Scenario:
         return os.path.splitext(os.path.basename(self.path))[0]
 
     def run(self, *, cache: bool = False) -> Run:
-        """The run of the program in this world."""
+        """Run the program in this world."""
         return run(self.program, machine=self.settings, cache=cache)
 
 
 def scenario_files(program: str) -> list[str]:
-    """The files of a program's scenarios, in order."""
+    """Return the files of a program's scenarios, in order."""
     folder = os.path.splitext(program)[0] + FOLDER_SUFFIX
     if not os.path.isdir(folder):
         return []
@@ -61,7 +65,7 @@ def scenario_files(program: str) -> list[str]:
 
 
 def unmet(result: Run, expected: list[Entry]) -> list[str]:
-    """What a run did not do of what was expected, each as a sentence; and errors that nobody expected."""
+    """The unmet expectations of a run, each as a sentence, and unexpected errors."""
     found = [told for entry in expected if (told := _unmet(result, entry))]
     codes = {entry["diagnostic"] for entry in expected if "diagnostic" in entry}
     faults = any(entry.get("status") == "fault" for entry in expected)
@@ -73,7 +77,7 @@ def unmet(result: Run, expected: list[Entry]) -> list[str]:
 
 
 def _unmet(result: Run, entry: Entry) -> str:
-    """What is not as one entry expects; empty where it is."""
+    """Return how a run fails one entry; empty if it does not."""
     if "status" in entry:
         return "" if result.status == entry["status"] else f"the run {_ended(result)}, not {entry['status']}"
     if "diagnostic" in entry:
@@ -131,7 +135,11 @@ def _unmet_event(result: Run, entry: Entry) -> str:
 
 
 def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool, instead: str) -> str:
-    """What is not as expected of what is to happen, or never, between two times; `instead` is what there was."""
+    """Return how the times of an event fail an entry with a time window.
+
+    The event is expected, or forbidden with `never`, between two times. `instead` describes the actual
+    events.
+    """
     low, high = entry.get("after", 0.0), entry.get("before", float("inf"))
     assert isinstance(low, (int, float))
     assert isinstance(high, (int, float))

@@ -1,9 +1,9 @@
-"""Worker processes of this machine, which end with the process that started them, however that ends.
+"""Worker processes of this machine, which end with the process that started them.
 
-The end of its input does not end a worker: every worker inherits the writing ends of the pipes of its siblings, so that
-they stay open. A thread of each worker therefore waits for the end of the parent, of which `multiprocessing` has a file
-descriptor, and ends the process. Signals that end a command are blocked while processes start: one between a fork and
-its record would leave a process that the pool does not know.
+The end of its input does not end a worker: every worker inherits the writing ends of the pipes of its
+siblings, so that they stay open. A thread of each worker therefore waits for the end of the parent, of which
+`multiprocessing` has a file descriptor, and ends the process. Signals that end a command are blocked while
+processes start: one between a fork and its record would leave a process that the pool does not know.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _ENDING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if 
 
 
 class Workers(ProcessPoolExecutor):
-    """An executor with `jobs` processes, forked where that is safe, which takes the program along."""
+    """An executor of `jobs` processes, forked if safe, which inherit the program."""
 
     def __init__(self, jobs: int) -> None:
         fork = hasattr(os, "fork") and os.uname().sysname == "Linux" and threading.active_count() == 1
@@ -43,7 +43,7 @@ class Workers(ProcessPoolExecutor):
             return super().submit(fn, *args, **kwargs)
 
     def stop(self) -> None:
-        """End all processes now. Their results are lost."""
+        """End all processes now; their results are lost."""
         # Python 3.11 fails to cancel calls while a pool ends, so the processes end first.
         processes: dict[int, Any] = getattr(self, "_processes", None) or {}
         for process in list(processes.values()):
@@ -53,7 +53,10 @@ class Workers(ProcessPoolExecutor):
 
 @contextmanager
 def _signals_put_off() -> Iterator[None]:
-    """Deliver the signals that end a command after the block; processes started in it inherit that."""
+    """Delay signals that end a command until after the block.
+
+    Processes started in it inherit that.
+    """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -65,7 +68,7 @@ def _signals_put_off() -> Iterator[None]:
 
 
 def _begin() -> None:
-    """Prepare a worker: Ctrl-C is the parent's, other signals end it, and so does the end of the parent."""
+    """Prepare a worker: other signals than Ctrl-C, and the end of the parent, end it."""
     for number in _ENDING:
         signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else signal.SIG_DFL)
     parent = multiprocessing.parent_process()
@@ -76,6 +79,6 @@ def _begin() -> None:
 
 
 def _end_with(parent: BaseProcess) -> None:
-    """Wait for the end of the parent, then end this process in the middle of whatever it does."""
+    """Wait for the end of the parent, then end this process immediately."""
     wait([parent.sentinel])
     os._exit(1)

@@ -1,1 +1,4 @@
-"""What a real controller recorded, held against what the run says: read, aligned in time, compared move by move."""
+"""Comparison of a real controller's recording with the run.
+
+It is read, aligned in time, and compared move by move.
+"""

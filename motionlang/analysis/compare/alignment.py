@@ -1,13 +1,13 @@
-"""The delay of a recording against a run, found whatever the scale, sign and offset of its columns.
+"""The delay of a recording against a run, for any scale, sign and offset.
 
-A recording begins when a person or a trigger starts it, in units and with a zero of its own. For each delay every
-signal is fitted with `scale * simulated + offset` by least squares; the best delay leaves the smallest share of the
-variance. The share is computed on a grid of delays by FFT first, in O(n log n): the explained share is the squared
-correlation coefficient, whose sums over the recorded window are correlations. The best maxima of the grid are then
-refined by golden section on the samples themselves.
+A recording begins when a person or a trigger starts it, in units and with a zero of its own. For each delay
+every signal is fitted with `scale * simulated + offset` by least squares; the best delay leaves the smallest
+share of the variance. The share is computed on a grid of delays by FFT first, in O(n log n): the explained
+share is the squared correlation coefficient, whose sums over the recorded window are correlations. The best
+maxima of the grid are then refined by golden section on the samples themselves.
 
-Motion that repeats itself can fit at several delays. Among those that fit equally well the one with scales nearest 1
-counts, and a reversed sign only if no other does.
+Motion that repeats itself can fit at several delays. Among those that fit equally well the one with scales
+nearest 1 is chosen, and a reversed sign only if no other fits.
 """
 
 from __future__ import annotations
@@ -28,18 +28,19 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Maximum steps of the coarse grid, and points of a signal that are looked at to choose a delay and to refine it.
+# Maximum steps of the coarse grid, and points of a signal that are used to choose a delay and to refine it.
 COARSE, ROUGH, FINE = 1 << 16, 2_000, 20_000
-# How many maxima of the grid are refined, and by how much of a signal's variance these may be worse than the best.
+# How many maxima of the grid are refined, and by how much of a signal's variance these may be worse than the
+# best.
 MAX_CANDIDATES, WORSE = 6, 0.1
 # Delays fit equally well if their misfits differ by less than this factor, or this share of a signal's variance.
 TIE_FACTOR, TIE_SHARE = 1.01, 1e-6
-# A simulated signal with less than this share of its largest variance stands still.
+# A simulated signal with less than this share of its largest variance is constant.
 STILL = 1e-9
 
 
 class Signal(NamedTuple):
-    """One measured quantity of one axis in user units, at `times` (s) of the recording; no NaN is in it."""
+    """One measured quantity of one axis in user units, at `times` (s), without NaN."""
 
     axis: int
     quantity: str
@@ -49,17 +50,20 @@ class Signal(NamedTuple):
 
     @property
     def name(self) -> str:
-        """What a command line calls it: position.0."""
+        """Its name on a command line: position.0."""
         return f"{self.quantity}.{self.axis}"
 
 
 def simulated(trace: Trace, signal: Signal, times: Array) -> Array:
-    """What the run has at `times` (s) of its own; the first and the last value hold before and after it."""
+    """Return the run's values at `times` (s), constant before and after it."""
     return trace.at(signal.axis, signal.quantity, np.clip(times, 0.0, trace.end))
 
 
 def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
-    """Seconds that the recording is later than the run; None if nothing moves in one of the two."""
+    """Return the seconds that the recording is later than the run, or None.
+
+    It is None if nothing moves in one of the two.
+    """
     coarse = _coarse(trace, signals)
     if coarse is None:
         return None
@@ -71,12 +75,12 @@ def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
 
 
 def _refined(trace: Trace, signals: Sequence[Signal], delay: float, step: float) -> float:
-    """The best delay within two steps of one."""
+    """Return the best delay within two steps of one."""
     return summit(lambda each: -_misfit(trace, signals, each), delay - 2.0 * step, delay + 2.0 * step)
 
 
 def _likeliest(trace: Trace, signals: Sequence[Signal], delays: Sequence[float]) -> float:
-    """The delay that fits best; of several that fit equally well, the one whose scales are nearest 1."""
+    """Return the delay that fits best; of equal ones that with scales nearest 1."""
     misfits = [_misfit(trace, signals, delay) for delay in delays]
     worst = TIE_FACTOR * min(misfits) + TIE_SHARE * len(signals)
     tied = [(misfit, delay) for misfit, delay in zip(misfits, delays, strict=True) if misfit <= worst]
@@ -84,7 +88,10 @@ def _likeliest(trace: Trace, signals: Sequence[Signal], delays: Sequence[float])
 
 
 def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) -> float | None:
-    """Seconds that a signal is behind the run between two times of the run, to first order; None at rest."""
+    """Return the seconds that a signal is behind the run between two times, or None.
+
+    The result is to first order; it is None at rest.
+    """
     inside = (signal.times - delay >= begin) & (signal.times - delay <= end)
     times = signal.times[inside] - delay
     order = {"position": "velocity", "velocity": "acceleration", "acceleration": "jerk"}.get(signal.quantity)
@@ -97,14 +104,18 @@ def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) ->
 
 
 def _coarse(trace: Trace, signals: Sequence[Signal]) -> tuple[list[float], float] | None:
-    """The likeliest delays to about a step of a grid, and that step; None if nothing moves in one of the two."""
+    """Return the likeliest delays to about a step of a grid, and that step, or None.
+
+    It is None if nothing moves in one of the two.
+    """
     first = min(float(signal.times[0]) for signal in signals)
     length = max(float(signal.times[-1]) for signal in signals) - first
     usual = min(float(np.median(np.diff(signal.times))) for signal in signals)
     step = max(usual, 2.0 * max(length, trace.end) / COARSE)
     recorded: Array = first + np.arange(int(length / step) + 1, dtype=np.float64) * step
     count = int((length + trace.end) / step) + 2
-    # Correlation k pairs the first point of the recording with point k of the run, from a whole recording before it.
+    # Correlation k pairs the first point of the recording with point k of the run, from a complete recording
+    # before it.
     run_times: Array = trace.end + np.arange(1 - count, len(recorded), dtype=np.float64) * step
     explained = np.zeros(count)
     for signal in signals:
@@ -117,7 +128,10 @@ def _coarse(trace: Trace, signals: Sequence[Signal]) -> tuple[list[float], float
 
 
 def _explained(trace: Trace, signal: Signal, recorded: Array, run_times: Array) -> Array:
-    """The share of a signal's variance that the run explains with `recorded[0]` at each of `run_times`."""
+    """Return the share of a signal's variance that the run explains.
+
+    `recorded[0]` is at each of `run_times`.
+    """
     count = len(run_times) - len(recorded) + 1
     expected = simulated(trace, signal, run_times)
     expected = expected - expected.mean()
@@ -141,7 +155,7 @@ def _explained(trace: Trace, signal: Signal, recorded: Array, run_times: Array) 
 
 
 def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
-    """The sum over all signals of the share of variance that remains after each is fitted."""
+    """Return the total share of the signals' variance that remains after the fit."""
     total = 0.0
     for values, expected in _pairs(trace, signals, delay):
         scale, offset = fit(expected, values)
@@ -151,21 +165,21 @@ def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
 
 
 def _unlikeness(trace: Trace, signals: Sequence[Signal], delay: float) -> tuple[int, float]:
-    """How many signs are reversed, and how far the scales are from 1, to about a percent."""
+    """Return how many signs are reversed, and how far scales are from 1, to a percent."""
     scales = [fit(expected, values)[0] for values, expected in _pairs(trace, signals, delay)]
     reversals = [scale for scale in scales if scale <= 0.0]
     return len(reversals), round(fsum(abs(log(abs(scale))) for scale in scales if scale), 2)
 
 
 def _pairs(trace: Trace, signals: Sequence[Signal], delay: float) -> Iterator[tuple[Array, Array]]:
-    """What each signal measured, about its mean, and what the run has at those times."""
+    """The measured values of each signal, about their mean, and the run's values."""
     for signal in signals:
         values = signal.values - signal.values.mean()
         yield values, simulated(trace, signal, signal.times - delay)
 
 
 def _thinned(signals: Sequence[Signal], points: int) -> list[Signal]:
-    """The signals with at most about twice so many points each."""
+    """Return the signals with at most about twice `points` points each."""
     strides = [max(1, len(signal.times) // points) for signal in signals]
     return [
         signal._replace(times=signal.times[::stride], values=signal.values[::stride])
@@ -174,7 +188,10 @@ def _thinned(signals: Sequence[Signal], points: int) -> list[Signal]:
 
 
 def fit(expected: Array, values: Array) -> tuple[float, float]:
-    """Scale and offset that make `expected` most like `values`, by least squares; scale 1 where nothing moves."""
+    """Return scale and offset that fit `expected` to `values` by least squares.
+
+    The scale is 1 if nothing moves.
+    """
     spread = expected - expected.mean()
     energy = float(spread @ spread)
     scale = float(spread @ values) / energy if energy > 0.0 else 1.0

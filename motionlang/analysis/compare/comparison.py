@@ -1,4 +1,7 @@
-"""A recording held against a run: residuals, lag and overshoot, as a whole, move by move and phase by phase."""
+"""Comparison of a recording with a run: residuals, lag and overshoot.
+
+There are totals, and figures for each move and phase.
+"""
 
 from __future__ import annotations
 
@@ -24,16 +27,19 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 SCHEMA = "motionlang.compare/1"
-# A recorded motor's position is compared with what was demanded of it.
+# A recorded motor's position is compared with its commanded position.
 QUANTITIES = (*UNITS, "actual")
-# A fitted scale so far from 1 says that the units are others; seconds behind an end in which a motor overshoots.
+# A fitted scale this far from 1 indicates other units; seconds after an end in which a motor overshoots.
 OTHER_UNITS, AFTER = 0.01, 0.5
-# A step of time so many times the usual one is a gap.
+# A time step this many times the usual one is a gap.
 GAP = 3.5
 
 
 class Mapped(NamedTuple):
-    """What a column is: `target` "time" or "position.0"; its numbers times `factor` are seconds or user units."""
+    """The meaning of a column: `target` "time" or "position.0", and a `factor`.
+
+    Its numbers times `factor` are seconds or user units.
+    """
 
     target: str
     column: str
@@ -41,7 +47,10 @@ class Mapped(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """`delay` in seconds from the run to the recording; `signals` and `moves` are rows of the report."""
+    """`delay` in seconds from the run to the recording; rows `signals` and `moves`.
+
+    They are rows of the report.
+    """
 
     run: Run
     delay: float
@@ -52,12 +61,12 @@ class Comparison(NamedTuple):
 
     @property
     def is_within(self) -> bool | None:
-        """Whether everything keeps its tolerance; None where none was given."""
+        """True if everything is within tolerance; None if none was given."""
         judged = [row["within"] for row in self.moves + self.signals if row["within"] is not None]
         return all(judged) if judged else None
 
     def report(self) -> Row:
-        """The comparison as plain data, schema `motionlang.compare/1`."""
+        """Return the comparison as plain data, schema `motionlang.compare/1`."""
         return {
             "schema": SCHEMA,
             "program": self.run.source.name,
@@ -77,10 +86,10 @@ def compare(
     tolerances: Mapping[str, float] | None = None,
     delay: float | None = None,
 ) -> Comparison:
-    """Hold the recording in `source` against `run`.
+    """Compare the recording in `source` with `run`.
 
-    `tolerances` has the largest residual allowed, in user units, by "position.0" or "position"; `delay` (s) is found
-    where it is None. Raises ProgramError where there is nothing to compare.
+    `tolerances` has the largest residual allowed, in user units, by "position.0" or "position"; `delay` (s)
+    is found if it is None. Raises ProgramError if there is nothing to compare.
     """
     found, remarks = _signals(run, source, mapping)
     if delay is None:
@@ -123,7 +132,7 @@ def _remarks(row: Row) -> Iterator[Diagnostic]:
         )
 
 
-# ------------------------------------------------------------------------------------------ what is compared
+# ------------------------------------------------------------------------------------------ columns
 
 
 def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[Signal], list[Diagnostic]]:
@@ -178,7 +187,10 @@ def _target(run: Run, target: str) -> tuple[str, int]:
 
 
 def _own(columns: Mapping[str, Array]) -> Iterator[Mapped]:
-    """Columns that are called as those of a trace of ours; the measured position goes before the demanded one."""
+    """Yield columns named like those of our own trace.
+
+    The measured position precedes the commanded one.
+    """
     made: dict[str, Mapped] = {}
     suffixes = {f"{name}_{unit}": name for name, (_, unit) in (UNITS | MOTOR).items() if name in QUANTITIES}
     for column in columns:
@@ -216,7 +228,7 @@ class _Compared:
         self._trace, self._delay, self._tolerances = run.trace, delay, tolerances
 
     def signal(self, signal: Signal) -> Row:
-        """The figures of a whole signal."""
+        """Return the figures of a complete signal."""
         times, values, residual = self._within(signal, 0.0, self._trace.end)
         expected = values - residual
         scale, offset = fit(expected, values) if len(times) else (1.0, 0.0)
@@ -226,7 +238,7 @@ class _Compared:
         return row | self._figures(signal, times, residual)
 
     def moves(self, signal: Signal, rows: Sequence[Row]) -> Iterator[Row]:
-        """A row a move of the signal's axis, with one a phase."""
+        """Yield a row per move of the signal's axis, with one per phase."""
         own = [row for row in rows if row["axis"] == signal.axis]
         for row, following in zip(own, [*own[1:], None], strict=True):
             begin, end = row["start_time"], row["start_time"] + row["duration"]
@@ -246,7 +258,7 @@ class _Compared:
             yield made
 
     def _within(self, signal: Signal, begin: float, end: float) -> tuple[Array, Array, Array]:
-        """Times of the run, measured values and residuals of a signal from `begin` to `end`."""
+        """Return run times, measured values and residuals of a signal in an interval."""
         times = signal.times - self._delay
         first, last = np.searchsorted(times, (begin, end), "left")
         last = int(np.searchsorted(times, end, "right"))
@@ -254,7 +266,10 @@ class _Compared:
         return times, values, values - simulated(self._trace, signal, times)
 
     def _figures(self, signal: Signal, times: Array, residual: Array) -> Row:
-        """The largest residual with its sign and its time, the RMS, and whether it keeps its tolerance."""
+        """Return the largest residual with sign and time, the RMS, and its verdict.
+
+        The verdict is true within its tolerance.
+        """
         tolerance = self._tolerances.get(signal.name, self._tolerances.get(signal.quantity))
         if not len(times):
             return {"peak": None, "peak_time": None, "rms": None, "within": None}
@@ -268,7 +283,7 @@ class _Compared:
         }
 
     def _overshoot(self, signal: Signal, row: Row, end: float, until: float) -> float | None:
-        """How far the motor went beyond the end of a move, in user units; 0 where it did not."""
+        """Return the overshoot after a move, user units; 0 if there is none."""
         _, values, _ = self._within(signal, end, until)
         if not len(values) or not row["distance"]:
             return None

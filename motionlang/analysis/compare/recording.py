@@ -1,7 +1,7 @@
-"""Reading what a drive, a scope or a data logger has written: columns of numbers in a text file, however it has them.
+"""Recordings of a drive, an oscilloscope or a data logger: columns in a text file.
 
-The separator is told by the lines themselves (tab, semicolon, comma, blanks); where it is no comma, a comma may be the
-decimal point. A row of names and one of units may stand above, lines of remarks anywhere before them.
+The separator is detected from the lines (tab, semicolon, comma, blanks); if it is no comma, a comma may be
+the decimal point. A row of names and one of units may come first, and lines of remarks anywhere before them.
 """
 
 from __future__ import annotations
@@ -25,17 +25,18 @@ if TYPE_CHECKING:
 
 SEPARATORS = ("\t", ";", ",", " ")
 REMARKS = ("#", "%", "//")
-# Lines that are looked at to find the separator and the head.
+# Lines that are read to detect the separator and the head.
 _LOOKED_AT = 60
-# What the column of the time may be called, and the seconds of a unit that stands in a name.
+# The possible names of the time column, and the seconds of a unit in a name.
 TIMES = ("time", "t", "time_s", "zeit", "timestamp", "sec", "seconds")
 UNITS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9}
 
 
 class Table(NamedTuple):
-    """Columns of equal length by their names, NaN where no number stood; `lines` has the line of the file of each row.
+    """Columns of equal length by name, NaN for missing numbers.
 
-    `remarks` are warnings about the file, `doubts` about single columns of it.
+    `lines` has the file line of each row. `remarks` are warnings about the file, `doubts` about single
+    columns of it.
     """
 
     columns: dict[str, Array]
@@ -45,9 +46,9 @@ class Table(NamedTuple):
     doubts: dict[str, Diagnostic]
 
     def find(self, name: str, source: Source) -> str:
-        """The column that is called `name`, also in other capitals or without its unit, or by its number from 1.
+        """Return the column of a name, in any case or without its unit, or of a number.
 
-        Raises ProgramError, with what there is, where there is none.
+        Numbers count from 1. Raises ProgramError, with the alternatives, if there is none.
         """
         plain = {column.strip().lower(): column for column in self.columns}
         names = list(self.columns)
@@ -73,7 +74,7 @@ class Table(NamedTuple):
 
 
 def read_table(source: Source) -> Table:
-    """The columns of a file. Raises ProgramError where there are no two rows of numbers in it."""
+    """Return the columns of a file; ProgramError without two rows of numbers."""
     lines = [
         (number, line)
         for number, line in enumerate(source.text.split("\n"), 1)
@@ -133,7 +134,7 @@ def read_table(source: Source) -> Table:
 
 
 def _separator(lines: Sequence[str]) -> tuple[str, int]:
-    """What stands between the columns, and how many of these most lines have."""
+    """Return the separator of the columns, and how many of these most lines have."""
     best, width = " ", 1
     for separator in SEPARATORS:
         counts = [len(_cells(line, separator)) for line in lines]
@@ -161,7 +162,7 @@ def _number(cell: str, separator: str) -> float | None:
 
 
 def _names(head: Sequence[Sequence[str]], width: int) -> tuple[list[str], dict[str, str]]:
-    """Names of the columns from the rows above the numbers, and the units of those that have one."""
+    """Return names of the columns from the rows above the numbers, and their units."""
     named = next((row for row in head if len(row) == width and any(row)), None)
     names = [cell or f"column {k + 1}" for k, cell in enumerate(named)] if named is not None else []
     names = names or [f"column {k + 1}" for k in range(width)]
@@ -176,7 +177,7 @@ def _names(head: Sequence[Sequence[str]], width: int) -> tuple[list[str], dict[s
 
 
 def _unit(name: str) -> str:
-    """The unit in a name such as "time [ms]" or "t_ms"."""
+    """Return the unit in a name such as "time [ms]" or "t_ms"."""
     for opening, closing in ("[]", "()"):
         if opening in name and name.rstrip().endswith(closing):
             return name[name.rindex(opening) + 1 : name.rindex(closing)]
@@ -184,7 +185,7 @@ def _unit(name: str) -> str:
 
 
 def _bare(name: str) -> str:
-    """A name without its unit."""
+    """Return a name without its unit."""
     for opening in "[(":
         name = name.partition(opening)[0] or name
     return name.strip().lower()
@@ -206,7 +207,7 @@ def _count(number: int, what: str) -> str:
 
 
 def time_column(table: Table, source: Source, wanted: str | None) -> str:
-    """The column that has the time: the one that is wanted, or the first whose name says so."""
+    """Return the time column: the requested one, or the first with a time's name."""
     if wanted is not None:
         return table.find(wanted, source)
     for name in table.columns:
@@ -224,16 +225,19 @@ def time_column(table: Table, source: Source, wanted: str | None) -> str:
 
 
 def seconds(table: Table, name: str, factor: float | None, units: Mapping[str, float] = UNITS) -> Array:
-    """The times of a column in seconds: by `factor`, or by the unit that its name or the row of units has."""
+    """Return the times of a column in seconds.
+
+    The factor is given, or that of the unit in its name or in the row of units.
+    """
     scale = units.get(table.units.get(name, "s").lower(), 1.0) if factor is None else factor
     return table.columns[name] * scale
 
 
 def usable_rows(times: Array, table: Table) -> tuple[NDArray[np.int64], list[Diagnostic]]:
-    """The rows whose times go forward, and what is to be said of the others.
+    """Return the rows with increasing times, and diagnostics of the others.
 
-    Rows without a time are left out, of rows of one time the last counts; where time runs back, the longest stretch
-    in which it does not is kept.
+    Rows without a time are left out, of rows at one time the last is used; where time runs back, the longest
+    increasing stretch is used.
     """
     remarks: list[Diagnostic] = []
     rows = np.flatnonzero(np.isfinite(times))

@@ -1,1 +1,1 @@
-"""Where the time of a run goes: each task's own time, and the chain of what its end waited for."""
+"""The time profile of a run: each task's own time, and the critical path."""

@@ -1,4 +1,4 @@
-"""A budget of the machine file, `[budget]`, held against a run: how long it may take, and how long each part of it."""
+"""Budgets of the machine file: `[budget]` limits the time of a run by component."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 def part_of(link: Link) -> str:
-    """Which key of a budget, besides `time`, a stretch of the chain counts towards."""
+    """Return the key of a budget, in addition to `time`, that a link counts towards."""
     if link.is_motion:
         return "motion"
     return link.cause if link.cause in ("dwell", "computing", "settling") else "waiting"
 
 
 def over_budget(run: Run, settings: Mapping[str, object]) -> Iterator[Diagnostic]:
-    """A diagnostic for each part of a budget that a run has overdrawn, with the line that took most of it."""
+    """Yield a diagnostic for each exceeded budget of a run, with its main line."""
     made = TimeProfile(run)
     for key, allowed in settings.items():
         if not key.startswith("budget."):

@@ -1,8 +1,8 @@
-"""The critical chain: what the end of a run waited for, and what that waited for, back to its begin.
+"""The critical path of a run, followed backwards from its end.
 
-It is followed from the end. A task that computes has come there from its last wait; a wait ended because a move ended,
-time had passed, an input changed; a move began because a task started it, or because the one before it in the buffer
-had ended. Whatever is shortened outside of the chain does not make the run shorter.
+A task that computes has come there from its last wait. A wait ended because a move ended, time had passed, or
+an input changed. A move began because a task started it, or because the one before it in the buffer had
+ended. A reduction outside the critical path does not make the run shorter.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Recipe
     from motionlang.result import Run
 
-    # One of several links that differ in nothing but their times, and how long they took: terms of an exact sum.
+    # One of several links that differ only in their times, with their durations: terms of an exact sum.
     Alike = tuple["Link", list[float]]
-    # Its cause, place, task, axes and the line that waited.
+    # Its cause, source position, task, axes and the line that waited.
     About = tuple[str, Place, str, tuple[int, ...], int]
     Put = Callable[[float], None]
 
-# Times of a wait are whole statements behind those of what ends it; nothing else happens within so many.
+# A wait ends up to this many statements after its cause; nothing else happens in between.
 STATEMENTS = 2.5
 CAUSES = {
     "time": "dwell",
@@ -50,9 +50,9 @@ CAUSES = {
 # Waits for these end because a move ended, if one did.
 MOVED = ("axis", "condition", MOVING)
 NOWHERE = Place(0, "", ())
-# When a wait was over.
+# The end of a wait.
 _UNTIL: Callable[[Wait], float] = itemgetter(3)
-# What no time is ever put into: of a place where no wait was, and of one where no move was waited for.
+# A list that stays empty: for a source position without a wait, or without a wait for a move.
 _UNUSED: list[float] = []
 _NOTHING = _UNUSED.append
 UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
@@ -61,9 +61,9 @@ UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
 
 @record
 class Link:
-    """One stretch of the chain: `cause` as a person would say it, the axes that move in it (none else).
+    """One link of the path: its `cause` as text, and the axes that move in it.
 
-    `waited` is the line at which the task waited meanwhile, 0 where it computed.
+    `waited` is the line at which the task waited meanwhile, 0 if it computed.
     """
 
     begin: float
@@ -76,19 +76,19 @@ class Link:
 
     @property
     def duration(self) -> float:
-        """Seconds of it."""
+        """Its duration, seconds."""
         return self.end - self.begin
 
     @property
     def is_motion(self) -> bool:
-        """Whether it is a move that takes the time."""
+        """True if its time is that of a move."""
         return bool(self.axes)
 
 
 class Strip:
-    """Stretches of one task at one place that differ in nothing but their times, and have the same phases.
+    """Links of one task at one position that differ only in their times.
 
-    A long run has tens of thousands of stretches, and a few strips.
+    They have the same phases. A long run has tens of thousands of links, and a few strips.
     """
 
     def __init__(
@@ -100,16 +100,16 @@ class Strip:
 
     @property
     def columns(self) -> tuple[Put, Put]:
-        """What takes the begins and the ends of more of them."""
+        """The functions that append the begin and the end of a link."""
         return self.begins.append, self.ends.append
 
     def add(self, begin: float, end: float) -> None:
-        """One more stretch; the last of its phases lasts up to its end."""
+        """Add a link; its last phase extends to its end."""
         self.begins.append(begin)
         self.ends.append(end)
 
     def parts(self) -> Iterator[tuple[str, list[float], list[float]]]:
-        """Each phase, and when it began and ended in each stretch."""
+        """Yield each phase, with its begin and end in each link."""
         lows, ends = self.begins, self.ends
         for name, seconds in self.phases[:-1]:
             highs = [
@@ -121,7 +121,7 @@ class Strip:
 
 
 class _Loops:
-    """The loop in which a task computes, as it is followed back: from when to when it was the innermost one."""
+    """The loop in which a task computes, followed backwards, and its interval."""
 
     def __init__(self, chain: Chain, task: str) -> None:
         self._chain, self._task = chain, task
@@ -129,8 +129,8 @@ class _Loops:
         self._begun = self._over = _NOTHING
 
     def take(self, begin: float, end: float, place: Place) -> bool:
-        """Charge computing to the loops that it was in; False where it was at a place in a sub that a loop calls."""
-        if self._low <= begin and end <= self._high:  # the same one, as most often
+        """Charge computing to its loops; False at a position in a sub that a loop calls."""
+        if self._low <= begin and end <= self._high:  # unchanged, the most frequent case
             if len(place.callers) > self._depth:
                 return False
             self._begun(begin)
@@ -144,7 +144,7 @@ class _Loops:
 
 
 class Chain:
-    """The chain of one run, from its begin to its end without a gap."""
+    """The critical path of one run, from its begin to its end without a gap."""
 
     def __init__(self, run: Run) -> None:
         self.motions = Motions(run)
@@ -153,7 +153,7 @@ class Chain:
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
         self._polls = Polls(run, self.motions, kept_waits(run))
         self._waits = self._polls.waits
-        # When they were over, where others than the one task are asked again and again what they waited for.
+        # Their ends, for tasks other than the only one, which are searched repeatedly.
         self._untils = {
             name: list(map(_UNTIL, mine)) for name, mine in self._waits.items() if len(self._waits) > 1
         }
@@ -163,16 +163,16 @@ class Chain:
 
     @property
     def waits(self) -> dict[str, list[Wait]]:
-        """The waits of each task, the loops that waited among them."""
+        """The waits of each task, including loops that waited."""
         return self._waits
 
     @cached_property
     def links(self) -> list[Link]:
-        """Each stretch, a motion by its phases, in the order of time."""
+        """The links, motion by phases, in order of time."""
         return [Link(low, high, *about) for low, high, about in self.spans()]
 
     def spans(self) -> list[tuple[float, float, About]]:
-        """The begin and the end of each of them, and what else a link has, which those that are alike share."""
+        """Return begin, end and the shared other fields of each link."""
         found: list[tuple[float, float, About]] = []
         for strip in self._strips.values():
             for name, lows, highs in strip.parts():
@@ -182,7 +182,7 @@ class Chain:
         return found
 
     def alike(self) -> list[Alike]:
-        """What a table needs of the links, without making each of them."""
+        """Return the links as a table needs them, without making each."""
         found: dict[object, Alike] = {}
         for strip in self._strips.values():
             for name, lows, highs in strip.parts():
@@ -195,7 +195,7 @@ class Chain:
     # ---------------------------------------------------------------------------------------- from the end
 
     def _follow(self) -> None:
-        """From the end of the run back to its begin."""
+        """Follow the path from the end of the run back to its begin."""
         task, time = parent_of(self._run), self._run.time
         over = ended_at(self._run)
         if time > over:
@@ -204,15 +204,20 @@ class Chain:
             task, time = self._follow_task(task, time)
 
     def _follow_task(self, task: str, time: float) -> tuple[str, float]:
-        """From `time` back as far as it is one task, and which one it is then; a long run takes its time in here."""
+        """Follow one task back from `time`; return the task and the time at its start.
+
+        A long run spends most of its time here.
+        """
         near, motions = self._near, self.motions
         begins, ends, order, rows = motions.begins, motions.ends, motions.order, motions.rows
         rank = len(ends) - 1  # of the last motion that was over by then
         waits = self._waits.get(task, [])
         loops = _Loops(self, task) if task in self._polls.spans else None
-        # Of the last wait at a place: cause, callers and place, and what takes begins and ends of computing and of it.
+        # Of the last wait at a position: cause, callers and position, and the appenders of begins and ends of
+        # computing and of it.
         known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
-        # Of the last move that was waited for there: line, axes, shape, place, and what takes begins and ends of such.
+        # Of the last move that was waited for there: line, axes, shape, position, and the appenders of begins
+        # and ends.
         moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, Place, Put, Put]] = {}
         for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
             _, at, since, until, cause, what, _, callers = wait = waits[last]
@@ -238,7 +243,7 @@ class Chain:
             while rank >= 0 and ends[rank] > soon:
                 rank -= 1
             alone_near = rank > 0 and ends[rank - 1] < time - near <= (end := ends[rank]) > since
-            if alone_near and cause != MOVING and (not what or cause != "axis"):  # as most often
+            if alone_near and cause != MOVING and (not what or cause != "axis"):  # the most frequent case
                 number = order[rank]
                 begin, line, row = begins[number], motions.lines[number], rows[number]
                 axes, shape = motions.alone[row[0]], row[5]
@@ -258,11 +263,14 @@ class Chain:
                 time = end
             line_before, axes_before, shape_before, where, started, arrived = moved.get(at, UNMOVED)
             if (
-                line == line_before and axes == axes_before and place is where
-                and begin - near <= since and begin + near < until
+                line == line_before
+                and axes == axes_before
+                and place is where
+                and begin - near <= since
+                and begin + near < until
                 and not (last and begin + near < waits[last - 1][3])
                 and shape == shape_before
-            ):  # the task itself began it, as most often  # fmt: skip
+            ):  # the task itself began it, the most frequent case  # fmt: skip
                 started(begin)
                 arrived(time)
                 time = begin
@@ -275,13 +283,16 @@ class Chain:
         return self._started(task, time) if time > 0.0 else (task, time)
 
     def _started(self, task: str, time: float) -> tuple[str, float]:
-        """From `time`, before the first wait of a task, back to the task that started it."""
+        """Go from `time`, before the first wait of a task, back to its start.
+
+        Return the task that started it, and when.
+        """
         starter = self._starter(task)
         self._compute(starter[1], time, task, self._first_place(task))
         return starter
 
     def _awaited(self, wait: Wait, time: float) -> Motion | None:
-        """The motion that ended a wait at `time`, or was under way where it did."""
+        """Return the motion that ended a wait at `time`, or was in progress then."""
         cause, axes = wait[4], wait[5]
         if cause == "axis":
             return self.motions.that_ended(wait[2], time, self._near, axes)
@@ -294,9 +305,9 @@ class Chain:
     def _compute(
         self, begin: float, end: float, task: str, place: Place
     ) -> tuple[float, float, Place | None]:
-        """Charge computing to the loops that it was in, and to `place` outside of them; the first of these loops.
+        """Charge computing to its loops, and outside them to `place`; return a loop.
 
-        A place in a sub that a loop calls is nearer than the loop, if the loop was running there.
+        A position in a sub that a loop calls is nearer than the loop, if the loop was running there.
         """
         first: tuple[float, float, Place | None] = (1.0, 0.0, None)
         waited = begin
@@ -317,7 +328,10 @@ class Chain:
         return first
 
     def _cause(self, wait: Wait, time: float) -> str:
-        """What ended a wait that no move did: of a condition, the input that changed at that moment."""
+        """Return the cause of the end of a wait without a move.
+
+        For a condition it is the input that changed then.
+        """
         if wait[4] == "condition":
             ended = self._polls.of_condition(wait, time)
             if ended is not None and ended[1] not in ("axis", MOVING):
@@ -328,7 +342,10 @@ class Chain:
         return CAUSES[wait[4]]
 
     def _back(self, motion: Motion, time: float, task: str, waited: Place) -> tuple[str, float]:
-        """Charge a move to its line, and those before it in the buffer that it waited for; `waited` is who did."""
+        """Charge a move to its line, and earlier moves of the buffer that it waited for.
+
+        `waited` is the position that waited.
+        """
         while True:
             _, begin, line, axes, _ = motion
             self._add_motion(motion, time, task, waited, begin)
@@ -341,7 +358,7 @@ class Chain:
                 return other, begin
             before = self.motions.before(axes, motion[1], self._near)
             if before is None:
-                # Something from outside has started it while everybody waited: the task waited for that.
+                # An outside event has started it while all tasks waited: the task waited for that.
                 _, at, since, _, _, _, _, callers = waiting
                 self._add(since, begin, self._cause(waiting, begin), self.places.of(at, callers), task)
                 return task, since
@@ -351,7 +368,7 @@ class Chain:
             motion, time = before, min(end, begin)
 
     def _motion_after(self, over: float, time: float, task: str) -> float:
-        """What moved on after the program had ended; the time at which it had."""
+        """Charge motion after the end of the program, and return the time of that end."""
         motion = self.motions.last(over, time + self._near)
         if motion is None:
             self._add(over, time, "settling", NOWHERE, task)
@@ -362,10 +379,10 @@ class Chain:
         self._add_motion(motion, end, task, NOWHERE, max(begin, over))
         return max(begin, over)
 
-    # ---------------------------------------------------------------------------------------- what there is
+    # ---------------------------------------------------------------------------------------- lookups
 
     def _waiting_at(self, task: str, time: float) -> Wait | None:
-        """The wait that a task is in at `time`, its first and last moment not counted."""
+        """The wait that a task is in at `time`, excluding its first and last instant."""
         waits, soon = self._waits.get(task, []), time + self._near
         untils = self._untils.get(task)
         place = bisect_right(waits, soon, key=_UNTIL) if untils is None else bisect_right(untils, soon)
@@ -374,7 +391,7 @@ class Chain:
         return None
 
     def _who_acted(self, time: float, task: str) -> str | None:
-        """Another task than this one, which was not waiting at `time`."""
+        """Return another task that was not waiting at `time`."""
         for name in self._waits:
             if name != task and self._waiting_at(name, time) is None and self._lives(name, time):
                 return name
@@ -385,23 +402,26 @@ class Chain:
         return bool(waits) and waits[0][2] <= time + self._near and time <= waits[-1][3] + self._near
 
     def _starter(self, task: str) -> tuple[str, float]:
-        """Who started a task, and when, as far as the log tells; the parent began with the run."""
+        """Return the task that started another, and when; the parent began with the run."""
         parent = parent_of(self._run)
         begin = next((turn.time for turn in self._run.machine.log.turns if task in turn.tasks), 0.0)
         return parent, 0.0 if task == parent else begin
 
     def _first_place(self, task: str) -> Place:
-        """Where a task begins; its first wait where that is not known."""
+        """Return where a task begins, or its first wait if that is not known."""
         begin = self.places.begin(task)
         if begin is not None:
             return begin
         waits = self._waits.get(task, [])
         return self.places.of(waits[0][1], waits[0][-1]) if waits else NOWHERE
 
-    # ---------------------------------------------------------------------------------------- what is charged
+    # ---------------------------------------------------------------------------------------- charging
 
     def _strip(self, cause: str, place: Place, task: str) -> Strip:
-        """The strip of what takes one phase; there is one `Place` of each place, its identity says which it is."""
+        """Return the strip of one phase.
+
+        There is one `Place` object for each source position.
+        """
         key = id(place), cause, task
         if key not in self._strips:
             waited = 0 if cause == "computing" else place.line
@@ -413,15 +433,15 @@ class Chain:
             self._strip(cause, place, task).add(begin, end)
 
     def _add_motion(self, motion: Motion, time: float, task: str, waited: Place, begin: float) -> None:
-        """A move from `begin` up to `time`.
+        """Add a move from `begin` up to `time`.
 
-        Nobody has written down who called the line that ordered it; where its sub waited for it, it is who called that.
+        The callers of its line are not recorded; if its sub waited for it, those of the wait are used.
         """
         if time > begin:
             self._strip_of(motion, task, waited, begin).add(begin, time)
 
     def _strip_of(self, motion: Motion, task: str, waited: Place, begin: float = 0.0) -> Strip:
-        """The strip of a move, or of what is left of it from `begin` on."""
+        """Return the strip of a move, or of its rest from `begin` on."""
         _, began, line, axes, shape = motion
         place = self.places.at_line(line)
         if waited.callers and place.sub == waited.sub:
@@ -437,7 +457,7 @@ class Chain:
 
 
 def _behind(phases: Phases, seconds: float) -> Phases:
-    """What is left of phases after some seconds."""
+    """Return the rest of phases after some seconds."""
     for number, (name, duration) in enumerate(phases[:-1]):
         if seconds < duration:
             return (name, duration - seconds), *phases[number + 1 :]
@@ -454,7 +474,7 @@ def _put(found: dict[object, Alike], link: Link, times: list[float]) -> None:
 
 
 def alike(links: Iterable[Link]) -> list[Alike]:
-    """Some links by place, cause, axes and the line that waited."""
+    """Group links by position, cause, axes and the line that waited."""
     found: dict[object, Alike] = {}
     for link in links:
         _put(found, link, [link.duration])

@@ -1,4 +1,7 @@
-"""The time profile for other programs: trace events (Perfetto, chrome://tracing) and speedscope."""
+"""The time profile for other programs: trace events and speedscope.
+
+Trace events are for Perfetto and chrome://tracing.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 MICRO = 1e6
-# The suffixes of `--profile-to`, the longest first, and what is written.
+# The suffixes of `--profile-to`, the longest first, and the output of each.
 FORMATS = (".speedscope.json", ".trace.json", ".json")
 
 
@@ -39,12 +42,12 @@ def write_profile(made: TimeProfile, path: str) -> None:
 
 
 def _report(made: TimeProfile) -> Iterator[str]:
-    """`TimeProfile.report` as json writes it with an indent of 1, which takes Python ten times as long.
+    """`TimeProfile.report` as JSON with an indent of 1, ten times as fast as json.
 
-    Of links that differ in their times alone one is written out, and the end of one is the begin of the next.
+    Of links that differ in their times alone one is written out; the end of one is the begin of the next.
     """
     document = made.report(chain=False)
-    written: dict[int, str] = {}  # what a link has behind its times, by the identity of what that is made of
+    written: dict[int, str] = {}  # the other fields of a link, by the identity of their source
     yield json.dumps(document, indent=1).removesuffix("\n}")
     yield ',\n "chain": ['
     separator = "\n"
@@ -61,12 +64,12 @@ def _report(made: TimeProfile) -> Iterator[str]:
 
 
 def _inner(row: Row) -> str:
-    """The fields of an object in a list of a document, with the bracket that ends it."""
+    """The fields of an object in a list of a document, with the closing bracket."""
     return "\n".join(f"  {line}" for line in json.dumps(row, indent=1).split("\n")[1:])
 
 
 def _trace(made: TimeProfile) -> Iterator[str]:
-    """The trace events as a document, a line each, made one by one as they are written."""
+    """Yield the trace events as a document, one line each."""
     separator = '{"traceEvents": [\n'
     for event in trace_events(made):
         yield separator + json.dumps(event)
@@ -75,9 +78,9 @@ def _trace(made: TimeProfile) -> Iterator[str]:
 
 
 def trace_events(made: TimeProfile) -> Iterator[Row]:
-    """Trace events: a lane for the chain, one for each task's waits, one for each axis's moves with their phases.
+    """Yield trace events: lanes for the path, each task's waits, each axis's moves.
 
-    Times are microseconds. The name of a lane comes before its first event, and that of the process first of all.
+    Times are microseconds. The name of a lane precedes its first event, and that of the process all others.
     """
     run, places = made.run, Places(made.run)
     lanes: dict[str, int] = {}
@@ -92,7 +95,7 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
 
 
 def _stretches(made: TimeProfile, places: Places) -> Iterator[tuple[str, str, float, float, Row]]:
-    """The lane, the name, the begin and the end of each event, and what else is known of it."""
+    """Yield lane, name, begin, end and further fields of each event."""
     run = made.run
     for begin, end, (cause, place, task, axes, _) in made.spans():
         name = f"{cause}, line {place.line}" if place.line else cause
@@ -116,10 +119,10 @@ def _stretches(made: TimeProfile, places: Places) -> Iterator[tuple[str, str, fl
 
 
 def speedscope(made: TimeProfile) -> Row:
-    """The chain as weighted stacks: the program, what was called, the line, and what it did."""
+    """Return the critical path as weighted stacks: program, calls, line, and action."""
     places = Places(made.run)
     frames: dict[tuple[str, int], int] = {}
-    known: dict[int, list[int]] = {}  # of a span by the identity of what it shares with those that are alike
+    known: dict[int, list[int]] = {}  # of a link by the identity of its shared fields
     spans = made.spans()
     for _, _, about in spans:
         if id(about) not in known:

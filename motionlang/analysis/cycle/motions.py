@@ -1,4 +1,4 @@
-"""The moves of a run by their ends: what the chain asks when it looks for what a wait waited for.
+"""The moves of a run by their ends, for the search for causes of waits.
 
 Axes that begin and end together on one line are one motion.
 """
@@ -21,25 +21,26 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Recipe
     from motionlang.result import Run
 
-    # End, begin, line, axes, and the profile or its recipe of ramps: those that are one motion have the axes of all of
-    # them, and the profile of the first that moves.
+    # End, begin, line, axes, and the profile or its recipe of ramps. Those that are one motion have the axes
+    # of all of them, and the profile of the first that moves.
     Motion = tuple[float, float, int, tuple[int, ...], Profile | Recipe]
-    # What a stretch is called in each phase of a move, and how many seconds that takes.
+    # The name of a link in each phase of a move, and the duration of the phase, s.
     Phases = tuple[tuple[str, float], ...]
 
-# Phases of a move, and what a stretch of the chain is called in which one runs.
+# Phases of a move, and the name of a link in each.
 PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
 OTHER = "in motion"
 MOVING = (*PHASES.values(), OTHER)
-# Of a plain move as it is kept: (axis, begin, _, _, duration, recipe, _, _, _, (_, _, command, line, …)).
+# Of a plain move as stored: (axis, begin, _, _, duration, recipe, _, _, _, (_, _, command, line, …)).
 _AXIS, _BEGIN, _DURATION, _ENTRY, _LINE = map(itemgetter, (0, 1, 4, 9, 3))
 
 
 class Motions:
-    """Every motion of a run by its end, at the latest that of the run: in columns, as a shift has tens of thousands.
+    """Every motion of a run by its end, at most that of the run; in columns.
 
-    `ends` are in the order of time, `order[n]` is the number of the motion that ended as the n-th, by which `begins`,
-    `lines` and `rows` have it. A plain move is read as it lies in the log, any other one as the same tuple.
+    A shift has tens of thousands. `ends` are in order of time, `order[n]` is the number of the motion that
+    ended as the n-th, by which `begins`, `lines` and `rows` have it. A plain move is read as stored in the
+    log, any other one as an equal tuple.
     """
 
     def __init__(self, run: Run) -> None:
@@ -65,7 +66,10 @@ class Motions:
         self._phases: dict[object, Phases] = {}
 
     def together(self) -> tuple[Sequence[int], list[float], list[int], list[int]]:
-        """Where those of a begin start, and behind the last; ends, axes and lines of all, in the order of begins."""
+        """Return the bounds of groups with one begin, and ends, axes and lines of all.
+
+        The order is that of the begins.
+        """
         begins, ends, axes, lines = self.begins, self._ends_of, list(map(_AXIS, self.rows)), self.lines
         if not self._in_order:
             numbers = self._by_begin()
@@ -78,8 +82,8 @@ class Motions:
         return numbers if self._in_order else sorted(numbers, key=self.begins.__getitem__)
 
     def phases(self, shape: Profile | Recipe) -> Phases:
-        """The phases of a profile, or of a recipe of ramps, the same object for all that are alike."""
-        key = shape if isinstance(shape, tuple) else id(shape)  # the rows keep it
+        """The phases of a profile, or of a recipe of ramps; equal ones share an object."""
+        key = shape if isinstance(shape, tuple) else id(shape)  # the rows keep a reference
         known = self._phases.get(key)
         if known is None:
             if isinstance(shape, tuple):
@@ -93,9 +97,10 @@ class Motions:
     def that_ended(
         self, since: float, time: float, near: float, axes: tuple[int, ...] | None = None
     ) -> Motion | None:
-        """The motion that ended within `near` of `time`, and behind `since`: of several the one that began last.
+        """Return the motion that ended within `near` of `time`, after `since`.
 
-        With `axes` one of theirs (with () of any axis), and where none ended then the last one before.
+        If there are several it is the one that began last. With `axes` it is one of theirs (with () of any
+        axis), and if none ended then the last one before.
         """
         ends, low = self.ends, time - near
         place = bisect_right(ends, time + near) - 1
@@ -117,7 +122,10 @@ class Motions:
         return None if found < 0 else self._whole(found)
 
     def before(self, axes: tuple[int, ...], begin: float, near: float) -> Motion | None:
-        """The motion of one of some axes that began before `begin`, and ended within `near` of it or was blended."""
+        """Return the earlier motion of given axes that leads up to `begin`.
+
+        It ended within `near` of `begin`, or was blended.
+        """
         first = bisect_right(self.ends, begin + near)
         place = first - 1
         while place >= 0 and self.ends[place] >= begin - near:
@@ -130,17 +138,17 @@ class Motions:
             began = self.begins[self.order[place]]
             if began < begin:
                 return self._whole(place)
-            if began > begin:  # so has whatever ends later
+            if began > begin:  # so has any later end
                 return None
         return None
 
     def last(self, after: float, time: float) -> Motion | None:
-        """The last one that ended behind `after`, and by `time`."""
+        """Return the last one that ended after `after`, and by `time`."""
         place = bisect_right(self.ends, time) - 1
         return self._whole(place) if place >= 0 and self.ends[place] > after else None
 
     def last_end(self, axis: int | None, after: float, until: float) -> float | None:
-        """When a motion of an axis, or of any, ended last behind `after` and by `until`."""
+        """When a motion of an axis, or of any, ended last after `after`, by `until`."""
         place = bisect_right(self.ends, until) - 1
         while place >= 0 and self.ends[place] > after:
             if axis is None or self.axis(place) == axis:
@@ -149,12 +157,12 @@ class Motions:
         return None
 
     def under_way(self, axis: int | None, time: float) -> int | None:
-        """The axis, that one or any, which is in motion at a moment."""
+        """Return the axis, that one or any, which is in motion at a time."""
         found = self.crossing(axis, time)
         return None if found is None else found[3][0]
 
     def crossing(self, axis: int | None, time: float) -> Motion | None:
-        """The motion of an axis, or of any, that is under way at a moment, as if it ended there."""
+        """Return the motion of an axis, or of any, at a time, as if it ended there."""
         for place in range(bisect_right(self.ends, time), len(self.ends)):
             if (axis is None or self.axis(place) == axis) and self.begins[self.order[place]] < time:
                 _, begin, line, axes, shape = self._whole(place)
@@ -162,12 +170,12 @@ class Motions:
         return None
 
     def axis(self, place: int) -> int:
-        """Whose motion it is that ended as the one of that number."""
+        """Return the axis of the motion that ended as the one of that number."""
         axis: int = self.rows[self.order[place]][0]
         return axis
 
     def _whole(self, place: int) -> Motion:
-        """The motion that ended as the one of that number, with the axes of all that are one with it."""
+        """Return the motion that ended as the one of that number, with all its axes."""
         ends, order, begins = self.ends, self.order, self.begins
         end, number = ends[place], order[place]
         first, last = place, place + 1
@@ -184,21 +192,24 @@ class Motions:
         return end, begin, line, tuple(self.rows[each][0] for each in same), shape
 
     def _motion(self, place: int) -> Motion:
-        """That motion alone."""
+        """Return that motion alone."""
         number = self.order[place]
         row = self.rows[number]
         return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
 
 
 def _moves(shape: Profile | Recipe) -> bool:
-    """True unless the axis stands, as on a path that leads along another one."""
+    """True unless the axis is at rest, as on a path that moves other axes."""
     if isinstance(shape, tuple):
         return any(shape[::3])
     return shape.start != shape.end or shape.peak_speed > 0.0
 
 
 def _cuts(begins: list[float]) -> Sequence[int]:
-    """Where each begin is first, and behind the last; of one in which always as many begin together, a range."""
+    """Return where each begin is first, and the end.
+
+    If the groups are of equal size it is a range.
+    """
     if not begins:
         return ()
     width = bisect_right(begins, begins[0])
@@ -210,7 +221,7 @@ def _cuts(begins: list[float]) -> Sequence[int]:
 
 
 def _kept(move: Move) -> tuple[Any, ...]:
-    """A move that is none of the plain ones, as those are kept: as much of it as is asked for."""
+    """Return the required fields of any other move, in the form of a plain one."""
     profile = move.profile
     assert profile is not None
     shape = profile._recipe if profile.pieced and len(profile._recipe) > 2 else profile

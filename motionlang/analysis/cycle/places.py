@@ -1,4 +1,4 @@
-"""Where in the program something happened: line, sub, and the lines that led there."""
+"""Source positions: line, sub, and the lines that led there."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
 @record
 class Place:
-    """A line, the sub it stands in ("" outside of all), and the lines of the calls that led there, outermost first."""
+    """A line, its sub ("" if none), and the lines of the calls that led there.
+
+    The outermost call is first.
+    """
 
     line: int
     sub: str
@@ -21,11 +24,11 @@ class Place:
 
 
 class Places:
-    """The places of a run; each is looked up once."""
+    """The source positions of a run; each is looked up once."""
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        # From the compiled program, which has been through the text already, or else read again.
+        # From the compiled program, which has already been parsed, or parsed again.
         outline = None if run.program is None else run.program.outline
         self._blocks, self._lines = (run.dialect.blocks(run.source), {}) if outline is None else outline
         self._called: dict[tuple[int, tuple[int, ...]], Place] = {}
@@ -33,13 +36,13 @@ class Places:
         self._known: dict[tuple[int, tuple[int, ...]], Place] = {}
 
     def line(self, at: int) -> int:
-        """The line of a place in the program."""
+        """Return the line of a source offset."""
         if at not in self._lines:
             self._lines[at] = self._run.dialect.locate(self._run.source, at)[0]
         return self._lines[at]
 
     def begin(self, task: str) -> Place | None:
-        """The first line of a task or an event handler, else of the program; None where there is none."""
+        """Return the first line of a task or an event handler, or of the program, or None."""
         names = f"task {task}".lower(), f"event {task}".lower()
         block = next((block for block in self._blocks if block[0].lower() in names), None)
         if block is not None:
@@ -52,12 +55,12 @@ class Places:
         return None if first is None else self.at_line(first)
 
     def sub(self, line: int) -> str:
-        """The innermost block that a line stands in."""
+        """Return the innermost block that contains a line."""
         inside = [block for block in self._blocks if block[1] <= line <= block[2]]
         return min(inside, key=lambda block: block[2] - block[1])[0] if inside else ""
 
     def of(self, at: int, callers: tuple[int, ...]) -> Place:
-        """A place in the program to which the places of `callers` led."""
+        """Return the source position of an offset that the offsets of `callers` led to."""
         key = at, callers
         if key not in self._known:
             line = self.line(at)
@@ -65,14 +68,14 @@ class Places:
         return self._known[key]
 
     def called(self, line: int, callers: tuple[int, ...]) -> Place:
-        """A line to which the lines of `callers` led."""
+        """Return the source position of a line that the lines of `callers` led to."""
         key = line, callers
         if key not in self._called:
             self._called[key] = Place(line, self.sub(line), callers)
         return self._called[key]
 
     def at_line(self, line: int) -> Place:
-        """A line of which nobody knows who led there."""
+        """Return the source position of a line with unknown callers."""
         if line not in self._at_lines:
             self._at_lines[line] = Place(line, self.sub(line), ())
         return self._at_lines[line]

@@ -1,16 +1,18 @@
-"""Loops as a profile sees them: a loop that polls is a wait for what ended it, any other one computes.
+"""Loops in a profile: a polling loop is a wait for its cause, others compute.
 
-A loop *waits* if all it does in an execution is to look, to compute, to set outputs and to let time pass, and if the
-conditions by which it ends read something beyond its own variables. It has waited for the last thing that it reads
-and that changed: an axis that came to rest, an input, else the time or whoever writes a variable. What is left of the
-loop from then on is its own: its WAITs, and computing.
+A loop *waits* if all it does in an execution is to read, to compute, to set outputs and to let time pass, and
+if the conditions by which it ends read something beyond its own variables. It has waited for the last change
+of its readings: an axis that came to rest, an input, or else the time or another task's write of a variable.
+The rest of the loop from then on is its own: its WAITs, and computing.
 
-A loop that also starts motion or waits in other ways *works*, and what it does is charged by itself. Between two such
-acts it may iterate like a state machine, which waits in the same way for anything that a condition in it reads.
+A loop that also starts motion or waits in other manners *works*, and its actions are charged individually.
+Between two such actions it may iterate like a state machine, which waits in the same manner for anything that
+a condition in it reads.
 
-A loop that reads nothing computes, and is charged to its own line, or that of the loop in it that took the time.
+A loop that reads nothing computes, and is charged to its own line, or that of the loop in it that took the
+time.
 
-This goes by the log and the text of the program alone: by when each loop ran, when motion ended and inputs changed.
+This uses the log and the text of the program alone: when each loop ran, when motion ended and inputs changed.
 """
 
 from __future__ import annotations
@@ -32,15 +34,15 @@ if TYPE_CHECKING:
     from motionlang.lang.asked import Read
     from motionlang.result import Run
 
-    # Task, place, begin, end, callers: as `records.Looped` is written.
+    # Task, position, begin, end, callers: the fields of `records.Looped`.
     Row = tuple[str, int, float, float, tuple[int, ...]]
-    # Begin, end, place and callers of what was computed.
+    # Begin, end, position and callers of computing.
     Span = tuple[float, float, int, tuple[int, ...]]
     # When a wait was over, its cause, and the axes or channels.
     Ended = tuple[float, str, tuple[int, ...]]
 
-# So many statements pass between a change and the end of the wait for it, where the loop has no WAIT of its own; a
-# stretch of a loop that is shorter was no wait.
+# Statements between a change and the end of the wait for it, if the loop has no WAIT of its own. A shorter
+# stretch of a loop was no wait.
 LEAST = 100.0
 ROUNDING = 1e-9
 _NOTHING = Asked(frozenset())
@@ -50,7 +52,7 @@ _SINCE: Callable[[Wait], float] = itemgetter(2)
 class _Loop:
     """One execution of a loop: `items` are the waits in it, `inner` the loops.
 
-    `acts` says when it started motion, or waited for anything but time.
+    `acts` are the times at which it started motion, or waited for anything but time.
     """
 
     def __init__(self, row: Row) -> None:
@@ -61,7 +63,7 @@ class _Loop:
 
 
 class Polls:
-    """The waits of a run by task, with those that are loops, and where each task computed in loops."""
+    """The waits of a run by task, including loops, and computing in loops."""
 
     def __init__(self, run: Run, motions: Motions, waits: dict[str, list[Wait]]) -> None:
         self._run, self._motions = run, motions
@@ -83,7 +85,7 @@ class Polls:
             self.spans[task] = list(_innermost((row[2], row[3], row[1], row[-1]) for _, _, row in spans))
 
     def asked(self, at: int) -> Asked:
-        """What the loop or the wait at a place asks for."""
+        """Return the readings of the loop or the wait at a source offset."""
         found = self._asked.get(at)
         if found is None:
             if self._ask is None:
@@ -94,7 +96,7 @@ class Polls:
     # ------------------------------------------------------------------------------------------- nesting
 
     def _nested(self, task: str, rows: list[Row], waits: list[Wait]) -> list[Wait]:
-        """The waits of a task, from the loops outermost first and what is in each."""
+        """Return the waits of a task, from the loops outermost first and their contents."""
         each: list[tuple[float, float, int, Row | Wait]] = [
             (row[2], -row[3], 0, row) for row in reversed(rows)
         ]
@@ -118,7 +120,7 @@ class Polls:
         return whole.items
 
     def _close(self, task: str, around: list[_Loop], whole: _Loop) -> None:
-        """The innermost loop has ended: what it was becomes part of the one around it."""
+        """Close the innermost loop and add it to the one around it."""
         loop = around.pop()
         outer = around[-1] if around else whole
         asked = self.asked(loop.at)
@@ -136,7 +138,7 @@ class Polls:
         outer.inner.append((loop.since, loop.until))
 
     def _between(self, task: str, loop: _Loop, asked: Asked) -> None:
-        """The waits of a loop that works, between its acts."""
+        """Find the waits of a working loop, between its actions."""
         items, inner = sorted(loop.items, key=_SINCE), sorted(loop.inner)
         made: list[Wait] = []
         begin, place, number = loop.since, 0, 0
@@ -163,7 +165,7 @@ class Polls:
         whole: bool,
         items: list[Wait],
     ) -> list[Wait]:
-        """Where a loop waited in a stretch: that in the place of the waits in it, `items`, up to what ended it."""
+        """The wait of a loop in a stretch, up to its cause, in place of its `items`."""
         begin, end = stretch
         longest = max((wait[3] - wait[2] for wait in items), default=0.0)
         late = LEAST * self._cost + 2.0 * longest + ROUNDING
@@ -178,14 +180,15 @@ class Polls:
             loop.acts.append((begin, over))
         return [(task, loop.at, begin, over, cause, what, asked.why, loop.callers), *after]
 
-    # --------------------------------------------------------------------------------------- what ended it
+    # --------------------------------------------------------------------------------------- causes
 
     def _ended(
         self, reads: frozenset[Read], begin: float, end: float, late: float, whole: bool
     ) -> Ended | None:
-        """What ended a wait for something read, no more than `late` before its end where others may have.
+        """Return the cause of the end of a wait for readings.
 
-        `whole`: it was the loop that ended; else something in it that need not have been waited for.
+        It is no more than `late` before its end if there may be others. With `whole` the loop itself ended;
+        if not, something in it that was not necessarily waited for.
         """
         near = end + 2.5 * self._cost + ROUNDING
         found = [
@@ -216,13 +219,13 @@ class Polls:
         return end, "input", tuple(sorted(number for number in numbers if number is not None))
 
     def of_condition(self, wait: Wait, end: float) -> Ended | None:
-        """What ended a wait for a condition."""
+        """Return the cause of the end of a wait for a condition."""
         reads = self.asked(wait[1]).leaves
         late = 2.5 * self._cost + ROUNDING
         return self._ended(reads, wait[2], end, late, True) if reads else None
 
     def _changed(self, kind: str, number: int | None, begin: float, end: float) -> float | None:
-        """When something changed for the last time behind `begin` and up to `end`."""
+        """Return when something changed last after `begin` and up to `end`."""
         if kind in ("axis", "position"):
             return self._motions.last_end(number, begin, end)
         if self._changes is None:
@@ -233,7 +236,7 @@ class Polls:
         return times[place] if place >= 0 and times[place] > begin else None
 
     def _starts(self, lines: frozenset[int], begin: float, end: float) -> list[float]:
-        """When motion that some lines ordered began."""
+        """Return when motion commanded by given lines began."""
         first = bisect_left(self._started, (begin + ROUNDING,))
         last = bisect_left(self._started, (end - ROUNDING,))
         return [start for start, line in self._started[first:last] if line in lines]
@@ -244,7 +247,7 @@ def _has(reads: frozenset[Read], kind: str) -> bool:
 
 
 def _loops(run: Run) -> dict[str, list[Row]]:
-    """The loops of each task, those too that it was in when the run ended."""
+    """Return the loops of each task, including those it was in when the run ended."""
     found: dict[str, list[Row]] = {}
     for row in run.machine.log.loops.as_kept():
         found.setdefault(row[0], []).append(tuple(row))
@@ -257,21 +260,24 @@ def _loops(run: Run) -> dict[str, list[Row]]:
 
 
 def _up_to(rows: list[Any], place: int, time: float, since: Callable[[Any], float]) -> int:
-    """The number of the first row, from `place` on, that does not begin before a time."""
+    """Return the index of the first row, from `place` on, not before a time."""
     while place < len(rows) and since(rows[place]) < time:
         place += 1
     return place
 
 
 def _iterates(waits: list[Wait], loops: list[tuple[float, float]], begin: float, end: float) -> bool:
-    """True if a loop went round from `begin` to `end`, and did not just carry out a WAIT or a loop in it once."""
+    """True if a loop iterated from `begin` to `end`.
+
+    A single WAIT or inner loop is no iteration.
+    """
     inside = fsum(min(until, end) - since for since, until in loops)
     times = Counter(wait[1] for wait in waits)
     return inside < 0.5 * (end - begin) and all(count > 1 for count in times.values())
 
 
 def _by_channel(changes: Iterable[object]) -> dict[int | None, list[float]]:
-    """When channels changed; under None any of them."""
+    """Return when channels changed; under None any of them."""
     found: dict[int | None, list[float]] = {None: []}
     for change in changes:
         found[None].append(change.time)  # type: ignore[attr-defined]
@@ -280,7 +286,10 @@ def _by_channel(changes: Iterable[object]) -> dict[int | None, list[float]]:
 
 
 def _innermost(spans: Iterable[Span]) -> Iterator[Span]:
-    """Spans within one another, the outer ones first, as spans side by side: each moment is the innermost one's."""
+    """Yield nested spans, the outer ones first, as disjoint ones.
+
+    Each instant is that of the innermost span.
+    """
     around: list[Span] = []
     time = 0.0
     for span in [*spans, (float("inf"), float("inf"), 0, ())]:

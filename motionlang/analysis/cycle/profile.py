@@ -1,4 +1,4 @@
-"""The time profile of a run: its tasks, its critical chain by line, sub and cause, and which axis waits for which."""
+"""The time profile of a run: tasks, critical path by line, sub and cause, slack."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 SCHEMA = "motionlang.cycle/1"
-# What calls everything, and has what stands in no sub.
+# The root of all calls, which contains the lines outside subs.
 PROGRAM = "the program"
 
 
 @record
 class Share:
-    """Seconds of the chain that belong together: of a line, a sub or an axis; `total` has what it called, too."""
+    """Seconds of the path of one line, sub or axis; `total` includes its calls."""
 
     name: str
     line: int
@@ -38,7 +38,7 @@ class Share:
 
 
 class TimeProfile:
-    """Where the time of a run went; all sums are exact."""
+    """The time profile of a run; all sums are exact."""
 
     def __init__(self, run: Run) -> None:
         self.run = run
@@ -54,35 +54,38 @@ class TimeProfile:
 
     @property
     def has_tasks(self) -> bool:
-        """Whether there is more than the parent task."""
+        """True if there is more than the parent task."""
         return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.turns)
 
     def waits(self) -> dict[str, Iterator[Waited]]:
-        """The waits of each task in the order of time, the loops that waited among them."""
+        """Return the waits of each task in order of time, including loops that waited."""
         from motionlang.log.records import Waited
 
         return {name: map(Waited._make, told(waits)) for name, waits in self._waits.items()}
 
     @property
     def links(self) -> list[Link]:
-        """The stretches of the chain, from the begin of the run to its end."""
+        """The links of the critical path, from the begin of the run to its end."""
         return self._chain.links
 
     def spans(self) -> list[tuple[float, float, About]]:
-        """The same without an object for each."""
+        """Return the links without an object for each."""
         return self._chain.spans()
 
     @property
     def seconds(self) -> float:
-        """What the chain adds up to: the run's time."""
+        """The sum of the critical path: the run's time."""
         return fsum(term for _, terms in self._alike for term in terms)
 
     def lines(self) -> list[Share]:
-        """The chain by the lines of the program, the longest first."""
+        """Return the path by line of the program, the longest first."""
         return self._shares(lambda link: ((str(link.place.line), link.place.line),), own=True)
 
     def subs(self) -> list[Share]:
-        """By sub: `seconds` in the sub itself, `total` with what it called. What stands in none is the program."""
+        """Return the path by sub: `seconds` in the sub itself, `total` with its calls.
+
+        Lines in no sub belong to the program.
+        """
 
         places = self._places
 
@@ -95,21 +98,27 @@ class TimeProfile:
         return self._shares(names)
 
     def kinds(self) -> list[Share]:
-        """By what takes the time: travel of which axes, dwells, waits, computing."""
+        """Return the path by kind: travel of given axes, dwells, waits, computing."""
 
         return self._shares(lambda link: ((_kind(link), 0),), own=True)
 
     def held(self) -> list[Share]:
-        """By the line at which a task waited, however it is written; `causes` says for what, by kind."""
+        """Return the path by the line at which a task waited; `causes` has them by kind."""
         lines = self._shares(lambda link: ((str(link.waited), link.waited),), own=True, cause=_kind)
         return [share for share in lines if share.line]
 
     def slacks(self) -> list[Slack]:
-        """Who stood and waited for whom, where a task waited for several axes that had begun together."""
+        """Return which axis waited for which, if a task waited for several.
+
+        They had begun together.
+        """
         return slacks(self._chain.motions, self._waits)
 
     def report(self, *, chain: bool = True) -> dict[str, Any]:
-        """The profile as plain data, schema `motionlang.cycle/1`; the chain, if it is wanted, is the last of it."""
+        """Return the profile as plain data, schema `motionlang.cycle/1`.
+
+        The critical path, if requested, comes last.
+        """
         document: dict[str, Any] = {
             "schema": SCHEMA,
             "program": self.run.source.name,
@@ -130,15 +139,15 @@ class TimeProfile:
         return document
 
     def sub(self, line: int) -> str:
-        """The sub that a line stands in, "" for none."""
+        """Return the sub that contains a line, "" for none."""
         return self._places.sub(line)
 
     def total(self, links: Iterable[Link]) -> float:
-        """The seconds of some of the chain."""
+        """Return the seconds of some links."""
         return fsum(link.duration for link in links)
 
     def shares_of(self, links: Iterable[Link]) -> list[Share]:
-        """Some of the chain by line, the longest first; what has no line left out."""
+        """Return some links by line, the longest first, without those that have no line."""
         made = self._shares(lambda link: ((str(link.place.line), link.place.line),), True, links)
         return [share for share in made if share.line]
 
@@ -149,7 +158,10 @@ class TimeProfile:
         links: Iterable[Link] | None = None,
         cause: Callable[[Link], str] = attrgetter("cause"),
     ) -> list[Share]:
-        """The chain by the names that a link has: the first has it for its own, all of them have it in their totals."""
+        """Return the path by the names of a link.
+
+        The first name has it as its own, all of them have it in their totals.
+        """
         mine: dict[str, dict[str, list[float]]] = {}
         totals: dict[str, list[float]] = {}
         lines: dict[str, int] = {}
@@ -176,12 +188,12 @@ class TimeProfile:
 
 
 def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[float]]]:
-    """Links with a few terms in place of their many durations, which add up to the very same."""
+    """Links with a few terms in place of many durations, with an equal exact sum."""
     return [(link, exact_terms(times)) for link, times in links]
 
 
 def _kind(link: Link) -> str:
-    """What takes the time of a stretch."""
+    """Return the kind of a link's time."""
     if not link.is_motion:
         return link.cause
     axes = ", ".join(map(str, link.axes))
@@ -197,7 +209,7 @@ def _row(each: object, *names: str) -> dict[str, Any]:
 
 
 def about_link(about: About) -> dict[str, Any]:
-    """What a report says of a link besides its times."""
+    """Return the fields of a link in a report other than its times."""
     cause, place, task, axes, waited = about
     where = {"line": place.line, "sub": place.sub, "callers": place.callers}
     return {"cause": cause, **where, "task": task, "axes": axes, "waited": waited}

@@ -1,4 +1,4 @@
-"""Which axis stood and waited for which, of those that began together; in columns, as a shift has thousands of such."""
+"""Slack between axes that began together; in columns, as a shift has thousands."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 @record
 class Slack:
-    """`axis` had ended its move and stood while `other` still moved: the seconds that it could have been slower."""
+    """Slack: how much longer `axis` could take without delaying the cycle.
+
+    It was at rest while `other` still moved.
+    """
 
     axis: int
     other: int
@@ -32,7 +35,10 @@ class Slack:
 
 
 def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]:
-    """Who waited for whom, the longest first, where a task waited for the last of several that had begun together."""
+    """Return the slacks, the longest first, where a task waited for several axes.
+
+    They had begun together, and it waited for the last one.
+    """
     waited: set[int] = set()  # in milliseconds
     for mine in waits.values():
         waited.update([int(wait[3] * 1000.0) for wait in mine if wait[4] != "time"])
@@ -47,7 +53,7 @@ def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]
 
 
 def _together(motions: Motions) -> Iterator[Group]:
-    """The moves that began together on one line, those of the same axes at once."""
+    """Yield the moves that began together on one line, by set of axes."""
     cuts, ends, axes, lines = motions.together()
     for width, firsts in _by_width(cuts):
         by_line = _columns(lines, firsts, width)
@@ -59,7 +65,7 @@ def _together(motions: Motions) -> Iterator[Group]:
 
 
 def _by_width(cuts: Sequence[int]) -> Iterator[tuple[int, Sequence[int]]]:
-    """Where groups of a width are, of each width but 1."""
+    """Yield the groups of each width except 1."""
     if isinstance(cuts, range):
         if cuts.step > 1:
             yield cuts.step, cuts[:-1]
@@ -70,7 +76,7 @@ def _by_width(cuts: Sequence[int]) -> Iterator[tuple[int, Sequence[int]]]:
 
 
 def _columns(values: Sequence[T], firsts: Sequence[int], width: int) -> list[list[T]]:
-    """The values at each of `firsts`, at the places behind those, and so on."""
+    """The values at each of `firsts`, then at the positions after those, and so on."""
     begin, end = firsts[0], firsts[-1]
     step = firsts[1] - begin if len(firsts) > 1 else width
     each = range(begin, end + 1, step)
@@ -82,7 +88,7 @@ def _columns(values: Sequence[T], firsts: Sequence[int], width: int) -> list[lis
 def _one_by_one(
     firsts: Iterable[int], width: int, ends: Sequence[float], axes: Sequence[int], lines: Sequence[int]
 ) -> Iterator[Group]:
-    """The same of any moves that began together, on several lines it may be, or other axes each time."""
+    """Yield moves that began together, possibly on several lines or with varying axes."""
     found: dict[tuple[int, ...], list[tuple[float, ...]]] = defaultdict(list)
     for first in firsts:
         members = range(first, first + width)
@@ -95,7 +101,10 @@ def _one_by_one(
 
 
 def _by_last(ends: list[list[float]], waited: set[int]) -> Iterator[tuple[int, list[list[float]]]]:
-    """Which axis ended last (the first where several did) and the ends of all, of those that a task has waited for."""
+    """Yield the axis that ended last and the ends of all, if a task waited for it.
+
+    If several ended last it is the first one.
+    """
     last = list(map(max, *ends))
     millis = [int(each * 1000.0) for each in last]
     if not waited.issuperset(millis):

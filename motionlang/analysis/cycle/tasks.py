@@ -1,8 +1,8 @@
-"""Each task's own time: what it computed, what it waited for, and when others had the machine; it adds up to its life.
+"""Each task's own time: computing, waiting, and ready; it adds up to its life.
 
-With one task the machine is its own whenever it does not wait. Where several run, the log has who computed in between;
-what is left of a task's life is time in which it was ready and others had the machine, or in which polls that could
-change nothing were skipped.
+A single task has the processor whenever it does not wait. If several run, the log has which one computed in
+between. The rest of a task's life is time in which it was ready and others had the processor, or in which
+polls without effect were skipped.
 """
 
 from __future__ import annotations
@@ -28,7 +28,10 @@ if TYPE_CHECKING:
 
 @record
 class TaskTime:
-    """Seconds of one task from `begin` to `end`: `waiting` by cause, `computing`, and `ready` while others computed."""
+    """Seconds of one task from `begin` to `end`.
+
+    They are `waiting` by cause, `computing`, and `ready` while others computed.
+    """
 
     name: str
     begin: float
@@ -39,18 +42,18 @@ class TaskTime:
 
     @property
     def life(self) -> float:
-        """How long it lived."""
+        """The duration of its life."""
         return self.end - self.begin
 
 
 def told(waits: Iterable[Wait]) -> Iterator[Wait]:
-    """Waits as they are reported: one that ended while its axis moved was a wait for that axis."""
+    """Yield waits as reported: one that ended while its axis moved is for that axis."""
     for wait in waits:
         yield (*wait[:4], "axis", *wait[5:]) if wait[4] == MOVING else wait
 
 
 def kept_waits(run: Run) -> dict[str, list[Wait]]:
-    """The waits of each task in the order of time, those too that were under way when the run ended."""
+    """The waits of each task in order of time, including those at the run's end."""
     found: dict[str, list[Wait]] = {}
     for name, waits in groupby(map(whole, run.machine.log.waits.as_kept()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
@@ -65,18 +68,21 @@ def kept_waits(run: Run) -> dict[str, list[Wait]]:
 
 
 def parent_of(run: Run) -> str:
-    """The name of the task whose end is the program's."""
+    """Return the name of the task whose end is the program's."""
     return run.machine.scheduler.parent.name if run.machine.scheduler is not None else ""
 
 
 def ended_at(run: Run) -> float:
-    """When the program had ended, if it has; motion may have gone on after that."""
+    """When the program had ended, if it has; motion may have continued after that."""
     scheduler = run.machine.scheduler
     return run.time if scheduler is None or scheduler.ended is None else scheduler.ended
 
 
 def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
-    """The time of each task, with its `waits`: the parent first, then in the order in which they began."""
+    """Return the time of each task, given its `waits`.
+
+    The parent comes first, then the others in order of their begin.
+    """
     parent, over = parent_of(run), ended_at(run)
     first: dict[str, float] = {}
     last: dict[str, float] = {}

@@ -1,8 +1,8 @@
-"""The changes of one report to another, one by one, and the report in which only some of them were made.
+"""The individual changes between two reports, and a report with some of them.
 
-A change is what a person can say yes or no to: the moves of one line that have become otherwise in the same way, moves
-that were put in or taken out together, a printed line, an event, an error, a field. What follows from changes is none:
-moves, events and the end of the run come later or earlier by what was accepted before them.
+A change is one that a person can accept or reject: the moves of one line that have changed equally, moves
+that were inserted or removed together, a printed line, an event, an error, a field. Consequences of changes
+do not count: moves, events and the end of the run shift with the changes accepted before them.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ if TYPE_CHECKING:
 
 @record
 class Change:
-    """One change: what `kind` it is, and which of them, as `Difference` has it."""
+    """One change: its `kind`, and its number in `Difference`."""
 
     kind: str
     what: Any
 
     @property
     def key(self) -> tuple[str, object]:
-        """What tells it from the others of a difference."""
+        """The identity of the change in a difference."""
         return self.kind, id(self.what) if isinstance(self.what, LineChange) else self.what
 
 
 def changes(found: Difference) -> list[Change]:
-    """All that is otherwise, in the order in which it is told; none where nothing is."""
+    """Return all changes in the order of their report; empty if there is none."""
     made = [Change("status", "")] if found.status is not None else []
     by_time = sorted(found.lines, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis))
     made += [Change("line", each) for each in by_time]
@@ -47,7 +47,7 @@ def changes(found: Difference) -> list[Change]:
 
 
 def merged(old: Report, new: Report, found: Difference, accepted: Collection[Change]) -> dict[str, Any]:
-    """The old report with those changes that are accepted, as a report of its own."""
+    """Return the old report with the accepted changes, as a report of its own."""
     keys = {change.key for change in accepted}
     line = Timeline()
     moves, shifts = _moves(old, new, found, keys, line)
@@ -82,7 +82,7 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
 def _moves(
     old: Report, new: Report, found: Difference, keys: set[tuple[str, object]], line: Timeline
 ) -> tuple[list[Move], tuple[list[tuple[float, float]], list[tuple[float, float]]]]:
-    """The moves of both, and how much later those of the old and of the new run begin and end there, by time."""
+    """Return the moves of both, and the shifts of old and new begins and ends by time."""
     was, is_ = old.get("moves", []), new.get("moves", [])
     made: list[Move] = []
     shifts: tuple[list[tuple[float, float]], list[tuple[float, float]]] = ([], [])
@@ -111,7 +111,7 @@ def _moves(
 
 
 def _shift(shifts: list[tuple[float, float]], time: float) -> float:
-    """How much later it is what was at a time: as the move that began or ended last before."""
+    """Return the shift at a time: that of the move that began or ended last before."""
     place = bisect_right(shifts, (time + 1e-9, float("inf")))
     return shifts[place - 1][1] if place else 0.0
 
@@ -128,7 +128,10 @@ def _chosen(old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[obj
 def _sided(
     old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[object]
 ) -> Iterator[tuple[int, Any]]:
-    """Entries of a list in order, and whether each is of the old or the new one; what is the same is the new one's."""
+    """Yield entries of a list in order, with 1 for the new side, 0 for the old one.
+
+    Equal ones count as new.
+    """
     for i, j, number in pairs:
         take = number is None or number in accepted
         if take and j is not None:

@@ -1,4 +1,7 @@
-"""Two sequences aligned by content: the longest common part, found from both ends and by Myers' greedy algorithm."""
+"""Alignment of two sequences by content: the longest common subsequence.
+
+It is found from both ends and by Myers' greedy algorithm.
+"""
 
 from __future__ import annotations
 
@@ -10,12 +13,13 @@ if TYPE_CHECKING:
 
     Pairs = list[tuple[int, int]]
 
-# Insertions and deletions beyond which two sequences are not looked at so closely: the work grows with their square.
+# Insertions and deletions beyond which two sequences are not aligned exactly: the work grows with their
+# square.
 MOST_EDITS = 600
 
 
 def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
-    """The places of what both have, in order; None where they differ in more than `MOST_EDITS` entries."""
+    """The positions of common entries, in order; None beyond `MOST_EDITS` edits."""
     first = 0
     while first < len(a) and first < len(b) and a[first] == b[first]:
         first += 1
@@ -32,13 +36,19 @@ def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
 
 
 def _too_different(a: Sequence[Hashable], b: Sequence[Hashable]) -> bool:
-    """Whether more than `MOST_EDITS` entries have no other one in any order: each of them is an edit."""
+    """True if more than `MOST_EDITS` entries have no counterpart in any order.
+
+    Each of them is an edit.
+    """
     here, there = Counter(a), Counter(b)
     return (here - there).total() + (there - here).total() > MOST_EDITS
 
 
 def _latest(pairs: Pairs, a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs:
-    """The same with what was put in or taken out as late as it can be: of a loop that runs on, the last turns."""
+    """Return the pairs with insertions and deletions as late as possible.
+
+    Of a loop that continues they are the last iterations.
+    """
     made: Pairs = []
     i_last = j_last = -1
     for i, j in pairs:
@@ -56,7 +66,7 @@ def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
         return []
     if _too_different(a, b):
         return None
-    # furthest[k] is the furthest place in a on the diagonal k that so many edits reach.
+    # furthest[k] is the furthest position in a on the diagonal k that so many edits reach.
     furthest, steps = {1: 0}, []
     for edits in range(min(len(a) + len(b), MOST_EDITS) + 1):
         steps.append(dict(furthest))
@@ -91,10 +101,10 @@ def _way_back(
 def aligned(
     a: Sequence[object], b: Sequence[object], *keys: Callable[[object], Hashable]
 ) -> list[tuple[int | None, int | None]]:
-    """Every entry of both, in order, beside the one of the other that it corresponds to, or None.
+    """Every entry of both, in order, with its counterpart in the other, or None.
 
-    Entries correspond that are equal by the first key; between these, by the next one; by the last key, where all is
-    too different, the first of one to the first of the other.
+    Entries correspond that are equal by the first key; between these, by the next one; by the last key, if
+    all are too different, the first of one to the first of the other.
     """
     if not keys:
         return [*((i, None) for i in range(len(a))), *((None, j) for j in range(len(b)))]
@@ -114,7 +124,7 @@ def aligned(
 
 
 def _by_number(a: Sequence[object], b: Sequence[object], key: Callable[[object], Hashable]) -> Pairs:
-    """The nth of a kind beside the nth of the same kind, as far as that keeps both in order."""
+    """Pair the nth of a kind with the nth of the same kind, while both stay in order."""
     places: dict[Hashable, list[int]] = {}
     for j in range(len(b) - 1, -1, -1):
         places.setdefault(key(b[j]), []).append(j)

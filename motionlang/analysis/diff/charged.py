@@ -1,4 +1,4 @@
-"""What each line of a program has of the difference in time of two runs, along their critical chains."""
+"""The time difference of two runs by program line, along the critical paths."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ NOTHING = 1e-9
 
 @record
 class Charge:
-    """By how many `seconds` more a run waited for a line, by its number in the `old` and the `new` program.
+    """How many `seconds` more a run waited for a line.
 
-    None where only one of them has it; 0 for what stands on no line.
+    `old` and `new` are its numbers in the two programs: None if it is only in one of them, 0 for no line.
     """
 
     old: int | None
@@ -34,7 +34,10 @@ def _words(line: object) -> str:
 
 
 def charged(old: Run, new: Run) -> list[Charge]:
-    """The lines that the new run waited for longer or shorter, the largest first: together that is its difference."""
+    """Return the lines that the new run waited for longer or shorter, largest first.
+
+    Together they are its time difference.
+    """
     text, other_text = (run.source.text.split("\n") for run in (old, new))
     was, is_ = ({share.line: share.seconds for share in TimeProfile(run).lines()} for run in (old, new))
     found = [Charge(0, 0, is_.get(0, 0.0) - was.get(0, 0.0))]

@@ -1,4 +1,4 @@
-"""Where the motion of two runs parts: the first moment at which an axis stands elsewhere."""
+"""The divergence of the motion of two runs: the first time at which they differ."""
 
 from __future__ import annotations
 
@@ -22,17 +22,22 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Places in each stretch between two profiles of either run at which they are compared, and halvings to find the moment.
+# Times in each stretch between two profiles of either run at which they are compared, and bisections to find
+# the time.
 LOOKS, HALVINGS = 8, 40
-# What rounding makes of a position, as a part of it; and a hundredth of it, which a table of pieces may be off besides.
+# The relative rounding of a position; and a hundredth of it, by which a table of pieces may differ in
+# addition.
 ROUNDING, TABLE = 1e-9, 1e-11
-# Stretches that are looked at together.
+# Stretches that are compared at once.
 TOGETHER = 50_000
 
 
 @record
 class Parting:
-    """The machine `time` at which `axis` is first elsewhere, and the largest distance, user units, with its time."""
+    """The machine `time` at which `axis` first differs, and the largest distance, uu.
+
+    The distance has its time.
+    """
 
     axis: int
     time: float
@@ -41,7 +46,10 @@ class Parting:
 
 
 def parting(old: Run, new: Run, tolerance: float = 0.0) -> Parting | None:
-    """The first parting of all axes that both have; None where all stand together as long as both run."""
+    """Return the first divergence of all common axes; None if there is none.
+
+    Only the time up to the end of both runs counts.
+    """
     end = min(old.time, new.time)
     found = [
         parted
@@ -76,7 +84,7 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
 
 
 def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
-    """The moments at which two axes are compared, many at a time."""
+    """Yield the times at which two axes are compared, many at once."""
     edges = np.fromiter(_edges(a, b, end), dtype=np.float64)
     for first in range(0, len(edges) - 1, TOGETHER):
         some = edges[first : first + TOGETHER + 1]
@@ -87,7 +95,10 @@ def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
 def _worth_a_look(
     a: Axis, b: Axis, times: Sequence[float], tolerance: float
 ) -> tuple[list[int], Sequence[int]]:
-    """By tables of pieces, which are nearly exact: where two axes may be farthest apart, and where too far at all."""
+    """Return the times of the farthest distance of two axes, and of excessive ones.
+
+    The tables are nearly exact.
+    """
     one, other = _positions(a, times), _positions(b, times)
     if one is None or other is None:
         return list(range(len(times))), range(len(times))
@@ -95,14 +106,14 @@ def _worth_a_look(
     zeros = max(abs(each.scale.zero / each.scale.counts) for each in (a, b))
     distance, doubt = np.abs(one - other) - ROUNDING * size, TABLE * (size + zeros)
     far = np.flatnonzero((distance + 2.0 * doubt >= np.max(distance)) & (distance + doubt > 0.0))
-    first_such: dict[tuple[float, float], int] = {}  # a cycle comes to the same places again and again
+    first_such: dict[tuple[float, float], int] = {}  # a cycle reaches the same positions repeatedly
     for k, places in zip(far.tolist(), zip(one[far].tolist(), other[far].tolist(), strict=True), strict=True):
         first_such.setdefault(places, k)
     return list(first_such.values()), np.flatnonzero(distance + doubt > tolerance).tolist()
 
 
 def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
-    """Where an axis was, user units; None where its motion is not all in pieces."""
+    """Return the positions of an axis, user units; None if it is not all in pieces."""
     track = WholeTrack(axis)
     some = slice(max(track.place(times[0]) - 1, 0), track.place(times[-1]) + 1)
     table = PieceTable(track.starts[some], track.profiles[some])
@@ -114,7 +125,7 @@ def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
 
 
 def _edges(a: Axis, b: Axis, end: float) -> list[float]:
-    """When profiles of either began up to the end, but for those at the start that both have alike."""
+    """Return when profiles of either began up to the end, without an equal start."""
     tracks = WholeTrack(a), WholeTrack(b)
     same, pairs = (
         0,

@@ -1,8 +1,8 @@
-"""Two reports of runs compared: how long, what moved, what was printed, what else is otherwise.
+"""Comparison of two reports: duration, motion, prints, and other fields.
 
-Moves are aligned by their axis, command and distance, prints by their words, and not by their numbers; the line of a
-move may be another one. What follows a longer move later is no difference of its own: only what lies between two moves
-is compared.
+Moves are aligned by their axis, command and distance, prints by their words, and not by their numbers; the
+line of a move may differ. A shift caused by a longer earlier move is no difference of its own: only the time
+between two moves is compared.
 """
 
 from __future__ import annotations
@@ -23,25 +23,25 @@ if TYPE_CHECKING:
 
     Report = Mapping[str, Any]
     Move = dict[str, Any]
-    # Places in the old and the new list, and the number of what is otherwise there; None where nothing is.
+    # Indices in the old and the new list, and the number of the difference; None if there is none.
     Pair = tuple[int | None, int | None, int | None]
 
 _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")
-# The fields that are compared by themselves, and those that say where something stands and not what it is.
+# The fields that are compared separately, and those for positions instead of contents.
 OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "readings")
 PLACES = ("line", "column")
-# Fields of a move that say what was commanded: where no other one differs, the motion does not.
+# Fields of a move for its command: if no other one differs, the motion does not.
 COMMANDED = frozenset(("asked_speed",))
 # Events whose figures are positions; those of the others are speeds.
 PLACED = ("limit", "soft limit", "following error")
 
 
 class LineChange:
-    """What is otherwise with the moves of one line: how many, which figures, how much time that makes together.
+    """The differences of the moves of one line: their number, figures, and total time.
 
-    `figures` has for each field that differs its first old and new value; `duration` and `wait` are sums, s: of the
-    moves themselves, and of what lies between them and what was before.
+    `figures` has for each field that differs its first old and new value; `duration` and `wait` are sums, s:
+    of the moves themselves, and of the time between them and the ones before.
     """
 
     __slots__ = ("axis", "command", "count", "duration", "figures", "first", "new", "old", "wait")
@@ -54,15 +54,16 @@ class LineChange:
 
     @property
     def is_motion(self) -> bool:
-        """True if the motion differs, and not only what was commanded."""
+        """True if the motion differs, and not only the command."""
         return bool(self.wait) or not self.figures.keys() <= COMMANDED
 
 
 class Difference:
-    """How one report differs from another; `same` where it does not.
+    """The difference of one report from another; `same` if there is none.
 
-    `pairs` has every move of both beside its other one, and the `LineChange` that tells of them; `hunks` by such places
-    which moves were put in or taken out together; `printed`, `happened` and `told` the same of prints, events, errors.
+    `pairs` has every move of both with its counterpart, and the `LineChange` that reports them; `hunks` has
+    by such positions the moves that were inserted or removed together; `printed`, `happened` and `told` are
+    the pairs of prints, events, errors.
     """
 
     def __init__(self) -> None:
@@ -72,15 +73,16 @@ class Difference:
         self.lines: list[LineChange] = []
         self.gone: list[Move] = []
         self.new: list[Move] = []
-        # Lines that have become other ones, which is no difference.
+        # Lines with new numbers, which is no difference.
         self.moved: dict[int, int] = {}
         # How much later the run ends after its last motion.
         self.tail = 0.0
         self.prints: list[tuple[int | None, int | None, str, str]] = []
-        # What was and what is; None where it is gone or new. Of those that come later by themselves: by how much.
+        # The old and the new event; None if it was removed or added. For events that shift by themselves: by
+        # how much.
         self.events: list[tuple[Move | None, Move | None, float]] = []
         self.errors: list[tuple[str, str]] = []
-        # What else is otherwise, by the field of the report.
+        # Other differences, by the field of the report.
         self.fields: dict[str, list[str]] = {}
         self.pairs: list[tuple[int | None, int | None, LineChange | None]] = []
         self.hunks: dict[tuple[int | None, int | None], int] = {}
@@ -92,12 +94,12 @@ class Difference:
 
     @property
     def others(self) -> list[str]:
-        """What else is otherwise, of all fields."""
+        """Other differences, of all fields."""
         return [line for lines in self.fields.values() for line in lines]
 
     @property
     def same(self) -> bool:
-        """Whether nothing is otherwise."""
+        """True if there is no difference."""
         return not (
             self.time
             or self.status
@@ -113,28 +115,28 @@ class Difference:
 
     @property
     def first(self) -> tuple[float, int] | None:
-        """When and on which axis the motion is first otherwise, as far as reports tell."""
+        """Time and axis of the first difference in motion, as far as reports show it."""
         times = [(each["start_time"], each["axis"]) for each in (*self.gone, *self.new)]
         times += [(each.first, each.axis) for each in self.lines if each.is_motion]
         return min(times, default=None)
 
     @property
     def is_commanded(self) -> bool:
-        """True if moves differ in what was commanded, and none in its motion."""
+        """True if moves differ in their commands, and none in its motion."""
         return bool(self.lines) and self.first is None
 
 
-# What a move must have to be compared, and what kind of value that is.
+# The fields of a move that a comparison needs, and their types.
 _NEEDED = {"axis": int, "command": str, "line": int, "start_time": float, "phases": list}
 
 
 def end_of(report: Report) -> Move:
-    """The end of a run, as a move that begins there."""
+    """Return the end of a run, as a move that begins there."""
     return {"start_time": report.get("time", 0.0), "duration": None}
 
 
 def check(report: object) -> None:
-    """ValueError where something is no report of a run, or has lost a part."""
+    """Raise ValueError if an object is no complete report of a run."""
     if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is no report of a run")
     for name in ("moves", "output", "events", "diagnostics"):
@@ -158,7 +160,10 @@ def check(report: object) -> None:
 
 
 def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Difference:
-    """How `new` differs from `old`, both as `motionlang.report/1`; ValueError where one of them is none."""
+    """Return how `new` differs from `old`, both `motionlang.report/1`.
+
+    Raises ValueError if one of them is invalid.
+    """
     check(old)
     check(new)
     found = Difference()
@@ -196,9 +201,9 @@ def _by_kind(move: Any) -> tuple[object, ...]:
 
 
 def _at_lines(old: list[Move], new: list[Move], content: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Besides by what a move is, by the line that ordered it: as it is in the new program, where that is plain.
+    """Return a key by contents and by the line in the new program, if it is certain.
 
-    Reports have no text; a line is known again by the moves that it orders, in the order of the lines.
+    Reports have no text; a line is recognised by the moves that it commands, in the order of the lines.
     """
     here = [_lines_of(moves) for moves in (old, new)]
     pairs = common([kinds for _, kinds in here[0]], [kinds for _, kinds in here[1]]) or []
@@ -279,7 +284,7 @@ def _moments(a: Move, b: Move) -> list[tuple[float, int, float]]:
 
 
 def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
-    """The fields in which two moves differ, with both values."""
+    """Yield the fields in which two moves differ, with both values."""
     for name in ("duration", "distance", "start", "end", "peak_speed", "asked_speed", "profile", "ended"):
         was, is_ = a.get(name), b.get(name)
         if (was != is_ or was.__class__ is not is_.__class__) and not tolerance.same(was, is_, name):
@@ -305,7 +310,8 @@ def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterato
             yield f"{was['name']} distance", was["distance"], is_["distance"]
 
 
-# ------------------------------------------------------------------------------------------------- everything else
+# ------------------------------------------------------------------------------------------------- other
+# fields
 
 
 def _prints(found: Difference, old: list[str], new: list[str]) -> None:
@@ -318,7 +324,7 @@ def _prints(found: Difference, old: list[str], new: list[str]) -> None:
 
 
 def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance) -> None:
-    """Events by what happened where; one that comes later as the motion does is none that is otherwise."""
+    """Compare events by content and line, regardless of shifts with the motion."""
     shifts = sorted(found.later)
     for i, j in aligned(old, new, _by_happening, _by_axis):
         was, is_ = None if i is None else old[i], None if j is None else new[j]
@@ -340,7 +346,10 @@ def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tole
 
 
 def _later(shifts: list[tuple[float, int, float]], event: Move) -> list[float]:
-    """By how much an event may come later: not at all, as the last motion, or as the last one of its axis."""
+    """Return the shifts that an event may have.
+
+    They are none, that of the last motion, and that of the last one of its axis.
+    """
     found = [0.0]
     place = bisect_right(shifts, (event["time"] + 1e-9, inf)) - 1
     if place >= 0:
@@ -365,7 +374,7 @@ def _by_axis(event: Any) -> tuple[object, ...]:
 
 
 def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
-    """Diagnostics by what they say; where they stand may be another place."""
+    """Compare diagnostics by their text, not their location."""
     told = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
     tells = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
     for i, j in aligned(told, tells, str):
@@ -377,7 +386,7 @@ def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
 
 
 def _others(place: str, old: object, new: object, tolerance: Tolerance, field: str = "") -> Iterator[str]:
-    """Every difference between two JSON values, by the place in the document at which it is."""
+    """Yield every difference between two JSON values, by its path in the document."""
     if isinstance(old, dict) and isinstance(new, dict):
         for name in sorted(old.keys() | new.keys()):
             if name in PLACES:

@@ -1,7 +1,7 @@
-"""Two runs side by side, move by move: what lies between a move and what was over before it, and where a third stands.
+"""Two runs compared move by move, with the times of a third, merged run.
 
-A move that comes later because one before it takes longer waits no longer. Which one that is, is the last that was over
-before it began; where moves were put in or taken out just before, each run has its own.
+A move that comes later because one before it takes longer waits no longer. The one before it is the last that
+was over before it began; if moves were inserted or removed just before, each run has its own.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ if TYPE_CHECKING:
     from typing import Any
 
     Move = dict[str, Any]
-    # When a move was over in its run, how much later it is in the new one (None where only one has it), and when it is
-    # over in the run that is made of both (None where that has it not).
+    # When a move was over in its run, how much later it is in the new one (None if only one has it), and when
+    # it is over in the merged run (None if that does not have it).
     End = tuple[float, int, float | None, float | None]
 
 _BEGIN: End = (0.0, 0, 0.0, 0.0)
-# Times that differ by less are one.
+# Times that differ by less are equal.
 NEAR = 1e-9
 
 
 class Timeline:
-    """Moves of an old and a new run, given in the order in which they are aligned."""
+    """Moves of an old and a new run, in the order of their alignment."""
 
     def __init__(self) -> None:
         self._ends: tuple[list[End], list[End]] = ([], [])
@@ -32,9 +32,9 @@ class Timeline:
         self._made = 0.0
 
     def pair(self, a: Move, b: Move, old: Move | None = None, accepted: bool = True) -> tuple[float, float]:
-        """How much longer `b` waited than `a`, and when it begins in the run that is made of both.
+        """Return how much longer `b` waited than `a`, and its begin in the merged run.
 
-        There it waits as `b` does where that is accepted, and `old` says which of the two it moves as (`b`).
+        There it waits like `b` if that is accepted; `old` is the one of the two that it moves like (`b`).
         """
         start, other = a["start_time"], b["start_time"]
         was, is_ = self._before(0, start), self._before(1, other)
@@ -54,7 +54,10 @@ class Timeline:
         return wait, begin
 
     def alone(self, move: Move, side: int, kept: bool) -> float:
-        """When a move that only the old (0) or the new (1) run has begins in that of both, if it is `kept` there."""
+        """Return the begin in the merged run of a move of the old (0) or new (1) run only.
+
+        It is in the merged run if it is `kept`.
+        """
         start: float = move["start_time"]
         last = self._before(side, start)
         begin = start + (last[3] - last[0] if last[3] is not None else 0.0)
@@ -69,7 +72,7 @@ class Timeline:
             self._made = made
 
     def _before(self, side: int, start: float) -> End:
-        """The last move of a run that was over at a time."""
+        """Return the last move of a run that was over at a time."""
         ends = self._ends[side]
         while ends and ends[0][0] <= start + NEAR:
             last = heapq.heappop(ends)

@@ -1,19 +1,20 @@
-"""How far off two figures may be and still be the same: tubes with units, such as time=1ms and position=0.01uu."""
+"""Tolerances for equal figures, with units, such as time=1ms and position=0.01uu."""
 
 from __future__ import annotations
 
 import re
 
-# Figures agree that differ by no more than this part, or by so little: another mathematical library is no difference.
+# Figures that differ by no more than this fraction, or this amount, are equal: another mathematical library
+# is no difference.
 PART, NOTHING = 1e-9, 1e-12
 _TUBE = re.compile(r"(\w+)=([0-9.eE+-]+)\s*(%|[a-zA-Z/²]*)$")
-# What a tube is about, its units and what they are in the units of a report.
+# The kinds of tolerances, their units and factors to the units of a report.
 UNITS = {
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
     "position": {"uu": 1.0},
     "speed": {"uu/s": 1.0},
 }
-# The fields of a report that a tube is about.
+# The fields of a report that a tolerance applies to.
 FIELDS = {
     "time": "time", "start_time": "time", "duration": "time", "settle_time": "time", "start": "position",
     "end": "position", "distance": "position", "position": "position", "peak_following_error": "position",
@@ -23,10 +24,13 @@ FIELDS = {
 
 
 class Tolerance:
-    """Tubes by what they are about: so much, or such a part of the figure."""
+    """Tolerances by kind: an amount, or a fraction of the figure."""
 
     def __init__(self, *texts: str) -> None:
-        """From texts such as "time=1ms", "position=0.01uu", "speed=2%"; ValueError for any other."""
+        """Parse texts such as "time=1ms", "position=0.01uu", "speed=2%".
+
+        Raises ValueError for any other.
+        """
         self._sizes: dict[str, float] = {}
         self._parts: dict[str, float] = {}
         for text in texts:
@@ -48,11 +52,11 @@ class Tolerance:
                 self._sizes[found[1]] = size * units[found[3]]
 
     def size(self, kind: str) -> float:
-        """The absolute tube of times, positions or speeds."""
+        """Return the absolute tolerance of times, positions or speeds."""
         return self._sizes.get(kind, 0.0)
 
     def same(self, expected: object, found: object, field: str = "") -> bool:
-        """Whether two values of a field are the same."""
+        """True if two values of a field are equal within the tolerance."""
         if isinstance(expected, float) and isinstance(found, float):
             kind = FIELDS.get(field, "")
             size = max(abs(expected), abs(found))

@@ -1,4 +1,7 @@
-"""Sweeps: one program in many variants, each a whole run, on the processors of this machine or on a cluster."""
+"""Sweeps: one program in many variants, each a complete run.
+
+They run on the processors of this machine or on a cluster.
+"""
 
 from __future__ import annotations
 
@@ -29,9 +32,10 @@ KEEP = ("time",)
 
 @record
 class Row:
-    """One variant: its number, its `values` and what was `kept`, by name; `problem` is its first error, or None.
+    """One variant: number, `values`, and results `kept`, by name.
 
-    `row["time"]` and `row["accel"]` are both: what was kept, and what was varied.
+    `problem` is its first error, or None. `row["time"]` and `row["accel"]` are both: a result, and a varied
+    value.
     """
 
     index: int
@@ -48,14 +52,14 @@ class Row:
 
     @property
     def ok(self) -> bool:
-        """Whether nothing was wrong with the run."""
+        """True if the run had no error."""
         return self.problem is None
 
 
 class Sweep:
-    """A program and its variants, checked before anything runs; `results` runs them.
+    """A program and its variants, checked before any run; `results` runs them.
 
-    `space` has the variants, `job` what they have in common.
+    `space` has the variants, `job` their common data.
     """
 
     def __init__(
@@ -72,10 +76,10 @@ class Sweep:
         prove: bool = False,
         certify: bool = False,
     ) -> None:
-        """As `sweep` has them.
+        """Take the arguments of `sweep`.
 
-        ValueError for a name or a key that there is not, OSError where the program cannot be read, ProgramError where
-        it, or the machine file beside it, is wrong.
+        Raises ValueError for an unknown name or key, OSError if the program cannot be read, ProgramError if
+        it, or its machine file, is invalid.
         """
         self.space = space_of(grid)
         source = program if isinstance(program, Source) else Source.read(program)
@@ -99,7 +103,7 @@ class Sweep:
             self._check(source, language)
 
     def _check(self, source: Source, language: Dialect) -> None:
-        """What is wrong with every variant is told once, before any is run."""
+        """Raise the errors of every variant once, before any run."""
         from motionlang.lang.machine.file import check_setting
 
         values = self.space[0]
@@ -123,13 +127,13 @@ class Sweep:
     def results(
         self, executor: Executor | None = None, jobs: int | None = None, done: Collection[int] = ()
     ) -> Iterator[Result]:
-        """The rows as plain tuples, in the order in which they come; the variants in `done` are left out."""
+        """The rows as plain tuples, in order of arrival, without the variants in `done`."""
         left = len(self.space) - len(done)
         variants = ((n, self.space[n]) for n in range(len(self.space)) if n not in done)
         return Hand(self.job, variants, left, executor, jobs or cores()).rows()
 
     def row(self, result: Result) -> Row:
-        """A row with its names."""
+        """Return a row with its names."""
         index, kept, problem = result
         values = dict(zip(self.space.names, self.space[index], strict=True))
         return Row(index, values, dict(zip(self.job.keep, kept, strict=True)), problem)
@@ -149,15 +153,15 @@ def sweep(
     prove: bool = False,
     certify: bool = False,
 ) -> Iterator[Row]:
-    """Run a program in many variants and yield a row for each, as they come.
+    """Run a program in many variants and yield a row for each, in order of arrival.
 
-    `grid` has the values by name, of the program's own names and, with a dot, of the keys of the machine file: lists,
-    or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel": 500.0}, …]`, is one
-    variant a point. `keep` names what is kept of a run, see docs/sweep.md. `executor` is any
-    `concurrent.futures.Executor`, such as Dask's; without one, `jobs` processes of this machine. The other arguments
-    are those of `run`; with `certify` a variant that passes a limit of the machine is a bad one. A variant that goes
-    wrong is a row with its `problem`; what is wrong with all of them is raised before the first one runs, as `Sweep`
-    says.
+    `grid` has the values by name, of the program's own names and, with a dot, of the keys of the machine
+    file: lists, or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel":
+    500.0}, …]`, is one variant per point. `keep` names the results of a run to keep, see docs/sweep.md.
+    `executor` is any `concurrent.futures.Executor`, such as Dask's; without one, `jobs` processes of this
+    machine are used. The other arguments are those of `run`; with `certify` a variant that exceeds a limit of
+    the machine is an error. A variant with an error is a row with its `problem`; errors of all variants are
+    raised before the first one runs, like those of `Sweep`.
     """
     made = Sweep(
         program,

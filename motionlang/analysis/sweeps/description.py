@@ -1,4 +1,7 @@
-"""What is asked of a sweep, from the command line or from `pick.sweep.toml` beside `pick.mnt`."""
+"""The options of a sweep, from a command line or `pick.sweep.toml`.
+
+The file is next to `pick.mnt`.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.analysis.sweeps.space import Space
 
 SUFFIX = ".sweep.toml"
-# The keys of the file, and what each is.
+# The keys of the file, and their types.
 KEYS = {
     "vary": "a table of names: rate = \"500:5000:10\", gain = [1, 2, 4]",
     "machines": "a folder of machine files, each a variant",
@@ -40,7 +43,7 @@ _TEXTS, _COUNTS = ("machines", "scenarios", "minimise", "maximise", "where", "pa
 
 
 class Description:
-    """The wishes by the keys of the file, as far as they are said."""
+    """The options by the keys of the file, as far as they are given."""
 
     def __init__(self) -> None:
         self.dimensions: list[Dimension] = []
@@ -59,7 +62,7 @@ class Description:
         self.certify = False
 
     def space(self, worlds: Mapping[str, Mapping[str, object]]) -> Space:
-        """The variants; ValueError where there are none, or not as many as can be."""
+        """Return the variants; ValueError for none, or too many."""
         whole = [Dimension(kind, sorted(some)) for kind, some in worlds.items()]
         dimensions = [*whole, *self.dimensions]
         if not dimensions:
@@ -74,7 +77,10 @@ class Description:
         return Drawn(dimensions, count, self.seed, self.latin is not None)
 
     def worlds(self) -> dict[str, dict[str, dict[str, object]]]:
-        """The settings of the machine files and scenarios by their names; OSError, ValueError, ProgramError."""
+        """Return the settings of the machine files and scenarios by name.
+
+        Raises OSError, ValueError, ProgramError.
+        """
         found = {}
         for kind, folder in ((MACHINE, self.machines), (SCENARIO, self.scenarios)):
             if folder is not None:
@@ -82,12 +88,15 @@ class Description:
         return found
 
     def expressions(self) -> dict[str, Expression]:
-        """What is asked of the rows, by "minimise", "maximise" and "where"; ValueError where it is no expression."""
+        """Return the expressions over rows, by "minimise", "maximise" and "where".
+
+        Raises ValueError for an invalid expression.
+        """
         texts = {"minimise": self.minimise, "maximise": self.maximise, "where": self.where}
         return {name: Expression(text) for name, text in texts.items() if text is not None}
 
     def costs(self) -> list[Expression]:
-        """The expressions of the Pareto front."""
+        """Return the expressions of the Pareto front."""
         if self.pareto is None:
             return []
         found = [Expression(each) for each in self.pareto.split(",")]
@@ -97,10 +106,13 @@ class Description:
 
 
 def settings_of(path: str) -> dict[str, object]:
-    """The settings of a machine file; ProgramError with the diagnostics of the file, whose name is in them."""
+    """Return the settings of a machine file; ProgramError with its diagnostics.
+
+    The name of the file is in them.
+    """
     try:
         settings = read_machine(Source.read(path))
-        settings.pop("expect", None)  # of a world by itself, not of its variants
+        settings.pop("expect", None)  # of a world itself, not of its variants
         return settings
     except ProgramError as error:
         for each in error.diagnostics:
@@ -111,7 +123,10 @@ def settings_of(path: str) -> dict[str, object]:
 
 
 def machine_files(folder: str) -> list[tuple[str, str]]:
-    """Names and paths of the machine files of a folder, in order; ValueError where there is none."""
+    """Return names and paths of the machine files of a folder; ValueError if none.
+
+    They are in order.
+    """
     found = []
     for file in sorted(os.listdir(folder)):
         if file.endswith(".toml") and not file.endswith(SUFFIX):
@@ -122,7 +137,7 @@ def machine_files(folder: str) -> list[tuple[str, str]]:
 
 
 def read_description(path: str) -> Description:
-    """The description of a file; OSError, and ProgramError with every mistake in it."""
+    """Return the description of a file; OSError, and ProgramError with all its errors."""
     source = Source.read(path)
     tree = read_toml(source)
     found, mistakes = Description(), []
@@ -143,7 +158,7 @@ def read_description(path: str) -> Description:
 
 
 def _take(found: Description, key: str, value: object, folder: str) -> tuple[str, str] | None:
-    """Put a key in its place; what is wrong with it, and a hint."""
+    """Store a key; return an error and a hint, or None."""
     if key not in KEYS:
         near = nearest(key, KEYS)
         return (
@@ -188,7 +203,7 @@ def _take(found: Description, key: str, value: object, folder: str) -> tuple[str
 
 
 def _flat(tree: Mapping[str, object], prefix: str = "") -> list[tuple[str, object]]:
-    """The varied names: keys of the machine file may be written with dots or as tables."""
+    """Return the varied names: keys may be written with dots or as tables."""
     out: list[tuple[str, object]] = []
     for key, value in tree.items():
         out += _flat(value, f"{prefix}{key}.") if isinstance(value, dict) else [(prefix + key, value)]

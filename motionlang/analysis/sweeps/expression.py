@@ -1,4 +1,7 @@
-"""What is best: an expression of numbers over the figures of a variant, `time + 0.1 * peak.0` or `peak.0 < 400`."""
+"""Objectives and conditions: numeric expressions over the figures of a variant.
+
+Examples are `time + 0.1 * peak.0` and `peak.0 < 400`.
+"""
 
 from __future__ import annotations
 
@@ -30,16 +33,19 @@ _OPERATORS: dict[type, Callable[..., object]] = {
     ast.Not: operator.not_,
 }
 _FUNCTIONS: dict[str, Callable[..., object]] = {"abs": abs, "min": min, "max": max}
-# Nodes of a syntax tree that an expression may have, and a power that it may raise to.
+# The maximum nodes of an expression's syntax tree, and the maximum exponent.
 _MOST_NODES, _MOST_POWER = 500, 100.0
 
 
 class Expression:
-    """An expression over names such as `time`, `accel` and `axis.0.plant.inertia`; ValueError where it is none."""
+    """An expression over names such as `time`, `accel` and `axis.0.plant.inertia`.
+
+    Raises ValueError if it is invalid.
+    """
 
     def __init__(self, text: str) -> None:
         self.text = text
-        # Names with dots are none of Python's: each gets one that is.
+        # Names with dots are not Python identifiers: each gets one that is.
         places: dict[str, str] = {}
 
         def plain(found: re.Match[str]) -> str:
@@ -77,14 +83,14 @@ class Expression:
                 raise ValueError(ast.dump(node))
 
     def __call__(self, values: Mapping[str, object]) -> object | None:
-        """Its value; None where a name in it has none, or where it has none itself, such as a division by zero."""
+        """Its value; None if a name has none, or for a division by zero and the like."""
         try:
             return self._value(self._tree, values)
         except (ArithmeticError, TypeError, ValueError, LookupError):
             return None
 
     def number(self, values: Mapping[str, object]) -> float | None:
-        """Its value where that is a finite number, else None."""
+        """Return its value if that is a finite number, or None."""
         found = self(values)
         finite = isinstance(found, (int, float)) and abs(found) < float("inf")
         return float(found) if finite else None  # type: ignore[arg-type]
@@ -123,7 +129,7 @@ class Expression:
 
 
 def pareto(costs: list[tuple[float, ...]]) -> list[int]:
-    """The numbers of those that no other is as good as in everything and better in something, by the first cost."""
+    """Return the indices of the Pareto front, by the first cost."""
     order = sorted(range(len(costs)), key=lambda n: (costs[n], n))
     if costs and len(costs[0]) == 2:
         front, least = [], float("inf")

@@ -1,6 +1,6 @@
-"""One sweep as its workers know it: the program, what is kept, and how a variant becomes a row.
+"""A sweep for its workers: the program, kept results, and the run of a variant.
 
-A job travels to other processes and machines; what it takes long to make of it is made once in each.
+A job travels to other processes and machines; its expensive derived data are made once in each.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ if TYPE_CHECKING:
     from motionlang.lang.program import Program
     from motionlang.result import Run
 
-    # A variant by its number and its values; a row by its number, what is kept, and what is wrong with it.
+    # A variant by its number and its values; a row by its number, its results, and its error.
     Variant = tuple[int, tuple[Value, ...]]
     Problem = dict[str, object]
     Result = tuple[int, tuple[Kept, ...], Problem | None]
 
-# Names of a variant that stand for whole machine files.
+# Names of a variant that represent complete machine files.
 MACHINE, SCENARIO = "machine", "scenario"
-# Programs that a process keeps: their settings decide how they are compiled.
+# Programs that a process caches: their settings decide how they are compiled.
 MOST_PROGRAMS = 32
 
 
 class Job:
-    """Everything that the variants of a sweep have in common; plain data, so that it can be sent.
+    """The common data of the variants of a sweep, as plain data that can be sent.
 
-    `worlds` has the settings of whole machine files by the names of variants: `{"machine": {"old": …}}`.
+    `worlds` has the settings of complete machine files by the names of variants: `{"machine": {"old": …}}`.
     """
 
     def __init__(
@@ -61,14 +61,14 @@ class Job:
 
     @property
     def digest(self) -> str:
-        """The same for the same sweep, whoever computes it, but for its variants."""
+        """A digest of the sweep without its variants, equal in all processes."""
         if not self._digest:
             parts = [repr(value) for name, value in sorted(vars(self).items()) if name != "_digest"]
             self._digest = sha256("\n".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
         return self._digest
 
     def of(self, values: Sequence[Value]) -> tuple[dict[str, object], dict[str, float | str]]:
-        """The settings and the overrides of a variant."""
+        """Return the settings and the overrides of a variant."""
         settings, overrides = self.settings, dict(self.overrides)
         for name, value in zip(self.names, values, strict=True):
             if name in self.worlds:
@@ -94,12 +94,12 @@ class Worker:
         self._programs: dict[str, Program] = {}
 
     def result(self, variant: Variant) -> Result:
-        """The row of one variant; whatever is wrong with it stands in it."""
+        """Return the row of one variant, with its error, if any."""
         index, values = variant
         try:
             settings, overrides = self.job.of(values)
             found = self._run(settings, overrides, self._program(settings, overrides))
-            if overrides and found.status == "fault":  # once more, as a run by itself tells what is wrong
+            if overrides and found.status == "fault":  # run again, since a run by itself reports the error
                 found = self._run(settings, overrides, None)
             kept = tuple(self._read(found, *reader) for reader in self._readers)
             return index, kept, self._problem(found)
@@ -127,7 +127,7 @@ class Worker:
         return found
 
     def _program(self, settings: dict[str, object], overrides: dict[str, float | str]) -> Program:
-        """The program for a machine, compiled once for all that differ in nothing that it depends on."""
+        """Return the program for a machine, compiled once for all equal relevant settings."""
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
         key = repr(sorted(deciding.items())) if deciding else ""
         found = self._programs.get(key)
@@ -148,7 +148,7 @@ class Worker:
         return kept
 
     def _problem(self, found: Run) -> Problem | None:
-        """What is wrong with a run: its first error; None for nothing."""
+        """Return the first error of a run, or None."""
         diagnostics = [each for each in found.diagnostics if each.severity == "error"]
         if found.crash is not None:
             diagnostics.append(_failed(found.crash))
@@ -163,7 +163,7 @@ class Worker:
 
 
 def _failed(error: Exception) -> Diagnostic:
-    """The message for an unexpected error of a run, or for one that came of a missing library."""
+    """Return the message for an unexpected error of a run, or for a missing library."""
     lacking = missing(error, "this run")
     if lacking is not None:
         return Diagnostic("extra", lacking.message, hint=lacking.hint)
@@ -171,7 +171,7 @@ def _failed(error: Exception) -> Diagnostic:
 
 
 def told(diagnostics: Sequence[Diagnostic]) -> Problem:
-    """The first of some diagnostics as plain data, with how many `more` there are."""
+    """Return the first diagnostic as plain data, with the number of `more`."""
     first = diagnostics[0]
     return {**first.as_dict(), "length": first.length, "more": len(diagnostics) - 1}
 
@@ -182,7 +182,7 @@ MOST_WORKERS = 8
 
 
 def worker_of(job: Job) -> Worker:
-    """The worker of a job in this process."""
+    """Return the worker of a job in this process."""
     found = _WORKERS.get(job.digest)
     if found is None:
         while len(_WORKERS) >= MOST_WORKERS:
@@ -192,7 +192,10 @@ def worker_of(job: Job) -> Worker:
 
 
 def work(job: Job, variants: Sequence[Variant]) -> tuple[str, float, list[Result]]:
-    """The rows of some variants, by which process they were made, and how long that took, s: what a pool is given."""
+    """Run some variants; return the process, the time, s, and the rows.
+
+    This is the function given to a pool.
+    """
     import os
     from time import perf_counter
 

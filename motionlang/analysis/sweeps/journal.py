@@ -1,4 +1,7 @@
-"""The rows of a sweep on disk while it runs, so that one that was cut off can go on: a line a row, as JSON."""
+"""The rows of a sweep on disk while it runs, so that it can be resumed.
+
+Each is a line of JSON.
+"""
 
 from __future__ import annotations
 
@@ -17,21 +20,24 @@ SCHEMA = "motionlang.sweep/1"
 
 
 class OtherSweep(Exception):
-    """What the file has are the rows of another sweep."""
+    """The file has the rows of another sweep."""
 
 
 class Journal:
-    """Rows are in the file as soon as `add` has them; the file goes when all are there, by `remove`."""
+    """A file of rows, written at once by `add`, and deleted by `remove`."""
 
     def __init__(self, path: str, digest: str, *, resume: bool) -> None:
-        """Begin it anew, or with `resume` go on with what `read` has found. OSError where it cannot be written."""
+        """Begin the file, or with `resume` continue it after `read`.
+
+        Raises OSError if it cannot be written.
+        """
         self.path = path
         old = resume and os.path.exists(path)
         self._file = appending(path, new=not old)
         if not old:
             self._write({"schema": SCHEMA, "digest": digest})
         else:
-            # A line that was cut off ends here, and is none.
+            # A truncated line ends here, and is ignored.
             self._file.write(b"\n")
 
     def add(self, result: Result) -> None:
@@ -41,7 +47,7 @@ class Journal:
         self._file.close()
 
     def remove(self) -> None:
-        """Close it and take it away."""
+        """Close the file and delete it."""
         self.close()
         os.remove(self.path)
 
@@ -50,7 +56,10 @@ class Journal:
 
 
 def read(path: str, digest: str) -> Iterator[Result]:
-    """The rows of an earlier sweep; none where there is no such file. OtherSweep where it was another one."""
+    """Yield the rows of an earlier sweep; none if there is no file.
+
+    Raises OtherSweep if it was another one.
+    """
     try:
         file = open(path, "rb")  # noqa: SIM115 - closed below
     except FileNotFoundError:

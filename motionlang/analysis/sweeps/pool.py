@@ -1,6 +1,7 @@
-"""The variants of a sweep on an executor: handed out in chunks, asked for again where a worker dies, told as they come.
+"""The variants of a sweep on an executor, in chunks, with retries.
 
-Nothing here decides where a chunk runs: that is the executor's, a pool of processes on this machine or a cluster's.
+Rows are reported as they come. The executor, a pool of processes on this machine or a cluster's, decides
+where a chunk runs.
 """
 
 from __future__ import annotations
@@ -20,14 +21,15 @@ if TYPE_CHECKING:
     from motionlang.analysis.sweeps.job import Job, Result, Variant
     from motionlang.analysis.workers import Workers
 
-# Seconds that a chunk should take; that this process works by itself before it asks for others; that all the rest may
-# take it without.
+# Seconds that a chunk should take; that this process works alone before it starts others; that all the rest
+# may take without them.
 CHUNK, ALONE, WORTH = 0.1, 0.05, 0.2
-# Variants in a chunk at most, and before it is known how long one takes.
+# Maximum variants in a chunk, and before their duration is known.
 MOST_VARIANTS, FIRST_VARIANTS = 500, 4
-# Chunks under way at most: of an executor whose workers nobody has counted, and for each process of a pool of our own.
+# Maximum chunks in progress: of an executor with an unknown number of workers, and for each process of our
+# own pool.
 MOST_AHEAD, AHEAD = 512, 3
-# Times that a chunk is handed out, the last of them in single variants, before these are told as lost.
+# Times that a chunk is submitted, the last of them in single variants, before these are reported as lost.
 TRIES, WHOLE_TRIES = 5, 2
 
 
@@ -38,7 +40,7 @@ class _Chunk:
 
 
 class Hand:
-    """Hands out the variants of a job and takes the rows; `rows` yields each once, in the order in which they come."""
+    """Submits the variants of a job; `rows` yields each row once, in order of arrival."""
 
     def __init__(
         self, job: Job, variants: Iterator[Variant], count: int, executor: Executor | None, jobs: int
@@ -54,7 +56,10 @@ class Hand:
         self._worked = False
 
     def rows(self) -> Iterator[Result]:
-        """Every row once. What an executor raises for its first chunks, each time, is raised here."""
+        """Yield every row once; exceptions of an executor for its first chunks are raised.
+
+        This applies to each attempt.
+        """
         if self._given is None:
             yield from self._alone()
             if not self._left:
@@ -69,7 +74,10 @@ class Hand:
             self._own.shutdown()
 
     def _alone(self) -> Iterator[Result]:
-        """The first rows, by this process: few variants need no other, and a pool that forks inherits the program."""
+        """Yield the first rows, by this process.
+
+        Few variants need no other, and a pool that forks inherits the program.
+        """
         worker, began, done = worker_of(self._job), perf_counter(), 0
         while self._left and (
             self._jobs == 1 or perf_counter() - began < ALONE or 0.0 < self._cost * self._left < WORTH
@@ -77,7 +85,7 @@ class Hand:
             result = worker.result(next(self._variants))
             self._left -= 1
             done += 1
-            # The first has compiled the program, which says nothing of the others.
+            # The first one has compiled the program, which does not predict the others.
             if done == 1:
                 first = perf_counter()
             else:
@@ -91,7 +99,7 @@ class Hand:
                 yield from self._taken(future)
 
     def _fill(self) -> bool:
-        """Keep enough chunks under way; false where nothing is left to be done."""
+        """Keep enough chunks in progress; false if nothing remains."""
         ahead = MOST_AHEAD if self._given is not None else AHEAD * self._jobs
         suspects = any(chunk.tries for chunk in self._under_way.values())
         while len(self._under_way) < ahead and not (suspects and self._given is None):
@@ -110,7 +118,7 @@ class Hand:
                 self._start(self._jobs)
                 continue
             self._under_way[future] = chunk
-            # What has ended a process of our own pool goes alone, so that it takes nobody with it.
+            # A chunk that has ended a process of our own pool runs alone, so that it affects no other.
             suspects = bool(chunk.tries) and self._given is None
         return bool(self._under_way)
 
@@ -124,7 +132,10 @@ class Hand:
         return _Chunk([next(self._variants) for _ in range(count)])
 
     def _size(self) -> int:
-        """Chunks of a tenth of a second; towards the end smaller ones, so that all workers end together."""
+        """Return the size of a chunk: a tenth of a second, less towards the end.
+
+        So all workers end together.
+        """
         size = int(CHUNK / self._cost) if self._cost else FIRST_VARIANTS
         workers = max(self._jobs if self._given is None else 1, len(self._seen))
         return max(1, min(size, MOST_VARIANTS, -(-self._left // (2 * workers)), self._left))
@@ -145,7 +156,7 @@ class Hand:
         yield from rows
 
     def _failed(self, chunk: _Chunk, error: BaseException) -> Iterator[Result]:
-        """A chunk whose worker died, or that never got to one: again, at last each of its variants by itself."""
+        """Retry a chunk whose worker died or never started, at last variant by variant."""
         tries = chunk.tries + 1
         if tries >= TRIES:
             if not self._worked:
@@ -165,7 +176,7 @@ class Hand:
         self._own = Workers(jobs)
 
     def _stop(self) -> None:
-        """End what is under way; an executor that was given lives on."""
+        """End the chunks in progress; an executor that was given lives on."""
         if self._own is not None:
             self._own.stop()
         for future in self._under_way if self._given is not None else ():

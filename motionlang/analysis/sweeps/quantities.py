@@ -1,7 +1,7 @@
-"""What a sweep keeps of a run, by name: `time`, `peak.0`, `prints`.
+"""The results that a sweep keeps of a run, by name: `time`, `peak.0`, `prints`.
 
-A row of the table says what a name is, in which unit, and how it is read off a run; `N` is an axis as the language
-numbers them, `K` a line that the program printed, from 1.
+A row of the table has a name, its unit, and how it is read from a run; `N` is an axis numbered like in the
+language, `K` a line that the program printed, from 1.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 @record
 class Quantity:
-    """One row of the table: `name` is `time`, or `peak.N` with the number that belongs to it."""
+    """One row of the table: `name` is `time`, or `peak.N` with a number."""
 
     name: str
     unit: str
@@ -108,7 +108,7 @@ _BY_NAME = {row.name.partition(".")[0] + ("." if "." in row.name else ""): row f
 
 
 def quantity(name: str) -> tuple[Quantity, int]:
-    """The row of a name and the number in it; ValueError with a hint where there is none."""
+    """The row of a name and the number in it; ValueError with a hint if unknown."""
     stem, dot, number = name.partition(".")
     row = _BY_NAME.get(stem + dot)
     if row is not None and (not dot or (number.isascii() and number.isdigit() and len(number) < 10)):
@@ -121,5 +121,5 @@ def quantity(name: str) -> tuple[Quantity, int]:
 
 
 def unit_of(name: str) -> str:
-    """The unit of what is kept under a name; empty where there is none."""
+    """Return the unit of a result by name; empty if it has none."""
     return quantity(name)[0].unit

@@ -1,4 +1,7 @@
-"""Which variants a sweep has: a grid, random points, a Latin hypercube, or a list of points, made one by one."""
+"""The variants of a sweep: a grid, random points, a Latin hypercube, or a list.
+
+They are made one by one.
+"""
 
 from __future__ import annotations
 
@@ -20,9 +23,9 @@ _RANGE = re.compile(r"([^:,\[\]\"']+):([^:,\[\]\"']+)(?::([^:,\[\]\"']+))?$")
 
 
 class Dimension:
-    """A name that is varied: a range from `first` to `last` in `count` steps, or a list of `values`.
+    """A varied name: a range from `first` to `last` in `count` steps, or `values`.
 
-    `count` is None where the text of a range does not say it; then it can only be drawn from.
+    `count` is None if the text of a range has none; then the range can only be sampled.
     """
 
     def __init__(
@@ -40,7 +43,7 @@ class Dimension:
         return len(self.values) if self.values else self.count or 0
 
     def __getitem__(self, place: int) -> Value:
-        """The value at a place of the grid; whole where both ends of the range are written so and it is whole."""
+        """The value at a grid index, as an integer if the range and it are integers."""
         if self.values:
             return self.values[place]
         assert self.count is not None
@@ -53,18 +56,21 @@ class Dimension:
 
     @property
     def is_whole(self) -> bool:
-        """Whether both ends are written as whole numbers."""
+        """True if both ends are written as integers."""
         return isinstance(self.first, int) and isinstance(self.last, int)
 
     def at(self, part: float) -> Value:
-        """The value at a part of the way, 0 to 1."""
+        """Return the value at a fraction of the range, 0 to 1."""
         if self.values:
             return self.values[min(int(part * len(self.values)), len(self.values) - 1)]
         return self.first + (self.last - self.first) * part
 
 
 def dimension(text: str) -> Dimension:
-    """A dimension from `name=first:last:count`, `name=first:last` or `name=value,value`; else ValueError."""
+    """Parse `name=first:last:count`, `name=first:last` or `name=value,value`.
+
+    Raises ValueError for other texts.
+    """
     name, equals, given = (part.strip() for part in text.partition("="))
     if not equals or not name or not given:
         raise ValueError(f"{text!r} is not NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE")
@@ -79,7 +85,7 @@ def dimension(text: str) -> Dimension:
 
 
 def _split(text: str) -> list[str]:
-    """The values of a list; a comma in brackets or quotes belongs to its value."""
+    """Return the values of a list; a comma in brackets or quotes belongs to its value."""
     parts = re.findall(r"""(?:\[[^\]]*\]|"[^"]*"|'[^']*'|[^,])+""", text)
     return [part.strip() for part in parts if part.strip()]
 
@@ -97,17 +103,17 @@ def _number(text: str) -> float | None:
 
 
 def read_value(text: str) -> Value:
-    """A value as the machine file would have it; what is no TOML is a text."""
+    """Return a value like the machine file's; a text that is no TOML is a string."""
     try:
         value: Value = machine_value(text)  # type: ignore[assignment]
     except ProgramError:
-        number = _number(text)  # such as 1. or 007, which TOML does not know
+        number = _number(text)  # such as 1. or 007, which TOML rejects
         return text if number is None else number
     return value
 
 
 class Space:
-    """The variants of a sweep by their numbers: the values of its `names`, made when they are asked for."""
+    """The variants of a sweep by number: the values of its `names`, made on demand."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self.names = tuple(names)
@@ -150,9 +156,10 @@ class Grid(Space):
 
 
 class Drawn(Space):
-    """Points drawn from the dimensions, the same for the same seed: at random, or as a Latin hypercube.
+    """Points sampled from the dimensions, equal for equal seeds.
 
-    In a Latin hypercube each of `count` equal parts of each dimension has one point, so that few of them cover it well.
+    They are random, or a Latin hypercube. In a Latin hypercube each of `count` equal intervals of each
+    dimension has one point, so that a few points cover it well.
     """
 
     def __init__(self, dimensions: Sequence[Dimension], count: int, seed: int, latin: bool) -> None:
@@ -197,7 +204,10 @@ class Points(Space):
 
 
 def space_of(grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]]) -> Space:
-    """The space that a caller means: one, a grid of lists by names (a text as the command line has it), or points."""
+    """Return the space of a caller's argument: a space, a grid of lists, or points.
+
+    A list may be a text like on the command line.
+    """
     if isinstance(grid, Space):
         return grid
     named: Any = grid
@@ -217,6 +227,6 @@ def space_of(grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]])
 
 
 def _plain(value: Any) -> Value:
-    """A number of numpy as Python's own."""
+    """Convert a number of numpy to Python's own."""
     plain: Value = value.item() if hasattr(value, "item") else value
     return plain
