@@ -177,8 +177,8 @@ def _perform(
     if result.machine.has_motors:
         from motionlang.log.history import notes
 
-        result.not_counted += notes(result.controller)
-    result.not_counted += result.machine.notes
+        result.notes += notes(result.controller)
+    result.notes += result.machine.notes
     if result.machine.without_effect or result.machine.assumed:
         tell_words(result)
     if result.machine.nv is not None:
@@ -311,7 +311,7 @@ def _execute(
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
-            result.not_counted.append(f"axis {names} was still jogging when the program had ended")
+            result.notes.append(f"axis {names} was still jogging when the program had ended")
     except (KeyboardInterrupt, Terminated) as error:
         result.status = "interrupted"
 

@@ -1,4 +1,4 @@
-"""A run as data, schema `motionlang.report/1`: what `--report json` prints.
+"""A run as data, schema `motionlang.report/2`: what `--report json` prints.
 
 Lengths are user units, times seconds, speeds user units a second, all in full precision. The figures of a move are
 those in force when it started. Only axes that the program touched are listed: the others are as at power-up.
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     Row = dict[str, object]
 
-SCHEMA = "motionlang.report/1"
+SCHEMA = "motionlang.report/2"
 # What "ended" says of a move that was under way when the run came to its end.
 END_OF_RUN = "end-of-run"
 # What an axis's position comes from: without a simulated motor feedback equals demand.
@@ -48,14 +48,14 @@ def build(run: Run) -> Row:
     report["moves"] = list(moves(run))
     report["events"] = list(events(run))
     report |= _tail(run)
-    report["readings"] = readings(run)
+    report["assumptions"] = assumptions(run)
     return report
 
 
 def text(run: Run, *, whole: bool = True) -> str:
     """The report as one JSON document, a line a move; it reads back as `build` gives it, in ASCII.
 
-    Where it is not to be `whole` it is what the program does, without the readings that this rests on.
+    Where it is not to be `whole` it is what the program does, without the assumptions that this rests on.
     """
     return "".join(pieces(run, whole=whole))
 
@@ -64,7 +64,7 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     """The same document in pieces, so that a million moves need not be held at once."""
     tail = _tail(run)
     if whole:
-        tail["readings"] = readings(run)
+        tail["assumptions"] = assumptions(run)
     return _document(_head(run), {"moves": _move_lines(run), "events": map(_encoder(), events(run))}, tail)
 
 
@@ -84,8 +84,8 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     """The JSON document of a run that never began, because a file or a setting was wrong or somebody ended it."""
     head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": status}
     head |= {"time": 0.0, "output": []}
-    tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "not_counted": []}
-    tail["readings"] = []
+    tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "notes": []}
+    tail["assumptions"] = []
     return "".join(_document(head, {"moves": iter(()), "events": iter(())}, tail))
 
 
@@ -203,7 +203,7 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
         "end": (profile.end - zero) / scale,
         "distance": (profile.end - profile.start) / scale,
         "peak_speed": _peak(profile) / size,
-        **({} if move.asked is None else {"asked_speed": move.asked / size}),
+        **({} if move.asked is None else {"commanded_speed": move.asked / size}),
         "phases": [
             {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
             for phase in profile.phases
@@ -261,7 +261,7 @@ def events(run: Run) -> Iterator[Row]:
                 row[name] = value
         row["line"] = lines[event.at]
         if event.ordered:
-            row["ordered_by"] = event.ordered
+            row["commanded_by"] = event.ordered
         if event.text:
             row["text"] = event.text
         yield row
@@ -277,14 +277,14 @@ def axes(run: Run) -> list[Row]:
     ]
 
 
-def readings(run: Run) -> list[str]:
-    """The open readings that the program depended on, by the names under which docs/fidelity.md explains them."""
+def assumptions(run: Run) -> list[str]:
+    """List the unconfirmed assumptions that the program depended on, by their names in docs/fidelity.md."""
     from motionlang.assumptions.used import depended_on
 
     return depended_on(run.dialect, run.source.text, run.machine.settings)
 
 
-def written(run: Run) -> list[Row]:
+def device_writes(run: Run) -> list[Row]:
     """What the program has left in other devices: each value once, as it stands at the end of the run."""
     return [row for rows in run.machine.written for row in rows()]
 
@@ -329,7 +329,7 @@ def _tail(run: Run) -> Row:
     tail: Row = {
         "axes": axes(run),
         "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
-        "not_counted": list(run.not_counted),
+        "notes": list(run.notes),
     }
     if run.controller.log.dropped:
         tail["dropped"] = [
@@ -340,8 +340,8 @@ def _tail(run: Run) -> Row:
         tail["certificate"] = [line.as_dict() for line in run.certificate]
     if run.terminals:
         tail["terminals"] = [{"name": name, "output": lines} for name, lines in sorted(run.terminals.items())]
-    if others := written(run):
-        tail["written"] = others
+    if writes := device_writes(run):
+        tail["device_writes"] = writes
     return tail
 
 

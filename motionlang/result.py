@@ -39,7 +39,7 @@ class Run:
         "diagnostics",
         "dialect",
         "machine",
-        "not_counted",
+        "notes",
         "orders",
         "program",
         "source",
@@ -53,7 +53,7 @@ class Run:
         self.status: str = "ended"
         self.time: float = 0.0
         self.diagnostics: list[Diagnostic] = []
-        self.not_counted: list[str] = []
+        self.notes: list[str] = []
         # An error of motionlang's own, which ended the run.
         self.crash: Exception | None = None
         self.program: Program | None = None  # what the source was compiled to
@@ -106,7 +106,7 @@ class Run:
 
     @property
     def report(self) -> dict[str, object]:
-        """The run as `motionlang.report/1`."""
+        """The run as `motionlang.report/2`."""
         from motionlang.report import build
 
         return build(self)
@@ -125,7 +125,7 @@ def tell_words(result: Run) -> None:
 def _tell(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
     if words:
         named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
-        result.not_counted.append(f"{what}: {named}")
+        result.notes.append(f"{what}: {named}")
 
 
 def _in_lines(lines: list[int]) -> str:
@@ -160,7 +160,7 @@ def save_kept(result: Run) -> None:
     if kept.path is None:
         if kept.names:
             words = ", ".join(kept.names)
-            result.not_counted.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
+            result.notes.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
         return
     try:
         kept.save()
@@ -187,12 +187,12 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
             _note_wait(result, task.at, task.wait.why)
-            result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
+            result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
             polled = f"polled {task.looks_at}" if task.looks_at else "polled"
             what = f"still {polled}, and nothing could change what it looks at any more"
-            result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
+            result.notes.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
 
 
 def _note_wait(result: Run, at: int, why: str) -> None:
@@ -256,11 +256,11 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         return
     message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
     _note_wait(result, stuck.task.at, stuck.wait.why)
-    result.not_counted.append(f"line {line}: {message}")
+    result.notes.append(f"line {line}: {message}")
     others = _others(result, stuck.task)
     for each in others:
         where, _, _ = result.dialect.locate(result.source, each.at)
-        result.not_counted.append(f"line {where}: {each.name} waits {_why(each)}")
+        result.notes.append(f"line {where}: {each.name} waits {_why(each)}")
     if "run.until" in result.machine.settings:
         result.status = "until"
         result.controller.clock.advance(until)

@@ -62,11 +62,11 @@ class Limit:
 
     @property
     def verdict(self) -> str:
-        """ "within", "beyond" or "unknown"."""
+        """ "within", "exceeded" or "unknown"."""
         if self.margin is None:
             return "unknown"
         size = max(abs(self.limit), 1.0) if "position" in self.name else 1.0
-        return "within" if self.margin >= -SLACK * size else "beyond"
+        return "within" if self.margin >= -SLACK * size else "exceeded"
 
     def as_dict(self) -> dict[str, object]:
         """Return the line in the form of the JSON report."""

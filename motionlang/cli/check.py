@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.errors import Diagnostic
 
-SCHEMA = "motionlang.check/1"
+SCHEMA = "motionlang.check/2"
 EPILOG = """\
 Warnings are about what compiles and yet is hardly meant: a move that no GO starts, a wait that nothing can end.
 docs/lint.md explains each; a comment with `lint: ignore CODE` silences one on its line.
@@ -180,7 +180,7 @@ def _tell_evidence(
     known = readings()
     found = [known[name] for name in depended_on(dialect(language), source.text, settings)]
     if as_json:
-        row["readings"] = [as_dict(each) for each in found]
+        row["assumptions"] = [as_dict(each) for each in found]
     else:
         sys.stdout.write(listing(found, width=width_of(sys.stdout), colour=wants_colour(sys.stdout)))
 

@@ -8,7 +8,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from motionlang.analysis.diff.charged import charged
-from motionlang.analysis.diff.reports import check, difference
+from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.cli.compare import add_mapping, hold_against
 from motionlang.cli.complaints import complain, no_dialect, unreadable
@@ -236,11 +236,10 @@ def _report(path: str) -> tuple[dict[str, Any], None] | None:
             sys.stderr.write(f"{path} is not JSON: {error}\n")
             return None
     try:
-        check(found)
+        return checked(found), None
     except ValueError as error:
         sys.stderr.write(f"{path} cannot be compared with: {error}\n")
         return None
-    return found, None
 
 
 def _data(found: Any, parted: Any, charges: Sequence[Charge]) -> dict[str, Any]:

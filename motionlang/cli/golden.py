@@ -14,7 +14,7 @@ from motionlang.analysis.diff.reports import difference
 from motionlang.analysis.diff.tolerance import EXACT
 from motionlang.execution import dialect, dialects
 from motionlang.files import replacing
-from motionlang.report import text
+from motionlang.report import SCHEMA, text
 from motionlang.views.diff import diff_lines
 
 if TYPE_CHECKING:
@@ -60,14 +60,22 @@ def differences(program: str, result: Run) -> list[str]:
 
 
 def update(program: str, result: Run) -> bool:
-    """Write the golden files of a program anew where its run differs; whether it did. OSError names the file."""
+    """Rewrite the golden files of a program if its run differs or they have an old schema; True if rewritten.
+
+    An OSError names the file.
+    """
     try:
-        if not differences(program, result):
+        if not differences(program, result) and _is_current(golden_files(program)[0]):
             return False
     except (OSError, ValueError):
-        pass  # one is missing, or is no JSON
+        pass  # A file is missing or is not JSON.
     write(program, text(result, whole=False), result.output)
     return True
+
+
+def _is_current(path: str) -> bool:
+    with open(path, encoding="utf-8") as file:
+        return bool(json.load(file)["schema"] == SCHEMA)
 
 
 def write(program: str, report: str, output: Sequence[str]) -> None:

@@ -8,7 +8,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.diff.accept import changes, merged
-from motionlang.analysis.diff.reports import difference
+from motionlang.analysis.diff.reports import checked, difference
 from motionlang.cli.golden import golden_files, write
 from motionlang.report import rendered, text
 from motionlang.views.diff import change_lines
@@ -70,7 +70,7 @@ def review(program: str, result: Run) -> bool:
     name = os.path.basename(report)
     try:
         with open(report, encoding="utf-8") as file:
-            old = json.load(file)
+            old = checked(json.load(file))
         found = difference(old, new)
     except FileNotFoundError:
         return _whole(program, result, f"there is no {name} yet. Write it?")

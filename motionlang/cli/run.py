@@ -292,13 +292,12 @@ def _report(result: Run, options: Options) -> None:
 
 
 def _rests_on(result: Run, options: Options) -> str:
-    """How many open readings the run depends on: every program does on some, so that is told with everything only."""
-    from motionlang.report import readings
+    """Number of unconfirmed assumptions that the run depends on, for --report full."""
+    from motionlang.report import assumptions
 
-    count = len(readings(result))
-    return (
-        f"\nnote: rests on {count} open readings; motionlang check --evidence {options.file} tells of them\n"
-    )
+    count = len(assumptions(result))
+    note = f"{count} unconfirmed assumptions; motionlang check --evidence {options.file} lists them"
+    return f"\nnote: depends on {note}\n"
 
 
 def _write_files(result: Run, options: Options) -> int:

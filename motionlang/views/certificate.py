@@ -64,7 +64,7 @@ def _row(line: Limit) -> list[str]:
         "" if line.time is None else figure(line.time, 6),
         str(line.line) if line.line else "",
         margin,
-        {"within": "", "beyond": "beyond", "unknown": "unknown: no motor is simulated"}[line.verdict],
+        {"within": "", "exceeded": "exceeded", "unknown": "unknown: no motor is simulated"}[line.verdict],
     ]
 
 

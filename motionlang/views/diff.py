@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
 # Figures of a motor that have no unit in `UNITS`.
 MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
-# Printed names of report fields, if they differ from the field.
-WORDS = {"asked_speed": "commanded speed"}
 # The largest number of entries of a kind that are listed, and of lines that a time difference is attributed
 # to.
 MOST, MOST_CHARGED = 12, 4
@@ -139,7 +137,7 @@ def _figure(name: str, was: Any, is_: Any) -> str:
     one, other = _value(was), _value(is_)
     if one == other and isinstance(was, float) and isinstance(is_, float):
         one, other = f"{was:.12g}", f"{is_:.12g}"
-    return f"{WORDS.get(name, name).replace('_', ' ')} {one} → {other}{f' {unit}' if unit else ''}"
+    return f"{name.replace('_', ' ')} {one} → {other}{f' {unit}' if unit else ''}"
 
 
 def _value(value: object) -> str:

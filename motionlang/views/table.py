@@ -11,9 +11,9 @@ from math import fsum
 
 from motionlang.planners.total import exact_terms
 from motionlang.report import axes as axes_of
+from motionlang.report import device_writes as writes_of
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
-from motionlang.report import written as written_of
 from motionlang.views.chart import velocity_chart
 from motionlang.views.grid import Column, decimals_of, grid
 from motionlang.views.terminal import printable, styled
@@ -118,9 +118,9 @@ def render(
     axes = axes_of(run)
     if axes:
         parts.append(_axes(axes, width, colour))
-    if others := written_of(run):
-        parts.append(written(others, width, colour))
-    parts += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.not_counted]
+    if writes := writes_of(run):
+        parts.append(written(writes, width, colour))
+    parts += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.notes]
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
 
@@ -204,7 +204,7 @@ def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list
 
 def _is_short(row: Row) -> bool:
     """True if a move did not reach the commanded speed."""
-    return bool(row.get("asked_speed", 0.0) > row["peak_speed"] * (1.0 + 1e-9))
+    return bool(row.get("commanded_speed", 0.0) > row["peak_speed"] * (1.0 + 1e-9))
 
 
 class _Events:
@@ -242,7 +242,7 @@ def _happened(events: _Events, width: int, colour: bool) -> list[str]:
             figure(event["value"]) if "value" in event else "",
             figure(event["limit"]) if "limit" in event else "",
             str(event["line"] or ""),
-            str(event.get("ordered_by", "")),
+            str(event.get("commanded_by", "")),
             printable(event.get("text", "")),
         ]
         for event in events.shown
@@ -264,7 +264,7 @@ class _Form:
         self.place = decimals_of([row[end] for row in rows for end in ("start", "end")])
         self.distance = decimals_of([each["distance"] for each in (*rows, *phases)])
         self.speed = decimals_of([row["peak_speed"] for row in rows])
-        self.asked = decimals_of([row["asked_speed"] for row in rows if "asked_speed" in row])
+        self.asked = decimals_of([row["commanded_speed"] for row in rows if "commanded_speed" in row])
 
     def move(self, row: Row) -> list[str]:
         return [
@@ -278,7 +278,7 @@ class _Form:
             figure(row["end"], self.place),
             figure(row["distance"], self.distance),
             figure(row["peak_speed"], self.speed),
-            figure(row["asked_speed"], self.asked) if "asked_speed" in row else "",
+            figure(row["commanded_speed"], self.asked) if "commanded_speed" in row else "",
             row.get("ended", "").replace("-", " "),
         ]
 

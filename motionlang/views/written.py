@@ -34,9 +34,9 @@ def _device(row: Row) -> str:
 
 
 def _place(row: Row) -> str:
-    if row["what"] == "object":
-        return f"object 0x{row['number']:04X}, {row['sub']}"
-    what = str(row["what"]).replace("-", " ")
+    if row["kind"] == "object":
+        return f"object 0x{row['number']:04X}, {row['subindex']}"
+    what = str(row["kind"]).replace("-", " ")
     return f"{what} {row['number']}" if "number" in row else what
 
 

@@ -90,7 +90,7 @@ def test_a_certificate_says_when_and_on_which_line_and_what_is_left() -> None:
     _, (low, high, speed, accel) = certified(
         {"position": [-1.0, 30.0], "speed": 100.0, "acceleration": 1250.0}
     )
-    assert [line.verdict for line in (low, high, speed, accel)] == ["within", "beyond", "within", "within"]
+    assert [line.verdict for line in (low, high, speed, accel)] == ["within", "exceeded", "within", "within"]
     assert [low.margin, high.margin, speed.margin, accel.margin] == pytest.approx([1.0, -10.0, 0.0, 0.2])
     assert [speed.line, speed.reached, speed.time] == pytest.approx([2, 100.0, 0.1], abs=1e-4)
     assert least_margin([low, high, speed, accel]) == pytest.approx(-1 / 3)

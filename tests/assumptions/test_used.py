@@ -59,7 +59,7 @@ def test_a_motor_brings_those_of_the_servo() -> None:
 
 def test_a_report_names_them() -> None:
     report = run(Source("a.mnt", "PRINT HOMESPEED(0)\n"), cache=False).report
-    assert report["readings"] == used("PRINT HOMESPEED(0)")
+    assert report["assumptions"] == used("PRINT HOMESPEED(0)")
     assert all(name in readings() for name in used("PRINT HOMESPEED(0)"))
 
 
@@ -72,5 +72,5 @@ def test_check_lists_them_with_their_strength(tmp_path: Path, capsys: pytest.Cap
     assert "What HOMESPEED is until a program writes it: 4000" in shown
     assert main(["check", "--evidence", "--json", str(path)]) == 0
     (row,) = json.loads(capsys.readouterr().out)["files"]
-    assert [each["name"] for each in row["readings"]] == used("PRINT HOMESPEED(0)")
-    assert {each["strength"] for each in row["readings"]} >= {"choice", "memory medium"}
+    assert [each["name"] for each in row["assumptions"]] == used("PRINT HOMESPEED(0)")
+    assert {each["strength"] for each in row["assumptions"]} >= {"choice", "memory medium"}

@@ -40,7 +40,7 @@ def test_what_has_no_bound_is_infinite_and_where_limits_would_stand_is_named(cel
     ran = cell("run", "stroke.mnt", "--certify")
     assert ran.status == 1
     # From its first moment on; the margin of what has no bound is none.
-    assert "   0  jerk   uu/s³    1e+06      inf  0.000040     3    none  beyond" in ran.out
+    assert "   0  jerk   uu/s³    1e+06      inf  0.000040     3    none  exceeded" in ran.out
     assert "the jerk of axis 0 is infinite at 0.000040 s, where its acceleration jumps" in ran.err
 
 
@@ -53,7 +53,7 @@ def test_the_report_has_the_lines(cell: Cell) -> None:
     assert [(line["name"], line["reached"], line["verdict"]) for line in report["certificate"]] == [
         ("speed", 200.0, "within"),
         ("acceleration", 1000.0, "within"),
-        ("jerk", None, "beyond"),
+        ("jerk", None, "exceeded"),
         ("torque", None, "unknown"),
     ]
 

@@ -42,11 +42,11 @@ def test_both_runs_lie_over_one_another_in_a_page(cell: Cell) -> None:
 
 def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
     cell.write("pick.mnt", PICK)
-    cell.write("cut.json", '{"schema": "motionlang.report/1", "moves": [')
+    cell.write("cut.json", '{"schema": "motionlang.report/2", "moves": [')
     cell.write("other.json", "[1]")
     cell.write("odd.txt", "x")
     move = {"axis": 0, "command": "MOVEA", "line": 1, "duration": 1.0, "distance": 2.0}
-    cell.write("lost.json", json.dumps({"schema": "motionlang.report/1", "moves": [move]}))
+    cell.write("lost.json", json.dumps({"schema": "motionlang.report/2", "moves": [move]}))
     cell.write("wrong.machine.toml", "axes = 3\n")
     for words, status, told in (
         (("pick.mnt",), 1, "no pick.golden.json beside it"),

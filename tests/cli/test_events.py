@@ -90,7 +90,7 @@ def test_what_happened(case: str) -> None:
             None if "value" not in each else pytest.approx(each["value"], abs=1e-3),
             each.get("limit"),
             each["line"],
-            each.get("ordered_by"),
+            each.get("commanded_by"),
         )
         for each in found
     ]

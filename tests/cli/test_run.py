@@ -127,7 +127,7 @@ def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
     cell.write("bytes.mcl", content)
     ran = cell("run", "bytes.mcl", "--report", "json", "--until", "10")
     assert ran.status in (0, 1)
-    assert json.loads(ran.out)["schema"] == "motionlang.report/1"
+    assert json.loads(ran.out)["schema"] == "motionlang.report/2"
 
 
 def test_until_ends_what_would_go_on(cell: Cell) -> None:

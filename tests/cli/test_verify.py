@@ -140,7 +140,7 @@ def test_new_golden_files_are_asked_for(cell: Cell, monkeypatch: pytest.MonkeyPa
     answers(monkeypatch, "y\n")
     assert cell("verify", "ballscrew.mcl", "--review").status == 0
     assert cell("verify", "ballscrew.mcl").status == 0
-    cell.write("ballscrew.golden.json", '{"schema": "motionlang.report/1", "mo')  # cut off
+    cell.write("ballscrew.golden.json", '{"schema": "motionlang.report/2", "mo')  # cut off
     answers(monkeypatch, "n\n")
     assert cell("verify", "ballscrew.mcl", "--review").status == 1
     answers(monkeypatch, "y\n")
@@ -232,3 +232,20 @@ def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_
     assert not (cell.folder / "ballscrew.golden.json").exists()
     kept = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
     assert kept == ["ballscrew.mcl", "crash.txt"]
+
+
+def test_golden_files_of_version_1_are_read_and_updated(cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    path = cell.folder / "ballscrew.golden.json"
+    now = path.read_text(encoding="utf-8")
+    was = (
+        now.replace("report/2", "report/1")
+        .replace("commanded_speed", "asked_speed")
+        .replace("notes", "not_counted")
+    )
+    assert was.count("asked_speed") == now.count("commanded_speed") > 0
+    path.write_text(was, encoding="utf-8")
+    assert cell("verify", "ballscrew.mcl").status == 0
+    assert cell("diff", "ballscrew.mcl").status == 0
+    assert cell("verify", "ballscrew.mcl", "--update").out.startswith("ballscrew.mcl: written\n")
+    assert path.read_text(encoding="utf-8") == now

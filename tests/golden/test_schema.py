@@ -1,4 +1,4 @@
-"""`motionlang.report/1`: every report keeps to its JSON Schema, and the page about it names each field and value."""
+"""`motionlang.report/2`: every report keeps to its JSON Schema, and the page about it names each field and value."""
 
 from __future__ import annotations
 
@@ -94,18 +94,18 @@ def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
         "motor",
         "diagnostic",
         "terminal",
-        "written",
+        "device_write",
     )
     objects = [SCHEMA, *(definitions[name] for name in names)]
     assert explained == [list(each["properties"]) for each in objects]
 
 
 def test_the_page_names_every_value() -> None:
-    found = {head: names for head, names in tables() if head != "field"}
+    found = {head: names for head, names in tables() if head != "field" and names}
     assert found == {
         "`status`": SCHEMA["properties"]["status"]["enum"],
         "`ended`": SCHEMA["$defs"]["move"]["properties"]["ended"]["enum"],
-        "`what`": SCHEMA["$defs"]["written"]["properties"]["what"]["enum"],
+        "`kind`": SCHEMA["$defs"]["device_write"]["properties"]["kind"]["enum"],
     }
 
 

@@ -42,7 +42,7 @@ def test_the_page_shows_what_it_says(name: str) -> None:
     assert result.orders is None or result.proof().violations == []
     assert [f"{each.line}: {each.message}" for each in result.diagnostics] == said(text, "'? ")
     assert result.output == [line.translate(SIGNS) for line in said(text, "'>")]
-    assert "'! " not in text or result.not_counted == said(text, "'! ")
+    assert "'! " not in text or result.notes == said(text, "'! ")
 
 
 @cases("name", PAGES)

@@ -382,7 +382,7 @@ def test_the_program_s_gains_come_first_then_the_machine_file_s(
 
 def test_gains_that_nobody_sets_are_suggested_and_the_report_says_so() -> None:
     result = run(MOVE, MOTOR, servo={"bandwidth": 30.0})
-    assert result.not_counted == [
+    assert result.notes == [
         "axis 0: neither the program nor the machine file sets gains for its motor; "
         "it ran with those suggested for 30 Hz"
     ]
@@ -394,7 +394,7 @@ def test_gains_that_nobody_sets_are_suggested_and_the_report_says_so() -> None:
 def test_gains_of_zero_move_nothing_and_the_report_says_so() -> None:
     result = run("KPROP(0) = 0\n" + MOVE + "PAUSE IDLE(0) : PRINT POS(0)", MOTOR)
     assert result.output == ["0.0000"]
-    assert result.not_counted == ["axis 0: all gains of its motor are 0, so it does not follow its demand"]
+    assert result.notes == ["axis 0: all gains of its motor are 0, so it does not follow its demand"]
 
 
 def test_new_gains_act_at_once() -> None:
@@ -406,7 +406,7 @@ def test_new_gains_act_at_once() -> None:
 def test_words_without_a_motor_are_kept_and_named() -> None:
     result = motionlang.run(Source("x", "KPROP(0) = 2\nPRINT KPROP(0)"), dialect="mint", cache=False)
     assert result.output == ["2.0000"]
-    assert "KPROP" in result.not_counted[0]
+    assert "KPROP" in result.notes[0]
 
 
 def test_the_rate_of_the_loop_cannot_change_in_motion() -> None:

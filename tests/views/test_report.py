@@ -17,7 +17,7 @@ from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 def test_the_ballscrew_exercise_field_by_field() -> None:
     assert build(ballscrew()) == {
-        "schema": "motionlang.report/1",
+        "schema": "motionlang.report/2",
         "program": "ballscrew.mnt",
         "dialect": "mint",
         "status": "ended",
@@ -35,7 +35,7 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
                 "end": 200.0,
                 "distance": 200.0,
                 "peak_speed": 250.0,
-                "asked_speed": 250.0,
+                "commanded_speed": 250.0,
                 "phases": [
                     {"name": "accel", "duration": 0.2, "distance": 25.0},
                     {"name": "slew", "duration": pytest.approx(0.6, rel=1e-15), "distance": 150.0},
@@ -56,8 +56,8 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
             }
         ],
         "diagnostics": [],
-        "not_counted": [],
-        "readings": ["mint.statement-time"],
+        "notes": [],
+        "assumptions": ["mint.statement-time"],
     }
 
 

@@ -161,7 +161,7 @@ def test_notes_and_errors_of_axes_are_shown() -> None:
     run, controller = new_run()
     controller.axes[1].faults = 4
     controller.axes[1].enabled = False
-    run.not_counted.append("line 3: a wait on an input that no scenario drives")
+    run.notes.append("line 3: a wait on an input that no scenario drives")
     text = render(ended(run))
     assert "   1         0       0          1  demand    off, error 4\n" in text
     assert text.endswith("\n\nnote: line 3: a wait on an input that no scenario drives\n")

@@ -16,6 +16,7 @@ from typing import Any
 from motionlang.analysis.diff.align import aligned, common
 from motionlang.analysis.diff.timeline import Timeline
 from motionlang.analysis.diff.tolerance import EXACT, Tolerance
+from motionlang.analysis.diff.versions import current
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,10 +30,10 @@ if TYPE_CHECKING:
 _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")
 # The fields that are compared separately, and those for positions instead of contents.
-OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "readings")
+OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "assumptions")
 PLACES = ("line", "column")
 # Fields of a move for its command: if no other one differs, the motion does not.
-COMMANDED = frozenset(("asked_speed",))
+COMMANDED = frozenset(("commanded_speed",))
 # Events whose figures are positions; those of the others are speeds.
 PLACED = ("limit", "soft limit", "following error")
 
@@ -135,10 +136,11 @@ def end_of(report: Report) -> Move:
     return {"start_time": report.get("time", 0.0), "duration": None}
 
 
-def check(report: object) -> None:
-    """Raise ValueError if an object is no complete report of a run."""
+def checked(report: object) -> dict[str, Any]:
+    """Return a report of either version under its current names; ValueError if it is none or incomplete."""
     if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is no report of a run")
+    report = current(report)
     for name in ("moves", "output", "events", "diagnostics"):
         if not isinstance(report.get(name, []), list):
             raise ValueError(f"its {name} are no list")
@@ -157,15 +159,12 @@ def check(report: object) -> None:
             isinstance(each, dict) and {"name", "duration", "distance"} <= each.keys() for each in phases
         ):
             raise ValueError(f"its move {number} lacks {', '.join(lacks) or 'a part of a phase'}")
+    return report
 
 
 def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Difference:
-    """Return how `new` differs from `old`, both `motionlang.report/1`.
-
-    Raises ValueError if one of them is invalid.
-    """
-    check(old)
-    check(new)
+    """Compare two reports of any version; ValueError if one of them is no report."""
+    old, new = checked(old), checked(new)
     found = Difference()
     if not tolerance.same(old.get("time"), new.get("time"), "time"):
         found.time = old.get("time", 0.0), new.get("time", 0.0)
@@ -285,7 +284,7 @@ def _moments(a: Move, b: Move) -> list[tuple[float, int, float]]:
 
 def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
     """Yield the fields in which two moves differ, with both values."""
-    for name in ("duration", "distance", "start", "end", "peak_speed", "asked_speed", "profile", "ended"):
+    for name in ("duration", "distance", "start", "end", "peak_speed", "commanded_speed", "profile", "ended"):
         was, is_ = a.get(name), b.get(name)
         if (was != is_ or was.__class__ is not is_.__class__) and not tolerance.same(was, is_, name):
             yield name, was, is_

@@ -19,7 +19,7 @@ FIELDS = {
     "time": "time", "start_time": "time", "duration": "time", "settle_time": "time", "start": "position",
     "end": "position", "distance": "position", "position": "position", "peak_following_error": "position",
     "following_error": "position", "peak_speed": "speed",
-    "asked_speed": "speed",
+    "commanded_speed": "speed",
 }  # fmt: skip
 
 

@@ -118,7 +118,7 @@ class Servers:
     def written(self) -> list[dict[str, object]]:
         """Return the registers that the program wrote, as rows of the report."""
         return [
-            {"server": number, "what": "register", "number": register, "value": server.words[register]}
+            {"server": number, "kind": "register", "number": register, "value": server.words[register]}
             for number, server in sorted(self._servers.items())
             for register in sorted(server.written)
         ]

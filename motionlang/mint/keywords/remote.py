@@ -238,7 +238,7 @@ def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) 
     return {
         "bus": bus,
         "node": node,
-        **dict(zip(("what", "number", "sub"), place, strict=False)),
+        **dict(zip(("kind", "number", "subindex"), place, strict=False)),
         "value": value,
     }
 

@@ -28,7 +28,7 @@ def test_a_watch_does_not_keep_the_run_from_ending(watch: str, mccl: Runner) -> 
     result = mccl(f"{watch}\n{FOREGROUND}")
     assert result.status == "ended"
     assert not result.diagnostics
-    (note,) = result.not_counted
+    (note,) = result.notes
     line = watch.count("\n") + 1
     assert note.startswith(f"line {line}: background task 1 (macro 15) still {WATCHES[watch]} {ENDED}")
     assert 0.2 < result.time < 0.2 + (2.1 if "WA1" in watch and "WN" not in watch else 0.05)
@@ -40,7 +40,7 @@ def test_several_watches_are_each_named(mccl: Runner) -> None:
     )
     result = mccl(f"{watches}\n1MN,1MR1000,1WS\nGT15\nGT16\nGT17\nGT18")
     assert result.status == "ended"
-    assert [note.partition(" when ")[0] for note in result.not_counted] == [
+    assert [note.partition(" when ")[0] for note in result.notes] == [
         "line 1: background task 1 (macro 15) still polled channel 3",
         "line 2: background task 2 (macro 16) still polled channel 4",
         "line 3: background task 3 (macro 17) still waited for channel 5 to be on",
@@ -56,7 +56,7 @@ def test_the_run_goes_on_as_long_as_something_is_to_come(mccl: Runner) -> None:
     assert result.status == "ended"
     assert [move.line for move in result.machine.log.moves] == [3, 2]
     assert result.time == pytest.approx(5.2, abs=0.011)
-    assert result.not_counted == []
+    assert result.notes == []
 
 
 @pytest.mark.parametrize(

@@ -104,5 +104,5 @@ def test_an_offset_that_is_cut_short_says_so(end: str, said: str) -> None:
 
 
 def test_a_lag_that_is_to_be_corrected_is_no_figure_of_the_run() -> None:
-    assert any("GEARINGMODE" in each for each in ran("GEARINGMODE(1) = 1 : GEARING(1) = 100").not_counted)
-    assert not any("GEARING" in each for each in ran("GEARINGMODE(1) = 0 : GEARING(1) = 100").not_counted)
+    assert any("GEARINGMODE" in each for each in ran("GEARINGMODE(1) = 1 : GEARING(1) = 100").notes)
+    assert not any("GEARING" in each for each in ran("GEARINGMODE(1) = 0 : GEARING(1) = 100").notes)

@@ -55,14 +55,14 @@ def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     result = ran(f"{word(row)} = {value(row)}", read, 'PRINT "on"')
     assert result.status == "ended"
     assert result.output == [*([shown(row)] if read else []), "on"]
-    assert f"{row.name} (line 1)" in result.not_counted[0]
+    assert f"{row.name} (line 1)" in result.notes[0]
 
 
 @cases("row", [row for row in OTHERS if row.verb == COMMAND], ids=str)
 def test_a_command_without_an_effect_is_named(row: Keyword) -> None:
     result = ran(word(row), 'PRINT "on"')
     assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
-    assert result.not_counted == [f"words that have no effect here: {row.name} (line 1)"]
+    assert result.notes == [f"words that have no effect here: {row.name} (line 1)"]
 
 
 @cases("row", [row for row in OTHERS if row.verb == MOTION], ids=str)
@@ -144,7 +144,7 @@ def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
 
 def test_lines_are_named_once_and_not_too_many() -> None:
     result = ran("For i = 1 To 3", *["PARAMETERSAVE"] * 7, "Next")
-    assert result.not_counted == ["words that have no effect here: PARAMETERSAVE (lines 2, 3, 4, 5, 6, …)"]
+    assert result.notes == ["words that have no effect here: PARAMETERSAVE (lines 2, 3, 4, 5, 6, …)"]
 
 
 def test_a_text_is_no_number_for_them_either() -> None:

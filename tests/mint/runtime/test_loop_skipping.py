@@ -341,9 +341,9 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
     result = run(
         Source("a.mnt", "SPEED = 100 : MOVER = 5 : GO\nPAUSE IDLE\nWhile INX(3) = 0\nEnd While"), cache=False
     )
-    assert result.not_counted == [f"line 3: ParentTask still polled INX(3), {IN_VAIN} 0.051 s"]
+    assert result.notes == [f"line 3: ParentTask still polled INX(3), {IN_VAIN} 0.051 s"]
     result = run(Source("a.mnt", "seen = 0\n" + TASKS), cache=False)
-    assert [each.partition(", and")[0] for each in result.not_counted] == [
+    assert [each.partition(", and")[0] for each in result.notes] == [
         "line 4: ParentTask still polled INX(1)",
         "line 8: first still polled INX(2)",
         "line 16: second still polled INX(3)",
@@ -352,7 +352,7 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
 
 def test_a_parent_that_leaves_the_work_to_its_tasks_looks_for_nothing() -> None:
     text = "Run Work\nLoop\nEnd Loop\nTask Work\n  Loop\n    WAIT = 5000\n  End Loop\nEnd Task"
-    assert run(Source("a.mnt", text), cache=False).not_counted == []
+    assert run(Source("a.mnt", text), cache=False).notes == []
 
 
 LOOKS_AT_WHAT_MOVES = {

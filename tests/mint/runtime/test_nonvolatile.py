@@ -61,14 +61,14 @@ def test_the_next_run_goes_on_where_the_last_one_ended(tmp_path: Path) -> None:
 def test_without_a_file_nothing_lasts_and_the_run_says_so() -> None:
     first, second = ran(COUNTERS, None), ran(COUNTERS, None)
     assert first.output == second.output
-    assert first.not_counted == [
+    assert first.notes == [
         "nv data that lasts as long as the run, without --nv FILE: "
         "total, label, place, corner, corners, count.calls, NVLONG"
     ]
 
 
 def test_a_program_without_nv_data_says_nothing(tmp_path: Path) -> None:
-    assert ran("PRINT 1", None).not_counted == []
+    assert ran("PRINT 1", None).notes == []
     file = tmp_path / "kept.json"
     ran("Dim nv a As Integer = 4", file)
     ran("PRINT 1", file)

@@ -216,4 +216,4 @@ def test_who_waits_for_a_task_is_told_what_that_waits_for() -> None:
     (diagnostic,) = result.diagnostics
     assert diagnostic.line == 2
     assert "[[input]]" in diagnostic.hint
-    assert result.not_counted[1] == "line 4: a waits until INX(3)"
+    assert result.notes[1] == "line 4: a waits until INX(3)"

@@ -48,7 +48,7 @@ def outcome(text: str) -> object:
     except ProgramError as error:
         return error.diagnostics[0].code
     told = [(each.code, each.message, each.line) for each in result.diagnostics]
-    return result.output, result.status, told, result.not_counted, round(result.time, 9)
+    return result.output, result.status, told, result.notes, round(result.time, 9)
 
 
 def outcomes(program: str) -> dict[str, object]:
@@ -76,4 +76,4 @@ def test_a_word_that_is_set_in_every_turn(program: str, monkeypatch: pytest.Monk
 
 def test_looking_at_a_word_before_it_is_set_is_no_reading() -> None:
     result = run(Source("a.mnt", STEADY.format(word="ENCODERRESOLUTION(0)", first=1)), cache=False, until=1.0)
-    assert result.not_counted == ["words that have no effect here: ENCODERRESOLUTION (line 2)"]
+    assert result.notes == ["words that have no effect here: ENCODERRESOLUTION (line 2)"]

@@ -93,17 +93,17 @@ def test_the_report_has_what_went_elsewhere() -> None:
     told = json.loads(report.text(result))
     assert told["output"] == []
     assert told["terminals"] == [{"name": "terminal 2", "output": ["there"]}]
-    assert told["written"] == [
-        {"server": 4, "what": "register", "number": 6, "value": 4464},
-        {"server": 4, "what": "register", "number": 7, "value": 1},
-        {"bus": 1, "node": 2, "what": "element", "number": 5, "value": 2.5},
+    assert told["device_writes"] == [
+        {"server": 4, "kind": "register", "number": 6, "value": 4464},
+        {"server": 4, "kind": "register", "number": 7, "value": 1},
+        {"bus": 1, "node": 2, "kind": "element", "number": 5, "value": 2.5},
     ]
 
 
 def test_a_report_of_a_program_that_speaks_to_nobody_is_as_ever() -> None:
     told = run(Source("a.mnt", 'PRINT "here"')).report
     assert "terminals" not in told
-    assert "written" not in told
+    assert "device_writes" not in told
 
 
 def test_the_table_shows_what_was_written_into_other_devices() -> None:
