@@ -9,7 +9,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
 # One vocabulary of diagnostics: the code, and what it means. `docs/diagnostics.md` is written from it.
 CODES: dict[str, str] = {
@@ -193,6 +193,26 @@ def shown(value: object) -> str:
 def clipped(text: str) -> str:
     """A text as a message quotes it, no longer than a line."""
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
+
+
+class OldName(DeprecationWarning):
+    """A name of the command line or of a machine file has a new spelling."""
+
+
+def warn_of_old_name(text: str) -> None:
+    """Report an old name to a Python program as a warning."""
+    import warnings
+
+    warnings.warn(text, OldName, stacklevel=4)
+
+
+# Reports an old name; the command line writes a note to standard error instead.
+report_old_name: Callable[[str], object] = warn_of_old_name
+
+
+def renamed(old: str, new: str, where: str) -> None:
+    """Report that a name is accepted under its old spelling."""
+    report_old_name(f"{where}: {old} is now {new}")
 
 
 def nearest(word: str, words: Iterable[str]) -> str | None:

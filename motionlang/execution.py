@@ -205,11 +205,12 @@ def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, objec
 def _checked(machine: Mapping[str, object]) -> dict[str, object]:
     """The settings that a caller gives, held to what a machine file may say."""
     if machine and not isinstance(machine, Checked):
-        from motionlang.lang.machine.file import first_mistake
+        from motionlang.lang.machine.file import current_key, first_mistake
 
         mistake = first_mistake(machine)
         if mistake:
             raise ValueError(mistake)
+        return {current_key(key): value for key, value in machine.items()}
     return dict(machine)
 
 

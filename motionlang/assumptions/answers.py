@@ -249,7 +249,7 @@ def _are_alike(wanted: str, given: str) -> bool:
 
 
 def machine_text(found: Answers, source: str) -> str:
-    """The `[readings]` of a machine file that make the virtual controller answer alike."""
+    """The `[assumptions]` of a machine file that make the virtual controller answer alike."""
     count = {
         status: sum(each.status == status for each in found.verdicts) for status in (HOLDS, OTHER, UNKNOWN)
     }
@@ -261,7 +261,7 @@ def machine_text(found: Answers, source: str) -> str:
     others = [each for each in found.verdicts if each.status == OTHER]
     own = [each for each in others if each.can_be_set and each.reading.key.startswith(READINGS)]
     if own:
-        lines += ["", "[readings]"]
+        lines += ["", "[assumptions]"]
         lines += [
             f'"{each.reading.name}" = {_toml_value(each.value)}  # {each.reading.question}' for each in own
         ]

@@ -44,7 +44,7 @@ PROBE_KEYS = (
 )
 DEFAULTS = """\
 A setting of an axis that no program has written yet. Each can be given another value in the machine file's
-`[readings]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
+`[assumptions]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
 
 
 @record

@@ -8,21 +8,25 @@ from motionlang.assumptions.entries import Chapter, Section, chapters
 from motionlang.assumptions.reading import Reading
 
 HEAD = """\
-# Fidelity: what rests on memory, and the readings chosen
+# Accuracy: unconfirmed behaviour and its assumptions
 
-Nothing here was checked on a real controller. What is known of a word, and from where, `motionlang keywords WORD`
-shows; this page lists what a word's row cannot say: the reading that was chosen where the sources are silent, and why a
-user of the real controller would expect it. It is written from the files of evidence by `python -m tests.derived`.
+Nothing here has been checked on a real controller. `motionlang keywords KEYWORD` shows what is known about a keyword
+and from which source. This page lists the rest: each assumption that was made where the sources are silent, with the
+reason why a user of the real controller would expect it. `python -m tests.derived` writes it from the evidence files.
 
-Behind each reading stands what it rests on: a *manual*, running *code*, a *sibling* (another product of the same maker,
-or in the same style, whose rule is printed), *memory* (high, medium or low confidence) or a *choice*, where there was
-nothing to go by. All but the first two are open. What is marked *set* is a value, which the machine file's `[readings]`
-can set to another one; what is marked *asked* is a question of `motionlang probe`, which the owner of a controller puts
-to it, and what is marked *asked by name* has a program of its own (`motionlang probe NAME`), as it writes settings or
-may end with an error. Alternatives are what the sources leave possible, each a guess. What is marked *own* is this
-program's own matter: no controller has another answer.
+The column *evidence* is a *manual*, running *code*, a *sibling* (another product of the same maker, or one in the same
+style whose rule is printed), *memory* (high, medium or low confidence) or a *choice* where there was no evidence.
+Assumptions based on a manual or on code are confirmed, all others are open. The marks mean:
+
+* *set*: the machine file's `[assumptions]` can select another behaviour.
+* *asked*: `motionlang probe` has a question for the controller.
+* *asked by name*: the question has a program of its own (`motionlang probe NAME`), because it writes settings or may
+  end with an error.
+* *own*: the matter concerns this program alone; no controller has a different answer.
+
+The alternatives are what the sources leave possible; each is a guess.
 """
-TABLE = "| question | reading | rests on | name |\n|---|---|---|---|\n"
+TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 
 
 def markdown() -> str:

@@ -55,7 +55,7 @@ class Probe:
 class Reading:
     """One question that somebody had to answer, and the answer.
 
-    `name` is that of the machine file's `[readings]`, `alternatives` are the other answers, `why` the reason for the
+    `name` is that of the machine file's `[assumptions]`, `alternatives` are the other answers, `why` the reason for the
     one `chosen`, `strength` one of `facts.STRENGTHS`; `words` are those whose use makes a program depend on it,
     in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any. `probe` is how
     a controller is asked, None where it cannot be; `key` is that of the machine file which sets the reading, "" where

@@ -34,7 +34,7 @@ def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) ->
         used = moves if instead else word in words
         if used and written.isdisjoint((word, *instead.split())):
             found.append(name)
-    return [name for name in found if f"readings.{name}" not in settings]
+    return [name for name in found if f"assumptions.{name}" not in settings]
 
 
 def is_of(name: str, *languages: str) -> bool:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.errors import ProgramError, clipped, shown
 from motionlang.execution import dialects
-from motionlang.lang.machine.file import check_setting, read_value
+from motionlang.lang.machine.file import check_setting, current_key, read_value
 from motionlang.lang.machine.keys import KEYS
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def set_values(
         if "." not in name:
             overrides[name] = _value(text)
             continue
-        value = _setting(text)
+        name, value = current_key(name), _setting(text)
         problem = check_setting(name, value)
         if problem is not None:
             parser.error(f"--set {clipped(pair)}: {problem[0]}; {problem[1]}")

@@ -7,7 +7,7 @@ import re
 import sys
 from typing import TYPE_CHECKING, NoReturn
 
-from motionlang.errors import nearest
+from motionlang.errors import nearest, renamed
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -19,6 +19,20 @@ if TYPE_CHECKING:
 _NEGATIVE = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
+# Old spellings of options, which are still accepted but not shown in help.
+OLD_OPTIONS = {
+    "--as-controller": "--trajectory-points",
+    "--as-printed": "--published",
+    "--by": "--transfer",
+    "--by-times": "--use-times",
+    "--hosts": "--max-hosts",
+    "--look": "--poll-interval",
+    "--rest": "--settle-time",
+    "--share": "--fraction",
+    "--without": "--skip",
+}
+
+
 class Parser(argparse.ArgumentParser):
     """argparse with whole words only and with help texts that keep their lines."""
 
@@ -26,6 +40,19 @@ class Parser(argparse.ArgumentParser):
         options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
         super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
         self._negative_number_matcher = _NEGATIVE
+
+    def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
+        """Read the options under their present spelling; each old one is reported as a note."""
+        return super().parse_known_args(None if args is None else list(map(self._current, args)), namespace)
+
+    def _current(self, word: str) -> str:
+        """Return a word of the command line with the present spelling of its option."""
+        old, equals, value = word.partition("=")
+        new = OLD_OPTIONS.get(old, old)
+        if new == old or new not in self._option_string_actions or old in self._option_string_actions:
+            return word
+        renamed(old, new, self.prog)
+        return f"{new}{equals}{value}"
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""

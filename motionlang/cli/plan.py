@@ -55,7 +55,7 @@ Any figures that determine the move will do; a rule fills what is still free:
 examples:
   motionlang plan --distance 20 --time 0.6 --rule third
   motionlang plan --distance 200 --speed 250 --accel 1250 --scale 1200
-  motionlang plan --distance 20 --time 0.6 --speed 50 --rule equal --by-times --dialect mint
+  motionlang plan --distance 20 --time 0.6 --speed 50 --rule equal --use-times --dialect mint
   motionlang plan --encoder-lines 1000 --gear 3:1 --pitch 10 --distance 200 --time 1 --accel-time 0.2 --decel-time 0.2
 """
 
@@ -69,7 +69,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     add_scale_arguments(parser)
     parser.add_argument("--axis", type=int, metavar="N", help="the axis of the program; the language's first")
     parser.add_argument(
-        "--by-times", action="store_true", help="ACCELTIME and DECELTIME instead of rates (Mint)"
+        "--use-times", action="store_true", help="ACCELTIME and DECELTIME instead of rates (Mint)"
     )
     parser.add_argument("--dialect", choices=dialects(), help="the language of the program; both without it")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
@@ -97,7 +97,7 @@ def plan_command(arguments: argparse.Namespace) -> int:
     if backwards:
         move["distance"] = -move["distance"]
     programs = {
-        name: write(move | wanted, scale, arguments.axis, arguments.by_times)
+        name: write(move | wanted, scale, arguments.axis, arguments.use_times)
         for name, write in WRITERS.items()
         if arguments.dialect in (None, name)
     }

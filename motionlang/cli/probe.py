@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 EPILOG = """\
 The probe goes to standard output. The one of a language moves nothing and writes no setting, prints one answer a
 question, and can be stopped at any time. Run it on the controller after power-up, keep what the terminal shows, and let
---answers read it: it says which readings hold and which do not, on standard error, and prints the [readings] of a
+--answers read it: it says which readings hold and which do not, on standard error, and prints the [assumptions] of a
 machine file that make the virtual controller answer alike. A probe of Mint is for MintMT.
 
 What would write settings or may end with an error is asked by name, in a program of its own, whose remarks say what to
@@ -70,9 +70,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         help="ask also what needs motion: the axis moves within so many user units of where it stands",
     )
     add("--axis", type=int, metavar="N", help="the axis that is asked; without it the first one")
-    add(
-        "--without", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated"
-    )
+    add("--skip", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated")
 
 
 def _distance(text: str) -> float:
@@ -89,7 +87,7 @@ def _probe(arguments: argparse.Namespace) -> int:
     parser: argparse.ArgumentParser = arguments.parser
     what: str | None = arguments.what
     if arguments.answers is not None:
-        if arguments.motion is not None or arguments.axis is not None or arguments.without or arguments.list:
+        if arguments.motion is not None or arguments.axis is not None or arguments.skip or arguments.list:
             parser.error("--answers reads what a probe was answered; the other options write one")
         if what is not None and what not in dialects():
             said = f"{what!r} is not one of {', '.join(dialects())}"
@@ -108,20 +106,20 @@ def _probe(arguments: argparse.Namespace) -> int:
         parser.error(f"--axis {axis}: there is no such axis")
     motion = None if arguments.motion is None else Motion(axis, arguments.motion)
     if what not in dialects():
-        if arguments.without:
-            parser.error(f"--without leaves a question out of many, and {what} is one")
+        if arguments.skip:
+            parser.error(f"--skip leaves a question out of many, and {what} is one")
         if _named(parser, what).motion and motion is None:
             parser.error(f"{what} is told by motion: say within which distance, such as --motion 20")
         sys.stdout.write(alone(questions()[what], axis, motion))
         return 0
     names = [each.name for each in asked(language, motion=True)]
-    for name in arguments.without:
+    for name in arguments.skip:
         if name not in names:
             near = nearest(name, names)
             parser.error(
-                f"--without {name}: there is no such question" + (f"; did you mean {near}?" if near else "")
+                f"--skip {name}: there is no such question" + (f"; did you mean {near}?" if near else "")
             )
-    sys.stdout.write(written(language, axis, motion, arguments.without))
+    sys.stdout.write(written(language, axis, motion, arguments.skip))
     return 0
 
 

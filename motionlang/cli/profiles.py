@@ -50,7 +50,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     for name, letter, help in OPTIONS:
         parser.add_argument(f"--{name}", type=float, metavar=letter, help=help)
     parser.add_argument(
-        "--as-printed",
+        "--published",
         action="store_true",
         help="the published figures beside the exact ones, each erratum named",
     )
@@ -67,8 +67,8 @@ def profiles_command(arguments: argparse.Namespace) -> int:
         rows = comparison(demand)
     except (ValueError, OverflowError) as problem:
         parser.error(str(problem))
-    if arguments.as_printed and not demand.printed:
-        parser.error("--as-printed goes with the note's own move only")
+    if arguments.published and not demand.printed:
+        parser.error("--published goes with the note's own move only")
     if arguments.plot:
         if not arguments.plot.lower().endswith((".png", ".svg")):
             parser.error("--plot draws .png and .svg files")
@@ -79,7 +79,7 @@ def profiles_command(arguments: argparse.Namespace) -> int:
     if arguments.json:
         sys.stdout.write(json.dumps(_data(demand, rows), indent=1) + "\n")
         return 0
-    text = "\n".join(_lines(demand, rows, arguments.as_printed, wants_colour(sys.stdout))) + "\n"
+    text = "\n".join(_lines(demand, rows, arguments.published, wants_colour(sys.stdout))) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
     return 0
 

@@ -74,17 +74,17 @@ def _add_stream(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     _add_report(parser)
     add(
-        "--by",
+        "--transfer",
         default="pdo",
         choices=["pdo", "sdo", "0", "-1", "-2", "-3"],
         help="object 0x2010, or a sub-mode",
     )
     add("--node", type=_node, default=1, metavar="ID", help="CANopen node of the drive (1)")
     add(
-        "--look",
+        "--poll-interval",
         type=_positive,
         metavar="MS",
-        help="milliseconds between two looks of the master (1; with --by 0 the time between two points)",
+        help="milliseconds between two looks of the master (1; with --transfer 0 the time between two points)",
     )
     add("--relative", action="store_true", help="send distances instead of positions")
     add("--interface", default="virtual", metavar="NAME", help="python-can interface (virtual)")

@@ -50,7 +50,7 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
     with LockstepBus(drive, args.node, _look(args, wire), args.interface, args.channel) as bus:
         problem, done = "", None
         try:
-            done = Master(bus, args.node).stream(wire, args.by)
+            done = Master(bus, args.node).stream(wire, args.transfer)
         except StreamError as error:
             problem = str(error)
         while drive.next_boundary is not None:
@@ -64,8 +64,8 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
 
 def _look(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
     """Microseconds between two looks of the master; in sub-mode 0 it sends a point at each, so a period apart."""
-    usual = float(wire[0].time or 1) if args.by == "0" else 1.0
-    return max(1, round((usual if args.look is None else args.look) * 1000))
+    usual = float(wire[0].time or 1) if args.transfer == "0" else 1.0
+    return max(1, round((usual if args.poll_interval is None else args.poll_interval) * 1000))
 
 
 def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
@@ -73,7 +73,7 @@ def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
     wire = to_wire(points)
     try:
         with RealBus(args.node, args.interface, args.channel) as bus:
-            done = Master(bus, args.node).stream(wire, args.by)
+            done = Master(bus, args.node).stream(wire, args.transfer)
     except StreamError as error:
         sys.stderr.write(render(Diagnostic("never", f"the stream failed: {error}")))
         return 1
@@ -98,12 +98,12 @@ def _report(
     done: Streamed | None,
     frames: int,
 ) -> None:
-    error = None if args.by == "0" else _departure(args, drive, wire)
+    error = None if args.transfer == "0" else _departure(args, drive, wire)
     if args.report == "json":
         content = {
             "schema": SCHEMA,
             "move": move.name,
-            "by": args.by,
+            "by": args.transfer,
             "points": len(wire),
             "sent": done.sent if done else None,
             "resent": done.resent if done else None,
@@ -130,7 +130,7 @@ def _lines(
 ) -> list[str]:
     pairs = [
         ("move", f"{move.name}, {count} points"),
-        ("sent by", WAYS[args.by]),
+        ("sent by", WAYS[args.transfer]),
         ("frames", f"{frames} on the bus"),
         ("end", f"{figure(drive.position)} counts after {drive.now:.3f} s"),
     ]
@@ -155,7 +155,7 @@ def _departure(args: argparse.Namespace, drive: Drive, wire: Sequence[WirePoint]
     if begin is None:
         return None
     points = absolute(from_wire(wire), drive.profiles[0].start)
-    if args.by in LINEAR:
+    if args.transfer in LINEAR:
         points = [Point(p.position, None, p.time) for p in points]
     return track_error([begin], [plan_points(points)], drive.starts, drive.profiles, begin, drive.now)
 

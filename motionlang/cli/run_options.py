@@ -34,7 +34,7 @@ nobody handled (standard error says where, --allow accepts it); 2 the command li
 
 examples:
   motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
-  motionlang run pick.mcl --trace pick.csv --as-controller
+  motionlang run pick.mcl --trace pick.csv --trajectory-points
   motionlang run pick.mnt --set controller.axes=2 --set pitch=5
   motionlang run pick.mnt --show-code
   generate-program | motionlang run - --dialect mint --report json
@@ -74,7 +74,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         "--rate",
         type=_rate,
         metavar="HZ",
-        help=f"samples a second of the trace ({RATE:g}; with --as-controller {SERVO_RATE:g})",
+        help=f"samples a second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
     )
     parser.add_argument(
         "--columns",
@@ -83,7 +83,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         help="what the trace has besides the time, such as position,velocity.0: of every axis, or of one",
     )
     parser.add_argument(
-        "--as-controller",
+        "--trajectory-points",
         action="store_true",
         help="trace the points that the trajectory generator computes and the straight lines between them, "
         "which is what the servo loop is told, instead of the exact curve",
@@ -92,7 +92,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         "--trajectory-rate",
         type=_rate,
         metavar="HZ",
-        help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
+        help=f"points a second of --trajectory-points ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
     )
     parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
     parser.add_argument(
@@ -190,8 +190,8 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     ):
         setattr(options, name, getattr(arguments, name))
     options.prove = options.prove or options.certify
-    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
-    options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
+    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.trajectory_points else None
+    options.rate = arguments.rate or (SERVO_RATE if arguments.trajectory_points else RATE)
     options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
     options.columns, options.everything = arguments.columns, arguments.all
     options.cache = not arguments.no_cache
@@ -228,7 +228,7 @@ def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser
             if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
                 parser.error(f"{action.option_strings[0]} is about a run: --show-code runs nothing")
     if arguments.trace is None:
-        for name in ("rate", "columns", "as_controller"):
+        for name in ("rate", "columns", "trajectory_points"):
             if getattr(arguments, name):
                 parser.error(f"--{name.replace('_', '-')} is about a trace: give --trace OUT")
     if arguments.plot is None:
@@ -244,8 +244,8 @@ def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser
                 parser.error(
                     f"--{name} is about the table, which --report {arguments.report} leaves out{instead}"
                 )
-    if arguments.trajectory_rate and not arguments.as_controller:
-        parser.error("--trajectory-rate is about --as-controller, which is missing")
+    if arguments.trajectory_rate and not arguments.trajectory_points:
+        parser.error("--trajectory-rate is about --trajectory-points, which is missing")
 
 
 def _columns(text: str) -> list[str]:

@@ -62,7 +62,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         action=argparse.BooleanOptionalAction,
         help="send back what hosts send; without it TCP does not, and a serial device as the board does",
     )
-    add("--hosts", type=_count, default=64, metavar="N", help="connections at once (64)")
+    add("--max-hosts", type=_count, default=64, metavar="N", help="connections at once (64)")
     add(
         "--log", action="store_true", help="show on standard error what hosts send and what they are answered"
     )

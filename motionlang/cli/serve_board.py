@@ -50,7 +50,7 @@ def serve_board(
         return 1
     spy = Spy(_remark) if args.log else None
     with Server(
-        console, _pace(args, console), limits=Limits(hosts=args.hosts), spy=spy, complain=_complain
+        console, _pace(args, console), limits=Limits(hosts=args.max_hosts), spy=spy, complain=_complain
     ) as server:
         if not _open(server, args, console):
             return 1

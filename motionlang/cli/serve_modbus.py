@@ -38,7 +38,7 @@ def serve_modbus(
 
     host, port = args.modbus
     outside = _outside(args)
-    server = ModbusServer(outside, host, port, limits=Limits(hosts=args.hosts), complain=_complain)
+    server = ModbusServer(outside, host, port, limits=Limits(hosts=args.max_hosts), complain=_complain)
     try:
         server.start()
     except (OSError, UnicodeError) as error:

@@ -89,7 +89,7 @@ def dac(args: argparse.Namespace) -> int:
     limit = dissect.slip_acceleration(args.friction, args.gravity)
     speed = args.speed / SECONDS[args.per]
     timings = [dissect.dac_timing(speed, limit, bits) for bits in args.bits or (12, 16)]
-    runs = demonstrate(speed, limit, args.friction, args.gravity, args.share, args.gain)
+    runs = demonstrate(speed, limit, args.friction, args.gravity, args.fraction, args.gain)
     if args.report == "json":
         _print_json(
             {
@@ -251,7 +251,7 @@ def run(args: argparse.Namespace) -> int:
     rows, plants = [], {}  # of the axes whose motors are those of the options
     for args.axis, axis in result.controller.axes.items():
         if len(axis.starts) > 1:
-            end = min(result.time + args.rest, args.until)
+            end = min(result.time + args.settle_time, args.until)
             trace = servo_trace(axis, end)
             if trace is None:
                 plant = plants[args.axis] = plant_of(args)

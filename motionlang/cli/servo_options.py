@@ -39,7 +39,7 @@ def dac_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="bits of the DAC; may be repeated (12 and 16)",
     )
-    add("--share", type=_positive, default=0.25, metavar="X", help="demanded share of the limit (0.25)")
+    add("--fraction", type=_positive, default=0.25, metavar="X", help="demanded share of the limit (0.25)")
     add("--gain", type=_count, default=60, metavar="KP", help="proportional gain of the loop (60)")
 
 
@@ -129,7 +129,13 @@ def run_options(parser: argparse.ArgumentParser) -> None:
     add("file", metavar="FILE", help="the program")
     add("--dialect", choices=["mint", "mccl"], help="the language, where the suffix does not say it")
     add("--until", type=_positive, default=600.0, metavar="S", help="end after this machine time (600)")
-    add("--rest", type=_positive, default=0.5, metavar="S", help="seconds to watch after the program (0.5)")
+    add(
+        "--settle-time",
+        type=_positive,
+        default=0.5,
+        metavar="S",
+        help="seconds to watch after the program (0.5)",
+    )
     add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
     add_plant(parser)
     add_loop(parser)

@@ -83,7 +83,7 @@ class Client:
         """
         from motionlang.client.virtual import VirtualWire
         from motionlang.execution import accelerators
-        from motionlang.lang.machine.file import first_mistake
+        from motionlang.lang.machine.file import current_key, first_mistake
         from motionlang.lang.machine.machine import Machine
         from motionlang.mccl.hosts.console import Console
 
@@ -93,7 +93,8 @@ class Client:
             mistake = first_mistake(board or {})
             if mistake:
                 raise ValueError(mistake)
-            console = Console(Machine(board, first_axis=1, accelerators=accelerators()))
+            settings = {current_key(key): value for key, value in (board or {}).items()}
+            console = Console(Machine(settings, first_axis=1, accelerators=accelerators()))
         return cls(VirtualWire(console, step), timeout)
 
     @classmethod

@@ -152,5 +152,5 @@ def test_what_a_probe_needs_is_said_in_words() -> None:
 
 def test_the_page_of_probes_names_the_options() -> None:
     page = (Path(__file__).parents[2] / "docs" / "probe.md").read_text(encoding="utf-8")
-    for option in ("--list", "--motion", "--without", "--axis", "--answers"):
+    for option in ("--list", "--motion", "--skip", "--axis", "--answers"):
         assert option in page

@@ -58,7 +58,7 @@ def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
     settable = {
         name: switch for language in dialects() for name, switch in dialect(language).switches().items()
     }
-    assert {name for name, each in readings().items() if each.key == f"readings.{name}"} == set(settable)
+    assert {name for name, each in readings().items() if each.key == f"assumptions.{name}"} == set(settable)
     for name, switch in settable.items():
         each = readings()[name]
         assert each.probe is not None, name

@@ -27,7 +27,7 @@ OTHER_KEYS = {"mint": {"controller.instruction_time": [2e-5, 5e-5, 1e-4]}, "mccl
 # With fewer decimals a controller does not print enough to tell what its settings are.
 DECIMALS = range(3, 10)
 # What cannot be at power-up: a precision mode without a table, blending beside contours.
-IMPOSSIBLE = ("readings.mint.precisionmode-default", "readings.mint.blendmode-default")
+IMPOSSIBLE = ("assumptions.mint.precisionmode-default", "assumptions.mint.blendmode-default")
 
 
 def answers(
@@ -65,7 +65,7 @@ def noise(lines: list[str], draw: random.Random) -> str:
 def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> None:
     draw = random.Random(seed)
     settings: dict[str, object] = {
-        f"readings.{name}": another(name, switch, draw)
+        f"assumptions.{name}": another(name, switch, draw)
         for name, switch in dialect(language).switches().items()
         if draw.random() < 0.5 and name not in BY_NAME
     }
@@ -77,7 +77,7 @@ def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> N
     assert [each.message for each in found.problems] == []
     told = read_machine(Source("found.toml", machine_text(found, "log.txt")))
     for key, value in settings.items():
-        name = key.removeprefix("readings.")
+        name = key.removeprefix("assumptions.")
         if key in told:
             assert told[key] == pytest.approx(value) if isinstance(value, float) else told[key] == value, key
         else:
@@ -212,4 +212,4 @@ def test_answers_that_say_nothing(text: str, wanted: str, message: str) -> None:
 def test_an_answer_that_nobody_expected_sets_nothing() -> None:
     found = read("<probe|mint 2>\n<mint.truth|yes>\n<mint.homespeed-default|fast>\n<end|mint 2>\n")
     assert [each.status for each in found.verdicts] == ["unknown"] * 2
-    assert "[readings]" not in machine_text(found, "log.txt")
+    assert "[assumptions]" not in machine_text(found, "log.txt")

@@ -95,7 +95,7 @@ def test_a_scale_is_told_by_reading_a_value_back_under_another_one() -> None:
 
 def test_a_default_that_a_controller_has_otherwise_is_found() -> None:
     default = questions()["mint.homespeed-default"]
-    shown = answered(default, {"readings.mint.homespeed-default": 25.0})
+    shown = answered(default, {"assumptions.mint.homespeed-default": 25.0})
     assert [each.value for each in read(shown).verdicts] == [25]
 
 

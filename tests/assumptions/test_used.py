@@ -45,7 +45,7 @@ def test_a_default_counts_for_a_program_that_never_writes_it() -> None:
 
 
 def test_what_the_machine_file_sets_is_open_no_more() -> None:
-    settings = {"readings.mint.float-zeros": "dropped"}
+    settings = {"assumptions.mint.float-zeros": "dropped"}
     assert set(used("PRINT 1.5")) - set(depended_on(dialect("mint"), "PRINT 1.5", settings)) == {
         "mint.float-zeros"
     }

@@ -55,7 +55,7 @@ def test_the_third_rule(cell: Cell) -> None:
 def test_the_programs_make_the_move_that_was_planned(
     cell: Cell, line: tuple[str, ...], by_times: bool
 ) -> None:
-    document = json.loads(cell("plan", *line, "--json", *(["--by-times"] if by_times else [])).out)
+    document = json.loads(cell("plan", *line, "--json", *(["--use-times"] if by_times else [])).out)
     plan = document["move"]
     assert document["programs"].keys() == {"mint", "mccl"}
     for name, program in document["programs"].items():
@@ -138,7 +138,7 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
 
 
 def test_ramp_times_of_a_move_too_short_are_those_to_the_speed_asked_for(cell: Cell) -> None:
-    line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --by-times --dialect mint --json"
+    line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --dialect mint --json"
     document = json.loads(cell("plan", *line.split()).out)
     assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
     ran = run(Source("plan.mnt", document["programs"]["mint"]), cache=False)

@@ -24,13 +24,13 @@ def test_the_whole_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "HOMESPEED(2)" in text
     program = tmp_path / "probe.mnt"
     program.write_text(text, encoding="utf-8")
-    machine = {"readings.mint.homespeed-default": 12.5, "readings.mint.float-zeros": "dropped"}
+    machine = {"assumptions.mint.homespeed-default": 12.5, "assumptions.mint.float-zeros": "dropped"}
     log = tmp_path / "log.txt"
     log.write_text("\r\n".join(run(str(program), machine=machine, cache=False).output), encoding="utf-8")
     status, found, said = probe(tmp_path, capsys, "--answers", str(log))
     assert status == 0
     assert tomllib.loads(found) == {
-        "readings": {"mint.homespeed-default": 12.5, "mint.float-zeros": "dropped"},
+        "assumptions": {"mint.homespeed-default": 12.5, "mint.float-zeros": "dropped"},
     }
     assert "mint.homespeed-default: What HOMESPEED is until a program writes it: 12.5, not 4000" in said
     assert "readings hold:\n  mint.float-precision, mint.float-to-integer" in said
@@ -61,7 +61,7 @@ def test_answers_of_which_some_are_missing_are_read_and_told(
         (("NOTHING", "--list"), "NOTHING is no word, or nothing of it is open"),
         (("mint", "--motion", "none"), "'none' is no distance above 0"),
         (("mint", "--axis", "-1"), "there is no such axis"),
-        (("mint", "--without", "mint.trut"), "did you mean mint.truth?"),
+        (("mint", "--skip", "mint.trut"), "did you mean mint.truth?"),
         (("--answers", "log.txt", "--axis", "1"), "--answers reads what a probe was answered"),
     ],
 )

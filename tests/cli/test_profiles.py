@@ -29,7 +29,7 @@ def test_the_exact_table(cell: Cell) -> None:
 
 
 def test_as_printed_beside_it_with_every_erratum(cell: Cell) -> None:
-    lines = cell("profiles", "--as-printed").out.splitlines()
+    lines = cell("profiles", "--published").out.splitlines()
     printed = [line.split()[2:] for line in lines if line.strip().startswith("as printed")]
     assert printed == [
         ["400", "628", "444", "800"],
@@ -80,7 +80,7 @@ def test_it_is_drawn(cell: Cell, tmp_path: Path, kind: str) -> None:
         ("--deceleration -3", "the deceleration must be above zero"),
         ("--distance inf", "the distance must be above zero"),
         ("--ramp 0.5", "the ramp must be above 0 and below 0.5, not 0.5"),
-        ("--velocity 3 --as-printed", "--as-printed goes with the note's own move only"),
+        ("--velocity 3 --published", "--published goes with the note's own move only"),
         ("--plot a.txt", "--plot draws .png and .svg files"),
     ],
 )

@@ -205,7 +205,7 @@ def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.Monkey
 
 
 def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
-    run = ("run", "ballscrew.mcl", "--report", "none", "--trace", "x.csv", "--as-controller")
+    run = ("run", "ballscrew.mcl", "--report", "none", "--trace", "x.csv", "--trajectory-points")
     assert cell(*run).status == 0
     rows = (cell.folder / "x.csv").read_text().splitlines()
     assert rows[5:10] == [
@@ -224,10 +224,10 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
     ("arguments", "message"),
     [
         (("--rate", "5"), "--rate is about a trace: give --trace OUT"),
-        (("--as-controller",), "--as-controller is about a trace: give --trace OUT"),
+        (("--trajectory-points",), "--trajectory-points is about a trace: give --trace OUT"),
         (
             ("--trace", "x.csv", "--trajectory-rate", "5"),
-            "--trajectory-rate is about --as-controller, which is missing",
+            "--trajectory-rate is about --trajectory-points, which is missing",
         ),
         (
             ("--report", "json", "--profile"),

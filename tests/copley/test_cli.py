@@ -89,7 +89,7 @@ def test_many_bad_points_are_counted(tmp_path: Path) -> None:
         (["plot", "--positions", "0,x", "--time", "1"], "not numbers with commas between them"),
         (["plot", "--scurve", "nan", "--time", "1"], "'nan' is not from"),
         (["export", "--scurve", "5", "--time", "1", "--node", "128"], "'128' is not from 1 to 127"),
-        (["stream", "--scurve", "5", "--time", "1", "--look", "0"], "'0' is not from"),
+        (["stream", "--scurve", "5", "--time", "1", "--poll-interval", "0"], "'0' is not from"),
         (["export", "--scurve", "5", "--time", "1", "--format", "xml"], "'xml' is not one of"),
         ([], "required"),
     ],
@@ -121,11 +121,11 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
         (["plot", "--scurve", "1", "--jerk", "1e300", "--accel", "1e-9"], "jerk must lie between"),
         (["plot", "--scurve", "1", "--time", "1e-200"], "segment time must lie between"),
         (
-            ["stream", "--scurve", "1000", "--jerk", "500000", "--speed", "3000", "--by", "-1"],
+            ["stream", "--scurve", "1000", "--jerk", "500000", "--speed", "3000", "--transfer", "-1"],
             "the stream failed: sub-modes 0 and -1 need one time for all segments",
         ),
         (
-            ["stream", "--scurve", "10000", "--jerk", "500000", "--speed", "300", "--look", "30000"],
+            ["stream", "--scurve", "10000", "--jerk", "500000", "--speed", "300", "--poll-interval", "30000"],
             "the stream failed: the drive reports: underflow",
         ),
     ],

@@ -145,7 +145,7 @@ def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
         (["--tcp", "0", "--step", "1"], "--step is about lock step: it goes with --clock lockstep"),
         (["--tcp", "0", "--clock", "lockstep", "--factor", "2"], "it goes with --clock real"),
         (["--tcp", "0", "--factor", "-1"], "'-1' is not a factor from"),
-        (["--tcp", "0", "--hosts", "0"], "'0' is not a number of connections from 1 to 1000"),
+        (["--tcp", "0", "--max-hosts", "0"], "'0' is not a number of connections from 1 to 1000"),
         (["--tcp", "0", "--set", "controller.model=pmc9"], "'pmc9' is no controller that is known here"),
         (["pick.mnt", "--tcp", "0"], "a Mint program is served with --modbus HOST:PORT"),
     ],

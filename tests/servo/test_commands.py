@@ -129,7 +129,7 @@ def test_every_picture_is_drawn(
         (("slip", "--distance", "3"), 2, "to check a move give its --accel as well"),
         (("slip", "--distance", "2", "--accel", "1", "--ramp", "0.7"), 2, "ramp must be"),
         (("dac", "--bits", "4"), 2, "'4' is not a whole number from 8 to 16"),
-        (("dac", "--share", "2"), 2, "the demanded share of the limit must be below 1, not 2"),
+        (("dac", "--fraction", "2"), 2, "the demanded share of the limit must be below 1, not 2"),
         (("step", "--plot", "x.gif"), 2, "--plot writes .png and .svg files, not x.gif"),
         (("step", "--plant", "inertia"), 2, "'inertia' is not NAME=VALUE"),
         (("step", "--mint", "KPROP=1", "--mccl", "SG=1"), 2, "gains are Mint's or MCCL's, not both"),

@@ -103,12 +103,12 @@ class Sweep:
             self._check(source, language)
 
     def _check(self, source: Source, language: Dialect) -> None:
-        """Raise the errors of every variant once, before any run."""
         from motionlang.lang.machine.file import check_setting
+        """What is wrong with every variant is told once, before any is run."""
 
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):
-            problem = check_setting(name, value) if "." in name else None
+            problem = check_setting(current_key(name), value) if "." in name else None
             if problem is not None:
                 raise ValueError("; ".join(problem))
         settings, overrides = self.job.of(values)

@@ -5,7 +5,7 @@ An unknown key, or a value of the wrong kind, is a diagnostic with its line.
 
 from __future__ import annotations
 
-from motionlang.errors import Diagnostic, ProgramError, nearest, shown
+from motionlang.errors import Diagnostic, ProgramError, nearest, renamed, shown
 from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.machine.keys import (
     BUS_EVENTS,
@@ -19,6 +19,7 @@ from motionlang.lang.machine.keys import (
     NODE_EVENTS,
     OF_A_NODE,
     OF_DIALECTS,
+    OLD_SECTIONS,
     OUTCOMES,
     REQUIRED,
     SERVO,
@@ -57,10 +58,11 @@ def read_machine(source: Source) -> dict[str, object]:
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
     for key, value in _flatten(tree):
-        problems = list(_problems(key, value))
+        name = current_key(key)
+        problems = list(_problems(name, value))
         mistakes.extend(_located(source, key, *problem) for problem in problems)
         if not problems:
-            settings[key] = value
+            settings[name] = value
     if any(".plant." in key or ".servo." in key for key in settings):
         from motionlang.servo.settings import mistakes as servo_mistakes
 
@@ -96,6 +98,15 @@ def read_value(text: str) -> object:
     return read_toml(Source("value", f"value = {text}"))["value"]
 
 
+def current_key(key: str) -> str:
+    """Return a key under the present name of its section; an old name is reported once as a note."""
+    for old, new in OLD_SECTIONS.items():
+        if key.startswith(old):
+            renamed(f"[{old[:-1]}]", f"[{new[:-1]}]", "machine file")
+            return new + key.removeprefix(old)
+    return key
+
+
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
     """Return the problem of one plain setting and a hint, or None if it is valid."""
     row = KEYS.get(_generic(key))
@@ -129,7 +140,7 @@ def first_mistake(settings: Mapping[str, object]) -> str:
     Returns an empty text if all are valid.
     """
     for key, value in settings.items():
-        for message, hint, *_ in _problems(key, value):
+        for message, hint, *_ in _problems(current_key(key), value):
             return f"{message} ({hint})"
     return ""
 
@@ -332,9 +343,9 @@ def _generic(key: str) -> str:
     parts = key.split(".")
     if parts[0] == "axis" and len(parts) > 2 and _is_number(parts[1]):
         parts[1] = "N"
-    if parts[:2] == ["mint", "readings"] and len(parts) > 2:
-        parts[2:] = ["WORD"]
-    if parts[0] == "readings" and len(parts) > 1:
+    if parts[:2] == ["mint", "values"] and len(parts) > 2:
+        parts[2:] = ["KEYWORD"]
+    if parts[0] == "assumptions" and len(parts) > 1:
         parts[1:] = ["NAME"]
     return ".".join(parts)
 

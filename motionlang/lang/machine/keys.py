@@ -64,12 +64,12 @@ KEYS: dict[str, tuple[str, str]] = {
         "positive",
         "The greatest following error allowed for its simulated motor, in user units.",
     ),
-    "mint.readings.WORD": (
+    "mint.values.KEYWORD": (
         "reading",
         "The value of a Mint keyword that no simulation can know, such as DRIVEBUSVOLTS = 325, or "
         '{ "0" = 325, "1" = 326 } for each number in its brackets.',
     ),
-    "readings.NAME": (
+    "assumptions.NAME": (
         "reading",
         "The behaviour of this controller where the sources leave a question open, such as "
         '"mint.homespeed-default" = 1000. [fidelity.md](fidelity.md) lists the assumptions that can be set; '
@@ -78,8 +78,10 @@ KEYS: dict[str, tuple[str, str]] = {
 }
 # The sections of a simulated motor and its servo loop; their keys are in `servo/settings.py`.
 SERVO = ("axis.N.plant.", "axis.N.servo.")
+# Old names of sections, which are still accepted: the old and the new beginning of a key.
+OLD_SECTIONS = {"readings.": "assumptions.", "mint.readings.": "mint.values."}
 # The section of a dialect, whose keys the dialect checks.
-OF_DIALECTS = ("mint.readings.",)
+OF_DIALECTS = ("mint.values.",)
 # Tables of events: table -> key -> (kind, help).
 _WHEN = {
     "at": ("time", "When this happens, in seconds of machine time."),

@@ -30,7 +30,7 @@ CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
 # The section of the assumptions that the owner of a controller has settled; `switch` defines the values of
 # each.
-READINGS = "readings."
+READINGS = "assumptions."
 # The number of different diagnostics that a run reports; further ones add nothing new.
 MOST_DIAGNOSTICS = 200
 

@@ -1,4 +1,4 @@
-"""Assumptions that the machine file's `[readings]` can set, with their values.
+"""Assumptions that the machine file's `[assumptions]` can set, with their values.
 
 The evidence files, which no run loads, explain each assumption and the reason for its default.
 """
@@ -42,7 +42,7 @@ class Switch:
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
-    """Return the problem of a key of `[readings]` and a hint, or None if it is valid."""
+    """Return the problem of a key of `[assumptions]` and a hint, or None if it is valid."""
     name = key.removeprefix(READINGS)
     found = switch(name)
     if found is not None:

@@ -133,7 +133,7 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
     elif writes:
         end = _WHEN_WRITTEN.get(row.verb, _ENDS)
     else:
-        end = f"{_ENDS}, unless it was written before or the machine file says it in [mint.readings]"
+        end = f"{_ENDS}, unless it was written before or the machine file says it in [mint.values]"
     b.warn(
         CODE, f"{row.name} is a word of Mint that is not simulated", node, f"{row.name}: {row.help}; {end}"
     )

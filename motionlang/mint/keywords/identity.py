@@ -1,6 +1,6 @@
 """Properties of the virtual controller: its type, its equipment, and no defects.
 
-The machine file can override each value in its section `[mint.readings]`.
+The machine file can override each value in its section `[mint.values]`.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def count(environment: Environment, item: int) -> int:
     from motionlang.lang.run_errors import NotSimulated
 
     words = f"how many there are of item {item} is not known here"
-    raise NotSimulated(words, f'the machine file can say it: [mint.readings] NUMBEROF = {{ "{item}" = 8 }}')
+    raise NotSimulated(words, f'the machine file can say it: [mint.values] NUMBEROF = {{ "{item}" = 8 }}')
 
 
 def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:
@@ -175,7 +175,7 @@ ROWS = (
             "switched off or stopping.",
             "Dim a(2) As Integer = 0, 1\nPRINT OKTOLOADMOVE(2, a)", default=1.0, group="state"),
     Keyword("REALTIMECLOCK", "", "setting", "RW", "none", "text", _DATE_ACTIONS,
-            "Date and time, 2000-01-01 00:00:00 at power-up until it is set; [mint.readings] gives another begin. It "
+            "Date and time, 2000-01-01 00:00:00 at power-up until it is set; [mint.values] gives another begin. It "
             "goes with machine time.",
             'REALTIMECLOCK = "2026-11-20 06:30:00"\nWAIT = 2000\nPRINT REALTIMECLOCK', group="identity"),
     Keyword("NOP", "", "command", "C", "none", "", _NOTHING, "Do nothing.", "NOP", group="control"),

@@ -1,8 +1,8 @@
 """Values from the machine file for keywords that cannot be computed.
 
-They are in the section `[mint.readings]`:
+They are in the section `[mint.values]`:
 
-    [mint.readings]
+    [mint.values]
     DRIVEBUSVOLTS = 325                     # for any index
     TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by index; "0, 1" where there are two
 """
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from motionlang.lang.keyword import Keyword
 
-SECTION = "mint.readings."
+SECTION = "mint.values."
 # Groups of keywords with a value of their own that the machine file may override.
 ANSWERED = frozenset(("identity",))
 

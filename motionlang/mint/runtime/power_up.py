@@ -1,6 +1,6 @@
 """Power-up values of settings from the machine file, written as a program would.
 
-They are in its section `[readings]`.
+They are in its section `[assumptions]`.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ def show_integer(value: float) -> str:
 def shows_float(machine: Machine) -> Callable[[float], str]:
     """Return the format of Floats for PRINT on a machine.
 
-    It depends on the controller, which may have v4, and on the machine file's `[readings]`.
+    It depends on the controller, which may have v4, and on the machine file's `[assumptions]`.
     """
     readings, older = machine.readings, machine.model != "" and _is_older(machine.model)
     if not readings:

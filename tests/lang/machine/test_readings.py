@@ -1,4 +1,4 @@
-"""`[readings]` of the machine file: what a controller's owner has found, and mistakes in it."""
+"""`[assumptions]` of the machine file: what a controller's owner has found, and mistakes in it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from motionlang.source import Source
 
 
 def answers(name: str, text: str, machine: str) -> list[str]:
-    settings = read_machine(Source("m.toml", f"[readings]\n{machine}\n"))
+    settings = read_machine(Source("m.toml", f"[assumptions]\n{machine}\n"))
     return run(Source(name, text), machine=settings, cache=False).output
 
 
@@ -69,7 +69,7 @@ def test_readings_of_a_board() -> None:
 )
 def test_a_reading_or_an_alternative_that_there_is_not(machine: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as caught:
-        read_machine(Source("m.toml", f"[readings]\n{machine}\n"))
+        read_machine(Source("m.toml", f"[assumptions]\n{machine}\n"))
     (found,) = caught.value.diagnostics
     assert message in found.message
     assert hint in found.hint

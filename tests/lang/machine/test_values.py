@@ -207,7 +207,7 @@ def test_a_typing_mistake_has_its_place(text: str, line: int, column: int, messa
 
 @pytest.mark.parametrize("place", ["²", "9" * 5000])
 def test_a_reading_at_a_place_that_there_is_not(place: str) -> None:
-    settings = read_machine(Source("machine.toml", f'[mint.readings]\nTEMPERATURE = {{ "{place}" = 3 }}\n'))
+    settings = read_machine(Source("machine.toml", f'[mint.values]\nTEMPERATURE = {{ "{place}" = 3 }}\n'))
     ran = motionlang.run(Source("a.mnt", "PRINT TEMPERATURE(0)\n"), machine=settings, cache=False)
     assert [each.code for each in ran.diagnostics] == ["not-simulated"]
 

@@ -85,9 +85,9 @@ def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(
     result = ran(f"PRINT {word(row)}")
     assert result.status == "fault"
     assert places(result) == [("warning", 1, 7), ("error", 1, 7)]
-    assert f"[mint.readings] {row.name} = " in result.diagnostics[1].hint
+    assert f"[mint.values] {row.name} = " in result.diagnostics[1].hint
     told = "abc" if row.unit == "text" else 2.5 if row.unit == "number" else 1
-    result = ran(f"PRINT {word(row)}", **{f"mint.readings.{row.name}": told})
+    result = ran(f"PRINT {word(row)}", **{f"mint.values.{row.name}": told})
     assert (result.status, result.output, result.diagnostics) == ("ended", [shown(row)], [])
 
 
@@ -197,14 +197,14 @@ def test_the_demand_can_be_read_and_not_written() -> None:
         ('HALL = { "0, 1" = 2 }', "HALL has 1 in its brackets, not 2", "it stands for axis"),
         (
             "HALL = [1]",
-            "mint.readings.HALL must be a number, a text, true or false, not [1]",
-            KEYS["mint.readings.WORD"][1],
+            "mint.values.HALL must be a number, a text, true or false, not [1]",
+            KEYS["mint.values.KEYWORD"][1],
         ),
     ],
 )
 def test_a_mistake_in_the_machine_file_is_told_with_its_line(line: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as caught:
-        read_machine(Source("m.toml", f"[mint.readings]\nTEMPERATURE = 20.5\n{line}\n"))
+        read_machine(Source("m.toml", f"[mint.values]\nTEMPERATURE = 20.5\n{line}\n"))
     (found,) = caught.value.diagnostics
     assert (found.message, found.line, found.column) == (message, 3, 1)
     assert found.hint == hint
