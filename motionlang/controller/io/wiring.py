@@ -57,14 +57,7 @@ class World:
         self.misc = 0
         for axis in controller.axes:
             self._wire_axis(axis)
-        for entry in _entries(settings, "input"):
-            if "output" in entry:
-                self._wire_output(entry)
-                continue
-            for each in _again(entry) if "every" in entry else (entry,):
-                self._wire_channel(each, controller.inputs.__setitem__)
-        for entry in _entries(settings, "analogue"):
-            self._wire_channel(entry, controller.analogue_inputs.__setitem__)
+        self.wire_inputs(settings)
         for entry in _entries(settings, "fault"):
             self._wire_fault(entry)
         for entry in _entries(settings, "encoder"):
@@ -72,6 +65,19 @@ class World:
         for axis in controller.axes:
             self._wire_interlock(axis)
         controller.listeners.append(self._heard, "cleared", "switched", "scale")
+
+    def wire_inputs(self, settings: Settings) -> None:
+        """Wire the `[[input]]` and `[[analogue]]` entries of some settings; their times count from now."""
+        for entry in _entries(settings, "input"):
+            if "output" in entry:
+                self._wire_output(entry)
+            elif "every" in entry and "times" not in entry:
+                self._wire_pulses(entry)
+            else:
+                for each in _again(entry) if "every" in entry else (entry,):
+                    self._wire_channel(each, self._controller.inputs.__setitem__)
+        for entry in _entries(settings, "analogue"):
+            self._wire_channel(entry, self._controller.analogue_inputs.__setitem__)
 
     def _wire_axis(self, axis: int) -> None:
         """Wire travel limits and home switch, each with its input channel, if it has one."""
@@ -172,10 +178,27 @@ class World:
                 ).switch
             self._wire_region(axis, low, high, change)
             return
-        at = _number(entry, "at", 0.0)
+        at = self._controller.clock.now + _number(entry, "at", 0.0)
         self._at(at, lambda: change(True))
         if "for" in entry:
             self._at(at + _number(entry, "for"), lambda: change(False))
+
+    def _wire_pulses(self, entry: Entry) -> None:
+        """Wire an `[[input]]` that repeats until the end of the run; each pulse schedules the next one."""
+        channel, value = int(_number(entry, "channel")), entry.get("value", 1)
+        every, length, first = _number(entry, "every"), _number(entry, "for"), _number(entry, "at", 0.0)
+        inputs, count = self._controller.inputs, 0
+        self.driven.add(channel)
+        begin = self._controller.clock.now + first
+
+        def rise() -> None:
+            nonlocal count
+            inputs[channel] = value  # type: ignore[assignment]
+            self._at(begin + count * every + length, lambda: inputs.__setitem__(channel, 0))
+            count += 1
+            self._at(begin + count * every, rise)
+
+        self._at(begin, rise)
 
     def _wire_output(self, entry: Entry) -> None:
         """Wire an `[[input]]` that follows an output after a delay.

@@ -23,6 +23,7 @@ from motionlang.lang.machine.keys import (
     OUTCOMES,
     REQUIRED,
     SERVO,
+    SHORTEST_PERIOD,
     TABLES,
     TERMINALS,
     VIEWS,
@@ -216,8 +217,11 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
 def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
     """Check that a repeated entry ends before it begins again."""
     every, between, length = entry.get("every"), entry.get("between"), entry.get("for")
-    if every is None or "times" not in entry:
-        yield "[[input]] needs every and times together", "every = 0.5, times = 20", "[[input]]"
+    if every is None:
+        yield "[[input]] has times without every", "every = 0.5 is the period", "times"
+        return
+    if between is not None and "times" not in entry:
+        yield "[[input]] with between needs times", "times = 50 is how many there are", "every"
         return
     if between is None and (length is None or any(way in entry for way in ("above", "below", "output"))):
         words = "give for, how long it lasts, or between, two positions of an axis"
@@ -225,7 +229,15 @@ def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str
         return
     spans = isinstance(between, list) and _is_pair(between)
     last = between[1] - between[0] if spans else length  # type: ignore[index]
-    if _kind_problem("number", every) is None and _kind_problem("number", last) is None and every <= last:  # type: ignore[operator]
+    if _kind_problem("number", every) or _kind_problem("number", last):
+        return
+    if "times" not in entry and every < SHORTEST_PERIOD:  # type: ignore[operator]
+        yield (
+            f"every of [[input]] must be at least {SHORTEST_PERIOD:g} s without times, not {shown(every)}",
+            "times = 1000 says how often it happens",
+            "every",
+        )
+    elif every <= last:  # type: ignore[operator]
         yield "[[input]] comes again before it is over", f"every must be more than {last:g}", "every"
 
 

@@ -102,16 +102,22 @@ _WRITTEN = {
 TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "input": {
         "channel": ("channel", "The digital input."),
+        "name": ("text", "A name for the input, for `run --input NAME=1@0.5`."),
         "value": ("number", "The value while active. Default 1."),
         "for": ("positive", "How long this lasts, in seconds. Default: forever."),
         "every": ("positive", "The period of repetition: seconds, or with between user units."),
-        "times": ("times", "How many times it happens in total, 1 to 10000."),
+        "times": (
+            "times",
+            "How many times it happens in total, 1 to 10000. Default: until the end of the run; "
+            "with between it is required.",
+        ),
         "output": ("channel", "The digital output whose level the input follows."),
         "delay": ("time", "The delay after the output, in seconds. Default 0."),
         **_WHEN,
     },
     "analogue": {
         "channel": ("channel", "The analogue input."),
+        "name": ("text", "A name for the input, for `run --analog NAME=30`."),
         "value": ("number", "The value in percent."),
         "per_unit": (
             "number",
@@ -209,6 +215,10 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     },
     "answer": {
         "text": ("text", "The line that the operator types at the next INPUT."),
+        "prompt": (
+            "text",
+            "Only for an INPUT whose question, or the line above it, contains this text. Default: any other INPUT.",
+        ),
         "terminal": _TERMINAL,
     },
     "serial": {
@@ -296,12 +306,14 @@ ABOUT: dict[str, dict[str, object]] = {
     "fault": {"axis": None},
     "key": {"terminal": 1},
     "encoder": {"channel": None, "aux": None},
-    "answer": {"terminal": 1},
+    "answer": {"terminal": 1, "prompt": ""},
     "serial": {"port": 1},
     "comms": {"element": None},
     "dpr": {"address": None},
     "netdata": {"element": None},
 }  # fmt: skip
+# The shortest period of an input that repeats until the end of the run, s: a shift has 2.9 million of them.
+SHORTEST_PERIOD = 0.01
 VIEWS = ("integer", "float")
 TERMINALS = (1, 2, 4, 8, 16, 32, 64, 128)
 WIDTHS = ("word", "integer", "float")

@@ -24,9 +24,14 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
         under = below.get(key)
         if key in ABOUT and isinstance(under, list) and isinstance(value, list):
             spoken = {_about(key, entry) for entry in value}
-            value = [entry for entry in under if _about(key, entry) not in spoken] + value
+            value = [entry for entry in under if not spoken & _subjects(key, entry)] + value
         out[key] = value
     return out
+
+
+def _subjects(table: str, entry: Entry) -> set[tuple[object, ...]]:
+    """Return what an upper entry may be about to replace this one: an answer to any INPUT replaces all answers."""
+    return {_about(table, entry), _about(table, {**entry, "prompt": ""})}
 
 
 def _about(table: str, entry: Entry) -> tuple[object, ...]:

@@ -40,15 +40,27 @@ class Operator:
         self.asking = False
         self._typed = ""
         self._held, self._until = 0, -1.0
+        # The lines typed ahead: the text, and the prompt that it answers ("" for any).
+        self.lines: list[tuple[str, str]] = []
+        self._number = number
+        self.add(settings)
+
+    def add(self, settings: Mapping[str, object], since: float = 0.0) -> None:
+        """Add the `[[answer]]` and `[[key]]` entries of this terminal; times of keys count from `since`."""
         answers: Sequence[Entry] = settings.get("answer", ())  # type: ignore[assignment]
-        self.lines = [str(each["text"]) for each in answers if each.get("terminal", 1) == number]
+        self.lines += [
+            (str(each["text"]), str(each.get("prompt", "")))
+            for each in answers
+            if each.get("terminal", 1) == self._number
+        ]
         presses: Sequence[Entry] = settings.get("key", ())  # type: ignore[assignment]
         for entry in presses:
-            if entry.get("terminal", 1) != number:
+            if entry.get("terminal", 1) != self._number:
                 continue
             time: float = entry.get("at", 0.0)  # type: ignore[assignment]
             held: float = entry.get("for", HELD)  # type: ignore[assignment]
-            clock.at(max(time, clock.now), partial(self.press, str(entry["text"]), held))
+            moment = max(since + time, self._clock.now)
+            self._clock.at(moment, partial(self.press, str(entry["text"]), held))
 
     def press(self, text: str, held: float = HELD) -> None:
         """Press keys one after the other and hold the last one for `held` seconds."""
@@ -69,6 +81,32 @@ class Operator:
         """Return the key that is held down now, or 0 if none is."""
         return self._held if self._clock.now < self._until else 0
 
+    @property
+    def question(self) -> str:
+        """Return the prompt of the INPUT that asks now: the unfinished line, or else the line above it."""
+        begun = self._terminal.begun
+        if begun.strip(" ?") or not self._terminal.prints:
+            return begun
+        return self._terminal.prints[-1].text
+
+    def has_answer(self) -> bool:
+        """True if a line answers the INPUT that asks now."""
+        return self._matching() is not None
+
+    def take_answer(self) -> str:
+        """Remove the first line that answers the INPUT that asks now, and return its text."""
+        found = self._matching()
+        assert found is not None, "an INPUT goes on when there is an answer"
+        return self.lines.pop(found)[0]
+
+    def _matching(self) -> int | None:
+        if not self.lines:
+            return None
+        question = self.question.lower()
+        named = (n for n, (_, prompt) in enumerate(self.lines) if prompt and prompt.lower() in question)
+        others = (n for n, (_, prompt) in enumerate(self.lines) if not prompt)
+        return next(named, next(others, None))
+
     def type(self, text: str) -> None:
         """Type as a live operator: keys for the program, or a line while it asks for one."""
         for letter in text:
@@ -76,7 +114,7 @@ class Operator:
                 self.press(letter)
             elif letter in _ENTER:
                 self._echo("\b \b" * len(self._typed))  # the program shows the line itself
-                self.lines.append(self._typed)
+                self.lines.append((self._typed, ""))
                 self._typed, self.asking = "", False
             elif letter in _BACK:
                 self._echo("\b \b" if self._typed else "")

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.operator import Operator
     from motionlang.mint.runtime.environment import Environment
 
+ASKED = "for the operator to answer INPUT"
+
 
 def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE) -> Wait:
     """Return the wait for the next line.
@@ -20,19 +22,18 @@ def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE)
     """
     machine = environment.machine
     operator = machine.operator_at(terminal)
-    if not operator.lines and terminal == CONSOLE and machine.ask is not None:
+    if terminal == CONSOLE and machine.ask is not None and not operator.has_answer():
         line = machine.ask()
-        operator.lines += [] if line is None else [line]
-    operator.asking = not operator.lines
-    return Wait(
-        t, lambda: _answered(operator), lambda: INFINITY, "for the operator to answer INPUT", "operator"
-    )
+        operator.lines += [] if line is None else [(line, "")]
+    operator.asking = not operator.has_answer()
+    return Wait(t, lambda: _answered(operator), lambda: INFINITY, ASKED, "operator")
 
 
 def _answered(operator: Operator) -> bool:
-    if operator.lines:
+    answered = operator.has_answer()
+    if answered:
         operator.asking = False
-    return bool(operator.lines)
+    return answered
 
 
 def take(environment: Environment, as_text: bool, terminal: int = CONSOLE) -> float | str:
@@ -40,7 +41,7 @@ def take(environment: Environment, as_text: bool, terminal: int = CONSOLE) -> fl
 
     If a number is expected, return the number at its beginning.
     """
-    text = environment.machine.operator_at(terminal).lines.pop(0)
+    text = environment.machine.operator_at(terminal).take_answer()
     environment.machine.terminal_at(terminal).write(f"{text}\n")
     if as_text:
         return text

@@ -185,11 +185,13 @@ times = 100000
 """
     again, more = "[[input]] comes again before it is over", "every must be more than"
     assert mistakes(text) == [
-        (1, 1, "[[input]] needs every and times together", "every = 0.5, times = 20"),
+        (3, 1, "[[input]] cannot come again before it is over",
+         "give for, how long it lasts, or between, two positions of an axis"),
         (7, 1, again, f"{more} 2"),
         (14, 1, "[[input]] cannot come again before it is over",
          "give for, how long it lasts, or between, two positions of an axis"),
         (20, 1, again, f"{more} 10"),
         (21, 1, "times of [[input]] must be a whole number from 1 to 10000, not 100000",
-         "How many times it happens in total, 1 to 10000."),
+         "How many times it happens in total, 1 to 10000. Default: until the end of the run; with between it is "
+         "required."),
     ]  # fmt: skip

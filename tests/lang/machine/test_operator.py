@@ -29,7 +29,7 @@ def test_a_live_operator_types_keys_and_where_the_program_asks_a_line() -> None:
     person.type("x")
     person.asking = True
     person.type("12\x7f3\ry")
-    assert (person.keys, person.lines, person.asking) == ([120, 121], ["13"], False)
+    assert (person.keys, person.lines, person.asking) == ([120, 121], [("13", "")], False)
     assert "".join(shown) == "12\b \b3\b \b\b \b"
 
 
