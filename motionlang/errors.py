@@ -71,6 +71,8 @@ CODES: dict[str, str] = {
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",
+    "option": "An option of the command line does not fit the program or its machine file.",
+    "unasked": "An answer was given, and no INPUT asked for it.",
     "command-error": "The controller answered the command with an error code.",
     "model": "The controller that was named does not know this.",
     # Warnings of the linters; docs/lint.md explains each.

@@ -20,6 +20,7 @@ from motionlang.result import (
     save_kept,
     tell_never_started,
     tell_stuck,
+    tell_unasked,
     tell_who_waited,
     tell_words,
 )
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from motionlang.lang.dialect import Dialect
+    from motionlang.lang.machine.entries import Given
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
 
@@ -96,6 +98,10 @@ def run(
     log_size: float | None = None,
     compiled: Program | None = None,
     fast: bool | None = None,
+    inputs: Given = (),
+    analog: Given = (),
+    answers: Given = (),
+    keys: Given = (),
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
@@ -110,12 +116,18 @@ def run(
     was computed before it. `compiled` is what the dialect has made of the source before, for a machine that is as this
     one wherever `Dialect.compiled_in` says that it matters. With `fast=False` the engine runs without
     accelerators, as with `MOTIONLANG_FAST=0` in the environment: the result is the same, only later.
+    `inputs`, `analog`, `answers` and `keys` are what the options of `motionlang run` are, as texts or by channel, name
+    or prompt: `inputs={2: "1@0.5"}, answers={"Turns": 200}`. They are laid over the machine file.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
     settings = _checked(machine) if machine is not None else settings_beside(program)
+    if inputs or analog or answers or keys:
+        from motionlang.lang.machine.entries import with_entries
+
+        settings = with_entries(settings, inputs, analog, answers, keys)
     virtual = Machine(
         settings,
         first_axis=language.first_axis,
@@ -141,6 +153,8 @@ def run(
         result.machine.nv.close()
     result.machine.close_terminals()
     result.time = result.machine.clock.now
+    if "answer" in settings and result.status in ("ended", "until"):
+        tell_unasked(result)
     if result.status == "ended" and any(key.startswith("budget.") for key in settings):
         from motionlang.analysis.cycle.budget import over_budget
 

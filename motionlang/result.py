@@ -6,7 +6,7 @@ in `motionlang.report`, which most runs of a script do not import.
 
 from __future__ import annotations
 
-from motionlang.errors import Diagnostic, Terminated
+from motionlang.errors import Diagnostic, Terminated, clipped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -225,6 +225,19 @@ def _lost(result: Run) -> list[Diagnostic]:
     return found
 
 
+def tell_unasked(result: Run) -> None:
+    """Warn of answers that no INPUT asked for."""
+    for text in result.machine.unasked():
+        result.diagnostics.append(
+            Diagnostic(
+                "unasked",
+                f'no INPUT asked for the answer "{clipped(text)}"',
+                hint="leave it out, or let its prompt be part of the question",
+                severity="warning",
+            )
+        )
+
+
 def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
     """Warn of moves that the program has loaded and, at its end, has not started: the first of each line."""
     for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
@@ -265,9 +278,15 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.status = "until"
         result.controller.clock.advance(until)
         return
-    otherwise = "start a move first, or let a machine file say what happens, and with run.until how long"
-    hints = [result.dialect.what_ends(why) for why in (stuck.wait.why, *map(_why, others))]
-    hint = next(filter(None, hints), otherwise)
+    from motionlang.lang.ends import what_ends
+
+    hints = (
+        what_ends(result.dialect, result.source, result.machine, task, wait)
+        for task, wait in ((stuck.task, stuck.wait), *((each, each.wait) for each in others))
+        if wait is not None
+    )
+    start = "start a move first, or let a machine file say what happens, and with run.until how long"
+    hint = next(filter(None, hints), start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 

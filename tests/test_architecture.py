@@ -73,7 +73,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "attention", "foreign", "parsing", "machine", "vocabulary"),
+        ("asked", "attention", "ends", "foreign", "parsing", "machine", "vocabulary"),
         ("scheduler",),
     ),
     "controller": (

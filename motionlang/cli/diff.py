@@ -17,6 +17,7 @@ from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
+from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.lang.machine.file import read_machine
@@ -78,6 +79,9 @@ def add_parser(commands: Commands, summary: str) -> None:
             metavar="N",
             help=f"{side.upper()} is variant N of the sweep beside the program",
         )
+    add_world(parser)
+    for side in "ab":
+        add_world(parser, side)
     add_mapping(parser)
     add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
         help="time=1ms, position=0.01uu, speed=2%%: what differs by less is the same; may be repeated")  # fmt: skip
@@ -97,7 +101,9 @@ def diff_command(arguments: argparse.Namespace) -> int:
     if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
         parser.error("--plot draws .html pages here")
     other = arguments.b
-    if other is None and (arguments.set_b or arguments.machine_b or arguments.variant_b is not None):
+    if other is None and (
+        arguments.set_b or arguments.machine_b or arguments.variant_b is not None or world_of(arguments, "b")
+    ):
         other = arguments.a
     if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
         return _recorded(arguments, other, tolerance)
@@ -170,6 +176,11 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
             except ProgramError as error:
                 complain(error.diagnostics, Source.read(machine), machine)
                 return None
+        for whose in ("", side):
+            laid = with_world(settings, world_of(arguments, whose), path)
+            if laid is None:
+                return None
+            settings = laid
         variant = getattr(arguments, f"variant_{side}")
         if variant is not None:
             settings, overrides = _variant(path, variant, settings, overrides)

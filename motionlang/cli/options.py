@@ -46,6 +46,7 @@ class Options:
         "trace",
         "until",
         "window",
+        "world",
     )
 
     def __init__(self, file: str) -> None:
@@ -68,6 +69,8 @@ class Options:
         # `--set` by what it names: keys of the machine file, and names of the program.
         self.settings: dict[str, object] = {}
         self.overrides: dict[str, float | str] = {}
+        # `--input`, `--analog`, `--answer` and `--keys`, by the parameters of lang.machine.entries.with_entries.
+        self.world: dict[str, list[str]] = {}
         self.nv: str | None = None
         self.cache = True
         # The command line itself, to be told where it brought motionlang down.

@@ -10,6 +10,7 @@ from motionlang.cli.input_files import read_machine_file
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_command
+from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
 from motionlang.execution import dialect, dialect_of, machine_of
@@ -32,6 +33,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser = add_command(commands, "repl", summary, _repl)
     parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first, or mint or mccl")
     add_machine(parser)
+    add_world(parser)
 
 
 def _repl(arguments: argparse.Namespace) -> int:
@@ -46,7 +48,8 @@ def _repl(arguments: argparse.Namespace) -> int:
         status = read_machine_file(options, settings)
         if status:
             return status
-    return open_session(arguments.dialect, arguments.file, settings, overrides)
+    laid = with_world(settings, world_of(arguments), arguments.file or "")
+    return 2 if laid is None else open_session(arguments.dialect, arguments.file, laid, overrides)
 
 
 def open_session(

@@ -82,6 +82,13 @@ def _result(options: Options) -> Run | int:
         status = read_machine_file(options, settings)
         if status:
             return status
+    if options.world:
+        from motionlang.lang.machine.entries import WrongEntry, with_entries
+
+        try:
+            settings = Checked(with_entries(settings, **options.world))
+        except WrongEntry as error:
+            return _refuse(options, [Diagnostic("option", error.message, hint=error.hint)], None, 2)
     missing = _missing_axes(options, settings) if settings else []
     if missing:
         return _refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
@@ -216,6 +223,11 @@ def _run_unwatched(
     show: Callable[[str], object],
     begun: Callable[[Machine], None],
 ) -> Run:
+    def prepare(machine: Machine) -> None:
+        begun(machine)
+        if outside is None and options.file != STDIN:
+            machine.ask = lambda: _ask(machine)
+
     return run(
         source,
         dialect=options.dialect or dialect_of(options.file),
@@ -225,13 +237,20 @@ def _run_unwatched(
         show=None if options.report == "json" else show,
         pace=None if options.realtime is None else pacer(options.realtime),
         outside=outside,
-        begun=begun,
+        begun=prepare,
         nv=options.nv,
         keep_crash=True,
         cache=options.cache,
         prove=options.prove,
         log_size=options.log_size,
     )
+
+
+def _ask(machine: Machine) -> str | None:
+    """Return the line for an INPUT that has no answer, None if there is none."""
+    from motionlang.views.questions import ask
+
+    return ask(machine)
 
 
 def pacer(factor: float) -> Callable[[float], None]:

@@ -16,6 +16,7 @@ from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRA
 from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import add_command, either
 from motionlang.cli.run import run_command
+from motionlang.cli.world_options import add_world, world_of
 from motionlang.errors import need
 from motionlang.execution import ONE_SHIFT
 
@@ -46,6 +47,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser = add_command(commands, "run", summary, _run, RUN_EPILOG)
     parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
     add_machine(parser)
+    add_world(parser)
     parser.add_argument(
         "--report",
         choices=REPORTS,
@@ -195,6 +197,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
     options.columns, options.everything = arguments.columns, arguments.all
     options.cache = not arguments.no_cache
+    options.world = world_of(arguments)
     set_values(arguments.set, options.settings, options.overrides, parser)
     return options
 

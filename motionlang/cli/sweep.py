@@ -19,6 +19,7 @@ from motionlang.cli.parser import add_command
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.sweep_options import EPILOG, add_options
 from motionlang.cli.sweep_report import Report
+from motionlang.cli.world_options import with_world, world_of
 from motionlang.errors import Diagnostic, ProgramError, Terminated, need
 from motionlang.execution import dialect_of, machine_of
 from motionlang.files import unwritable
@@ -133,6 +134,10 @@ def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Re
         status = read_machine_file(options, settings)
         if status:
             return status
+    laid = with_world(settings, world_of(arguments), arguments.file)
+    if laid is None:
+        return 2
+    settings = laid
     try:
         worlds = wishes.worlds()
         space = wishes.space(worlds)

@@ -7,6 +7,7 @@ import argparse
 from motionlang.analysis.sweeps.quantities import ROWS
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.run_options import machine_time
+from motionlang.cli.world_options import add_world
 
 REPORTS = ("table", "csv", "none")
 # Rows of the table without --rows.
@@ -35,6 +36,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "file", metavar="FILE", help="the program; pick.sweep.toml beside pick.mnt says what is not said here"
     )
     add_machine(parser)
+    add_world(parser)
     add(
         "--vary",
         action="append",

@@ -127,9 +127,9 @@ class Dialect:
         """Return the assumptions that the machine file may set, by name."""
         return {}
 
-    def what_ends(self, why: str) -> str:
-        """Return a hint at what would end a wait reported as `why`, or ""."""
-        return ""
+    def driven_by(self, why: str) -> list[str]:
+        """Return the tables and keys of the machine file that could end the wait described by `why`."""
+        return []
 
     def load(self, payload: bytes) -> Program:
         """Return the program that `Program.payload` was made of."""

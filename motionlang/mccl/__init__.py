@@ -92,6 +92,13 @@ class Mccl(Dialect):
 
         return asked(source)
 
+    def driven_by(self, why: str) -> list[str]:
+        import re
+
+        found = re.search(r"(home switch|index mark) of axis (\d+)", why)
+        keys = {"home switch": "home_switch", "index mark": "index_every"}
+        return [f"axis.{found[2]}.{keys[found[1]]}"] if found else []
+
     def interactive(self, machine: Machine) -> Interactive:
         from motionlang.mccl.runtime.session import Session
 

@@ -95,10 +95,10 @@ class Mint(Dialect):
 
         return switches()
 
-    def what_ends(self, why: str) -> str:
-        from motionlang.mint.runtime.wait_sources import what_ends
+    def driven_by(self, why: str) -> list[str]:
+        from motionlang.mint.runtime.wait_sources import driven_by
 
-        return what_ends(why)
+        return driven_by(why)
 
     def load(self, payload: bytes) -> Program:
         from motionlang.mint.program import load

@@ -12,6 +12,7 @@ from os.path import expanduser
 from motionlang.errors import Diagnostic, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
+from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.repl import status
 from motionlang.result import Run
 from motionlang.source import Source
@@ -137,6 +138,30 @@ def _live(session: Session, argument: str) -> None:
         _wrong(session, "range", f".live is on or off, not {argument}")
 
 
+def _input(session: Session, text: str) -> None:
+    _add(session, inputs=text)
+
+
+def _analog(session: Session, text: str) -> None:
+    _add(session, analog=text)
+
+
+def _answer(session: Session, text: str) -> None:
+    _add(session, answers=text)
+
+
+def _keys(session: Session, text: str) -> None:
+    _add(session, keys=text)
+
+
+def _add(session: Session, **given: str) -> None:
+    """Add entries to the world of the machine; their times count from now."""
+    try:
+        session.machine.add_entries(entries(session.machine.settings, **given))
+    except WrongEntry as error:
+        _wrong(session, "option", error.message, error.hint)
+
+
 def _report(session: Session, _: str) -> None:
     session.say(render(_so_far(session), width=session.width, colour=session.colour))
 
@@ -215,6 +240,14 @@ COMMANDS: dict[str, Command] = {
         Command("time", "", "Machine time and positions, in one line.", _time),
         Command("run", "S", "Let S seconds of machine time pass.", _run),
         Command("settle", "", "Let the motion that is under way end.", _settle),
+        Command(
+            "input", "N=V@S", "A digital input: 2=1 now, 2=1@0.5 in 0.5 s, 2=1@0.5..0.9 a pulse.", _input
+        ),
+        Command("analog", "N=V@S", "An analogue input, in percent: 0=25 now, 0=25@1 in 1 s.", _analog),
+        Command(
+            "answer", "TEXT", "The line for the next INPUT; PROMPT=TEXT for one that asks PROMPT.", _answer
+        ),
+        Command("keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _keys),
         Command("live", "on|off", "Let machine time follow the clock on the wall.", _live),
         Command("report", "", "Every move so far: distance, duration, peak speed, phases.", _report),
         Command("plot", "[FILE]", "The velocities so far as a chart, or all as a .png or .svg file.", _plot),

@@ -9,6 +9,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import ONE_SHIFT
 from motionlang.lang.dialect import Dialect
+from motionlang.lang.ends import what_ends
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import Room
 from motionlang.lang.run_errors import explain
@@ -129,7 +130,7 @@ class Runner:
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
             hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
-            hint = self.dialect.what_ends(stuck.wait.why) or hint
+            hint = what_ends(self.dialect, source, self.machine, stuck.task, stuck.wait, True) or hint
             self._tell_at(source, self._scheduler.parent.at, "never", message, hint)
         except Exception as error:
             self._drop_if_broken(error)

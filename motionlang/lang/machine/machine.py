@@ -167,6 +167,19 @@ class Machine:
         _ = self.controller
         return self._world
 
+    def add_entries(self, settings: Mapping[str, object]) -> None:
+        """Add inputs, answers and keys to the world; their times count from now."""
+        if "answer" in settings or "key" in settings:
+            self.operator.add(settings, self.clock.now)
+        if "input" not in settings and "analogue" not in settings:
+            return
+        controller = self.controller
+        if self._world is None:
+            from motionlang.controller.io.wiring import World
+
+            self._world = World(controller, self.settings)
+        self._world.wire_inputs(settings)
+
     def at_power_up(self, call: Callable[[Controller], None]) -> None:
         """Let `call` prepare the controller: now, or when it is built."""
         if self._controller is None:
@@ -281,6 +294,15 @@ class Machine:
                 self.clock, self.terminal_at(number), self.settings, number
             )
         return found
+
+    def unasked(self) -> list[str]:
+        """Return the answers of the settings that no INPUT has asked for."""
+        answers = self.settings.get("answer", ())
+        return [
+            text
+            for number in dict.fromkeys(each.get("terminal", CONSOLE) for each in answers)  # type: ignore[attr-defined]
+            for text, _ in self.operator_at(number).lines
+        ]
 
     def terminal_at(self, number: int) -> Terminal:
         """Return one of several terminals; one of them is the console."""

@@ -1,4 +1,4 @@
-"""Find the machine file section that can end a wait."""
+"""Find the tables of the machine file that can end a wait."""
 
 from __future__ import annotations
 
@@ -9,18 +9,11 @@ from motionlang.mint.keywords import table
 _WORD = re.compile(r"([a-z_]\w*)(\s*[(.[])?", re.IGNORECASE)
 
 
-def what_ends(why: str) -> str:
-    """Return a hint for a wait that nothing ends, "" if no section could end it.
-
-    It is derived from the text that says what the wait is for.
-    """
-    found = dict.fromkeys(filter(None, (_section(word, bracket) for word, bracket in _WORD.findall(why))))
-    if not found:
-        return ""
-    sections = " or ".join(f"[[{each}]]" for each in found)
-    hint = f"the machine file says when it comes, {sections}, and with run.until how long to wait for it"
-    typed = "; run --realtime takes it from the keyboard of a terminal"
-    return hint + typed if found.keys() & {"answer", "key"} else hint
+def driven_by(why: str) -> list[str]:
+    """Return the tables of the machine file that could end a wait, from the text that says what it is for."""
+    return list(
+        dict.fromkeys(filter(None, (_section(word, bracket) for word, bracket in _WORD.findall(why))))
+    )
 
 
 def _section(word: str, bracket: str) -> str:

@@ -1,0 +1,64 @@
+"""The options that end a wait which nothing else can end: `--input 2=1@0.5`, `--answer TEXT`, `--keys`.
+
+The wait itself says what it is for, or else the condition at its place in the program does.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.asked import Read
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.task import Task, Wait
+    from motionlang.source import Source
+
+# Seconds from now at which the suggested option acts.
+SOON = 0.5
+# A hint names so many inputs.
+MAX_NAMED = 3
+
+
+def what_ends(
+    dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait, at_prompt: bool = False
+) -> str:
+    """Return a hint that says what to type, or "" if no option ends the wait.
+
+    `at_prompt` is for the prompt, whose commands have the names of the options and count time from now.
+    """
+    dash, now = (".", 0.0) if at_prompt else ("--", machine.clock.now)
+    at = f"{round(now + SOON, 1):g}"
+    driven = dialect.driven_by(wait.why)
+    leaves = _reads(dialect, source, task, wait)
+    channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
+    options = []
+    if channels:
+        levels = machine.controller.inputs
+        options += [f"{dash}input {each}={int(not levels[each])}@{at}" for each in channels[:MAX_NAMED]]
+        driven = driven or ["input"]
+    if wait.cause == "operator":
+        question = machine.operator.question.strip(" ?:")
+        options.append(f'{dash}answer "{question}=1"' if question else f"{dash}answer 1")
+        driven = ["answer"]
+    elif "key" in driven:
+        options.append(f"{dash}keys R@{at}")
+    elif "analogue" in driven:
+        channel = next((n for kind, n in leaves if kind == "analogue" and n is not None), 0)
+        options.append(f"{dash}analog {channel}=25@{at}")
+    places = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
+    if options:
+        verbs = ("ends", "does") if len(options) == 1 else ("end", "do")
+        return f"{' '.join(options)} {verbs[0]} it, as {verbs[1]} {places} of the machine file"
+    if any("." in each for each in driven):
+        return f"the machine file says where it is: {places}"
+    return f"{places} of the machine file says when it comes" if places else ""
+
+
+def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:
+    """Return what the condition of a wait reads."""
+    if wait.cause == "input" and wait.what:
+        return frozenset(("input", channel) for channel in wait.what)
+    if not source.text.strip():
+        return frozenset()
+    found = dialect.asked(source)(task.at)
+    return frozenset() if found is None else found.leaves

@@ -1,0 +1,52 @@
+"""INPUT answered from standard input: a person at a terminal is asked at once, a pipe has a line for each."""
+
+from __future__ import annotations
+
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.machine.terminal import Terminal
+
+
+def ask(machine: Machine) -> str | None:
+    """Return the next line of standard input for an INPUT, None at its end."""
+    terminal, stdin = machine.terminal, sys.stdin
+    if stdin is None:
+        return None
+    at_terminal = stdin.isatty()
+    if at_terminal:
+        _show_question(terminal)
+    try:
+        line = stdin.readline()
+    except (OSError, ValueError):  # it is closed, or cannot be read
+        return None
+    if not line:
+        return None
+    line = line.rstrip("\r\n")
+    if at_terminal and terminal.show is not None and sys.stdout.isatty():
+        _show_once(terminal, f"{line}\n")
+    return line
+
+
+def _show_question(terminal: Terminal) -> None:
+    """Show the question where the person sees it: they may not see the program's output."""
+    if terminal.show is None or not sys.stdout.isatty():
+        sys.stderr.write(terminal.begun or "? ")
+        sys.stderr.flush()
+    else:
+        terminal.show("" if terminal.begun else "? ")
+        sys.stdout.flush()
+
+
+def _show_once(terminal: Terminal, typed: str) -> None:
+    """Leave out `typed` when the program shows it, as the terminal has shown it while it was typed."""
+    show = terminal.show
+
+    def shown(text: str) -> None:
+        terminal.show = show
+        if text != typed and show is not None:
+            show(text)
+
+    terminal.show = shown

@@ -1,0 +1,140 @@
+"""Inputs, answers and keys on the command line: what happens around a program that was written for a machine."""
+
+from __future__ import annotations
+
+import io
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.cli.programs import LONGEST, Cell
+
+SPOOL = """\
+INPUT "Turns ", turns
+PAUSE INX(2)
+OUTX(4) = 1
+PAUSE INX(3)
+PRINT turns; " at "; TIME
+PAUSE INKEY = Asc("R")
+PRINT "R at "; TIME; ", force "; ADC(0)
+"""
+WORLD = ("--input", "2=1@0.5", "--input", "3=out4+0.3", "--keys", "R@2", "--analog", "0=25@1")
+# The input comes at 0.5 s, the output it starts is followed 0.3 s later.
+SHOWN = "Turns 200\n200.0000 at 800\nR at 2000, force 25.0000\n"
+
+
+def test_a_run(cell: Cell) -> None:
+    cell.write("spool.mnt", SPOOL)
+    ran = cell("run", "spool.mnt", *WORLD, "--answer", "turns=200", "--report", "none")
+    assert (ran.status, ran.out, ran.err) == (0, SHOWN, "")
+
+
+def test_they_are_laid_over_the_machine_file(cell: Cell) -> None:
+    cell.write("spool.mnt", SPOOL)
+    cell.write(
+        "spool.machine.toml",
+        'input = [{ channel = 2, name = "start", at = 9.0 }, { channel = 3, at = 1.0 }]\n'
+        'answer = [{ text = "100" }]\nkey = [{ text = "R", at = 2.0 }]\n',
+    )
+    ran = cell("run", "spool.mnt", "--input", "start=1@0.5", "--answer", "7", "--report", "none")
+    assert ran.out == "Turns 7\n7.0000 at 1000\nR at 2000, force 0.0000\n"
+
+
+def test_a_question_takes_a_line_of_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    cell.write("spool.mnt", SPOOL)
+    monkeypatch.setattr(sys, "stdin", io.StringIO("200\r\n300\n"))
+    assert cell("run", "spool.mnt", *WORLD, "--report", "none").out == SHOWN
+    assert sys.stdin.read() == "300\n"
+
+
+def test_a_question_at_the_end_of_standard_input_is_an_error(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cell.write("spool.mnt", SPOOL)
+    monkeypatch.setattr(sys, "stdin", io.StringIO(""))
+    ran = cell("run", "spool.mnt", "--report", "none")
+    assert ran.status == 1
+    assert ran.err.endswith('hint: --answer "Turns=1" ends it, as does [[answer]] of the machine file\n')
+
+
+@pytest.mark.parametrize(
+    ("program", "given", "hint"),
+    [
+        ("a.mnt", "WAIT = 700\nPAUSE INX(2) = 0 And INX(4)", "--input 2=0@1.2 --input 4=1@1.2 end it"),
+        ("a.mnt", "PAUSE INKEY = 65", "--keys R@0.5 ends it"),
+        ("a.mnt", "PAUSE ADC(2) > 10", "--analog 2=25@0.5 ends it"),
+        ("a.mcl", "WN7", "--input 7=1@0.5 ends it"),
+        ("a.mcl", "2VM,2GO,2FE0", "the machine file says where it is: axis.2.home_switch"),
+    ],
+)
+def test_a_wait_that_never_ends_names_the_option_that_ends_it(
+    cell: Cell, program: str, given: str, hint: str
+) -> None:
+    cell.write(program, given)
+    ran = cell("run", program, "--input", "2", "--report", "none")
+    assert f"hint: {hint}" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("option", "message", "hint"),
+    [
+        ("--input=2=5", '"5" is not a level of input 2: 0 or 1', "write 2=1@0.5, 2=1@0.5..0.9"),
+        ("--input=door=1", "the machine file names no input door", "write its number"),
+        ("--keys=R@x", '"x" is not a time', "write R@0.5"),
+    ],
+)
+@pytest.mark.parametrize("command", ["run", "sweep", "repl"])
+def test_what_is_wrong_takes_two_lines(
+    cell: Cell, command: str, option: str, message: str, hint: str
+) -> None:
+    cell.write("spool.mnt", SPOOL)
+    vary = ["--vary", "controller.axes=2,4"] if command == "sweep" else []
+    ran = cell(command, "spool.mnt", option, *vary)
+    first, second = ran.err.splitlines()
+    assert (ran.status, first) == (2, f"error[option]: {message}")
+    assert second.startswith(f"  hint: {hint}")
+
+
+def test_a_sweep_runs_every_variant_in_this_world(cell: Cell) -> None:
+    cell.write("spool.mnt", SPOOL)
+    vary = ("--vary", "controller.axes=2,4", "--keep", "time", "--report", "csv", "--jobs", "1")
+    ran = cell("sweep", "spool.mnt", *WORLD, "--answer", "200", *vary)
+    assert [line.split(",")[2][:5] for line in ran.out.splitlines()[1:]] == ["2.000", "2.000"]
+
+
+def test_a_difference_of_worlds(cell: Cell) -> None:
+    cell.write("spool.mnt", SPOOL)
+    ran = cell("diff", "spool.mnt", *WORLD, "--answer", "200", "--input-b", "2=1@0.7")
+    assert ran.out == "printed line 2: '200.0000 at 800' → '200.0000 at 1000'\n"
+
+
+def test_the_prompt(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Times count from the moment at which the line is typed: machine time stands still meanwhile."""
+    typed = (
+        ".run 1\n.input 3=1@0.5\nPAUSE INX(3)\nPRINT TIME\n.answer 7\nINPUT n\n"
+        ".keys A@1\nPAUSE INKEY=65\nPRINT TIME\n"
+    )
+    monkeypatch.setattr(sys, "stdin", io.StringIO(typed))
+    ran = cell("repl")
+    assert [line for line in ran.out.splitlines() if line.isdigit()] == ["1500", "7", "2500"]
+
+
+def test_a_person_is_asked_at_once(tmp_path: Path) -> None:
+    pty = pytest.importorskip("pty")
+    program = tmp_path / "asks.mnt"
+    program.write_text('INPUT "Turns ", n\nINPUT m\nPRINT "sum "; n + m\n')
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "motionlang", "run", str(program), "--report", "none"]
+    shown = b""
+    with subprocess.Popen(command, stdin=theirs, stdout=theirs, stderr=theirs) as process:
+        os.close(theirs)
+        for wanted, typed in ((b"Turns ", b"4\n"), (b"? ", b"5\n"), (b"sum 9.0000\r\n", b"")):
+            while wanted not in shown:
+                shown += os.read(ours, 1024)
+            os.write(ours, typed)
+        assert process.wait(LONGEST) == 0
+    os.close(ours)
+    assert shown.split(b"\r\n")[:3] == [b"Turns 4", b"? 5", b"sum 9.0000"]
