@@ -74,17 +74,17 @@ class Keyword:
     `access`   "R", "W", "RW" (values) or "C" (a command without a value)
     `index`    the contents of the brackets: "axis", "axes" (a list), "channel", "bank", "none"
     `unit`     "uu", "uu/s", "uu/s2", "uu/s3", "s", "ms", "counts", "%", "bool", "bits", "number", "text", ""
-    `actions`  the functions that execute it, or only a `verb`: a setting or a reading of the controller, the
-    value of a
-               constant, the name of a function or a statement; "" if it is not simulated
+    `actions`  the functions that execute it, or only a `verb`: a setting or a reading of the controller,
+               the value of a constant, the name of a function or a statement; "" if it is not simulated
     `low`…`high`  the accepted range, inclusive; None if open
+    `below`    True if the range excludes `high` (MCCL)
     `solved`   its reading takes the level of a comparison, and can solve when it passes that
     `simulated`   False: recognised, documented, reported as "not simulated"
     `effect`   the effect of writing or executing the keyword on its axes: words of `ROLES` and `TRAITS`
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the last one written is
-    in force
+               in force
     `changes`  "motion": the value changes only while the axis moves; "always": each reading gives another
-    value
+               value
     `every`    read of several axes it is true if it is true of each
     `optional` the number of values that may be omitted at the end of the brackets
     `tunes`    the quantity of the servo loop that it sets: one of the gains of its language in `servo.gains`
@@ -97,6 +97,7 @@ class Keyword:
     __slots__ = (
         "access",
         "actions",
+        "below",
         "changes",
         "default",
         "driven",
@@ -137,6 +138,7 @@ class Keyword:
         default: float | str | None = None,
         low: float | None = None,
         high: float | None = None,
+        below: bool = False,
         group: str = "",
         simulated: bool = True,
         solved: bool = False,
@@ -153,7 +155,7 @@ class Keyword:
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
         self.actions = actions if isinstance(actions, Actions) else Actions(actions)
         self.unit, self.verb, self.help, self.example = unit, self.actions.verb, help, example
-        self.default, self.low, self.high = default, low, high
+        self.default, self.low, self.high, self.below = default, low, high, below
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes, self.meant, self.family = tunes, meant, family
@@ -168,6 +170,14 @@ class Keyword:
     def takes_fractions(self) -> bool:
         """True if a value that is written keeps its fraction."""
         return self.unit not in WHOLE_UNITS or self.unit == "ms"
+
+    @property
+    def accepted(self) -> str:
+        """The accepted range in words, "" if it is not limited."""
+        low, high = (None if bound is None else f"{bound:.10g}" for bound in (self.low, self.high))
+        if low is None or high is None:
+            return f"{low} or more" if low else f"{high} or less" if high else ""
+        return f"{low} to below {high}" if self.below else f"{low} to {high}"
 
     @property
     def attribute(self) -> str:

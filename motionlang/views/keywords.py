@@ -137,7 +137,7 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
         ("for", _with(INDEX.get(row.index, row.index), "index", evidence)),
         ("unit", _with(UNITS.get(row.unit, row.unit), "unit", evidence)),
         ("default", _with(default, "default", evidence)),
-        ("range", _with(_range(row), "range", evidence)),
+        ("range", _with(row.accepted, "range", evidence)),
         ("group", row.group),
         ("known from", source),
     ]
@@ -155,14 +155,6 @@ def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:
     if own.strength == meaning.strength and not own.source:
         return text
     return f"{text} ({own})"
-
-
-def _range(row: Keyword) -> str:
-    if row.low is not None and row.high is not None:
-        return f"{_figure(row.low)} to {_figure(row.high)}"
-    if row.low is not None:
-        return f"{_figure(row.low)} or more"
-    return "" if row.high is None else f"{_figure(row.high)} or less"
 
 
 def _figure(value: float | str) -> str:

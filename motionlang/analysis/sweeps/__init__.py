@@ -103,7 +103,7 @@ class Sweep:
             self._check(source, language)
 
     def _check(self, source: Source, language: Dialect) -> None:
-        from motionlang.lang.machine.file import check_setting
+        from motionlang.lang.machine.file import check_setting, current_key
         """What is wrong with every variant is told once, before any is run."""
 
         values = self.space[0]

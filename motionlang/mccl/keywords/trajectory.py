@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from motionlang.mccl import codes
-from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.filter import kept
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.row import Group
@@ -47,21 +45,11 @@ def shape_parabolic(task: CommandTask, command: Command) -> None:
 
 
 def shape_scurve(task: CommandTask, command: Command) -> None:
-    """Select the sinusoidal S-curve, or with n the one of ramp ratio n (PS).
-
-    The ratio is that of TN1069: 0 < n < 0.5.
-    """
+    """Select the sinusoidal S-curve, or with n the trapezoidal one of ramp ratio n (PS, TN1069)."""
     ramp = float(task.value(command))
     if ramp == 0.0:
         _shape(task, command, "sinusoidal")
         return
-    if ramp >= 0.5:
-        raise Fault(
-            codes.PARAMETER,
-            f"PS accepts a ramp below 0.5, not {ramp:g}",
-            "PS alone is the sinusoidal S-curve",
-            "range",
-        )
     for axis in task.axes(command):
         axis.write["ramp"](ramp)
     _shape(task, command, "scurve")
@@ -108,9 +96,9 @@ ROWS = (
     _row("PT", "setting", "C", "axes", "", shape_trapezoid,
          "Trapezoidal profile: constant acceleration, the fastest to velocity.", "1PT"),
     _row("PS", "setting", "W", "axes", "number", shape_scurve,
-         "S-curve: without a number the sinusoidal one; with n between 0 and 0.5 the trapezoidal one, whose "
-         "acceleration rises over the part n of the acceleration time.",
-         "1PS0.1", default=0, low=0, high=0.5, family="profiles"),
+         "S-curve: PS or PS0 is the sinusoidal one, PSn the trapezoidal one, whose acceleration rises over the "
+         "fraction n of the acceleration time.",
+         "1PS0.1", default=0, low=0, high=0.5, below=True, family="profiles"),
     _row("PP", "setting", "C", "axes", "", shape_parabolic,
          "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP", family="profiles"),
     _row("SQ", "setting", "W", "axes", "number", kept("kept_torque"),

@@ -6,6 +6,8 @@ integer, a real number, `@n` (the content of register n) or a text in quotes.
 
 from __future__ import annotations
 
+from math import nextafter
+
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
@@ -53,7 +55,7 @@ class Word:
         if row.low is not None:
             self.low = max(row.low, -_LARGEST)
         if row.high is not None:
-            self.high = min(row.high, _LARGEST)
+            self.high = min(nextafter(row.high, -_LARGEST) if row.below else row.high, _LARGEST)
         if self.takes_text:
             self.without = _wants_text(row)
         elif row.simulated and not self.low <= 0 <= self.high:
@@ -190,18 +192,17 @@ def checked(value: float | int, row: Keyword) -> float | int:
     low, high = row.low, row.high
     if low is None and high is None and abs(value) <= _LARGEST:
         return value
-    if (low is None or value >= low) and (high is None or value <= high) and abs(value) <= _LARGEST:
+    is_high = high is not None and (value >= high if row.below else value > high)
+    if not is_high and (low is None or value >= low) and abs(value) <= _LARGEST:
         return value
     raise out_of_range(value, row)
 
 
 def out_of_range(value: float | int, row: Keyword) -> Fault:
     """Return the fault of a value that a command does not accept."""
-    low, high = row.low, row.high
-    if high is None and low is not None and value < low:
-        accepted = f"{low:g} or more"
-    elif low is None and high is not None and value > high:
-        accepted = f"{high:g} or less"
-    else:
-        accepted = f"{-_LARGEST if low is None else low:g} to {_LARGEST if high is None else high:g}"
+    accepted = row.accepted
+    if abs(value) > _LARGEST and (row.low if value < 0 else row.high) is None:
+        accepted = (
+            f"{-_LARGEST if row.low is None else row.low:g} to {_LARGEST if row.high is None else row.high:g}"
+        )
     return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:g}", row.help, "range")
