@@ -84,7 +84,7 @@ serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclear
     "mint.input-edges": "in inx",
     "mint.instate": "instate instatex isx",
     "mint.inputactivelevel": "inputactivelevel outputactivelevel oal",
-    "mint.inputdebounce": "inputdebounce",
+    "mint.inputdebounce": "inputdebounce idb",
     "mint.input-modes": "inputmode inputpostrigger inputnegtrigger imask",
     "mint.adc": "adc",
     "mint.adcmin": "adcmin adcmax adcmonitor",

@@ -122,6 +122,16 @@ _DATE_ACTIONS = Actions(
     read=always(of(Calendar, Calendar.text)),
     write=of(Calendar, lambda calendar, text: calendar.set(text, calendar.clock.now)),
 )
+# The errors of INITERROR on the printed page that is known; 1 to 4 are on the page before.
+_INIT_ERRORS = (
+    (5, "FAILED_TO_READ_CARRIER_EEPROM", "the EEPROM of the carrier cannot be read"),
+    (6, "FAILED_TO_READ_POWER1_EEPROM", "the EEPROM of the power stage cannot be read"),
+    (7, "DSP_FAILED_TO_INITIALISE", "the DSP did not initialise"),
+    (8, "DSP_LOST_USER_DATA", "the DSP lost user data"),
+    (9, "FAILED_TO_CLEAR_ALL", "not everything could be cleared"),
+    (10, "FAILED_TO_SET_WATCHDOG", "the watchdog could not be set"),
+    (11, "EEPROM_DEFAULTS_USED", "the defaults of the EEPROM are in use, after a reset of the controller"),
+)
 _NOTHING = Actions(do=lambda environment, row: lambda *given: None)
 
 
@@ -165,7 +175,7 @@ ROWS = (
     _word("MINTEXECUTING", "", "R", "none", "bool", _FIT, "1: the program runs.", 1.0),
     _word("SUPPORTSMINT", "", "R", "none", "bool", _FIT, "1: the controller runs programs.", 1.0),
     _word("PHASESEARCHSTATUS", "", "R", "axis", "bool", _FIT, "1: the motor is commutated.", 1.0),
-    _fine("INITERROR", "", "RW", "none", "bits", "Errors of the start of the controller."),
+    _fine("INITERROR", "", "RW", "none", "integer", "Error of the start of the controller, an _ie constant."),
     _fine("INITWARNING", "", "RW", "none", "bits", "Warnings of the start of the controller."),
     Keyword("AVERAGEVEL", "", "reading", "R", "axis", "uu/s", "velocity",
             "Velocity of the axis as VEL has it: there is no noise of which to take the average.",
@@ -188,4 +198,6 @@ ROWS = (
             ("BEEPOFF", "Key clicks off: nobody hears them here."),
         )
     ),
+    *(Keyword(f"_ie{name}", "", "constant", "R", "none", "integer", str(number), f"INITERROR: {help}.",
+              f"PRINT _ie{name}", group="constants") for number, name, help in _INIT_ERRORS),
 )  # fmt: skip

@@ -114,7 +114,7 @@ motorbrakedelay
 stepper steppervel stepperscale stepperwrap
 """,
     "io_inputs": """
-in inx instate instatex isx inputactivelevel inputdebounce inputmode inputpostrigger inputnegtrigger imask
+in inx instate instatex isx inputactivelevel inputdebounce idb inputmode inputpostrigger inputnegtrigger imask
 """,
     "io_outputs": """
 out ot outx otx outputactivelevel oal adc adcgain ag adcoffset ao adcdeadband add adcdeadbandoffset adcmode am
@@ -195,9 +195,11 @@ _cfoff _cfservo _cfstepper _cfvirtual
     "identity": """
 platformname firmwareversion numberof no _noaxes _egcontroller axisbus axisnode mintexecuting supportsmint
 phasesearchstatus initerror initwarning averagevel oktoloadmove realtimeclock nop tron troff beepon beepoff
+_iefailed_to_read_carrier_eeprom _iefailed_to_read_power1_eeprom _iedsp_failed_to_initialise
+_iedsp_lost_user_data _iefailed_to_clear_all _iefailed_to_set_watchdog _ieeeprom_defaults_used
 """,
     "legacy": """
-err erl erraxis mode holdtoanalog contouron contouroff
+err erl erraxis mode holdtoanalog bank contouron contouroff
 """,
     "factory_defaults": """
 systemdefaults sdf factorydefaults fdf

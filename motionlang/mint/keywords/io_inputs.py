@@ -1,11 +1,14 @@
 """Digital inputs: active levels, debouncing, latched edges, and events.
 
 A bank is 32 channels. The value of an input in the machine file is its electrical level, and INSTATE shows
-it. IN and INX show the state after INPUTDEBOUNCE and INPUTACTIVELEVEL or, if the INPUTMODE bit of the input
-is set, an edge that came since the last read.
+it. A debounced bank is sampled every millisecond: INSTATE shows the last sample, and a state follows when
+INPUTDEBOUNCE consecutive samples have a new level. IN and INX show the state after INPUTDEBOUNCE and
+INPUTACTIVELEVEL or, if the INPUTMODE bit of the input is set, an edge that came since the last read.
 """
 
 from __future__ import annotations
+
+from math import ceil
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.keyword import Actions, Keyword
@@ -23,8 +26,11 @@ if TYPE_CHECKING:
 
 BANK = 32
 LAST_CHANNEL = 999
-# Seconds between two samples of an input.
+# Seconds between two samples of an input [MN1270 p. 95]; a change at the moment of a sample is in that sample.
 SAMPLE = 1e-3
+_SAME = 1e-6
+# INPUTDEBOUNCE where inputs are not debounced.
+UNDEBOUNCED = 1
 
 
 class Inputs:
@@ -38,7 +44,12 @@ class Inputs:
         self._environment = environment
         self._patterns: dict[tuple[str, int], int] = {}
         self._debounce: dict[int, int] = {}
-        # Channels that are being debounced: the state that they still show, and the event of its change.
+        # The levels that the program has been notified of.
+        levels = self._controller.inputs
+        self._levels = {channel: levels[channel] != 0 for channel in levels.touched}
+        # Levels of debounced channels that changed since their last sample: the sampled level, and the next sample.
+        self._sampled: dict[int, tuple[bool, int, Event]] = {}
+        # Channels whose new level has too few samples: the level that they still show, and the event of its change.
         self._held: dict[int, tuple[bool, Event]] = {}
         self._edges: set[int] = set()
         self.listeners: list[Callable[[int, bool], None]] = []
@@ -53,10 +64,19 @@ class Inputs:
         self._patterns[name, bank] = bits
 
     def debounce(self, bank: int) -> int:
-        return self._debounce.get(bank, 0)
+        return self._debounce.get(bank, UNDEBOUNCED)
 
     def set_debounce(self, bank: int, samples: int) -> None:
+        """Set the samples of a bank; without debouncing its inputs show their levels at once."""
         self._debounce[bank] = samples
+        if samples > UNDEBOUNCED:
+            return
+        for channel in sorted({*self._sampled, *self._held}):
+            if channel // BANK == bank:
+                shown = self.is_on(channel)
+                self._forget(channel)
+                if self.is_on(channel) is not shown:
+                    self._state_changed(channel, not shown)
 
     def active_level(self, bank: int) -> int:
         low = self._controller.inputs.active_low
@@ -71,9 +91,15 @@ class Inputs:
     # --------------------------------------------------------------------------------------------- reading
 
     def is_on(self, channel: int) -> bool:
-        """Return the state of an input."""
+        """Return the state of an input, after debouncing and INPUTACTIVELEVEL."""
         held = self._held.get(channel)
-        return self._controller.inputs.inverted(channel) if held is None else held[0]
+        shown = self.level(channel) if held is None else held[0]
+        return shown is not (channel in self._controller.inputs.active_low)
+
+    def level(self, channel: int) -> bool:
+        """Return the electrical level: that of the last sample if the bank is debounced, else the present one."""
+        sampled = self._sampled.get(channel)
+        return self._controller.inputs[channel] != 0 if sampled is None else sampled[0]
 
     def read(self, channel: int) -> bool:
         """Return the state of an input, or its latched edge, which reading clears."""
@@ -91,22 +117,43 @@ class Inputs:
     # --------------------------------------------------------------------------------------------- changes
 
     def _level_changed(self, channel: int, value: float) -> None:
-        samples = self._debounce.get(channel // BANK, 0)
-        if not samples:
+        level, known = value != 0, self._levels.get(channel, False)
+        self._levels[channel] = level
+        # If the level is known, INPUTACTIVELEVEL has changed.
+        if level is known or self.debounce(channel // BANK) == UNDEBOUNCED:
             self._state_changed(channel, self.is_on(channel))
-            return
-        clock, state = self._controller.clock, self._controller.inputs.inverted(channel)
+        elif channel not in self._sampled:
+            clock = self._controller.clock
+            sample = ceil(clock.now / SAMPLE - _SAME)
+            event = clock.at(max(clock.now, sample * SAMPLE), lambda: self._sample(channel))
+            self._sampled[channel] = known, sample, event
+
+    def _sample(self, channel: int) -> None:
+        """Take the sample of a channel whose level changed since the sample before."""
+        before, sample, event = self._sampled.pop(channel)
+        event.cancel()
+        if self.level(channel) is before:
+            return  # the level is back
         held = self._held.pop(channel, None)
         if held is not None:
-            held[1].cancel()
-            if held[0] is state:
-                return  # the input has bounced back
-        event = clock.at(clock.now + samples * SAMPLE, lambda: self._settled(channel))
-        self._held[channel] = (not state, event)
+            held[1].cancel()  # it bounced: the input shows this level already
+            return
+        clock = self._controller.clock
+        due = (sample + self.debounce(channel // BANK) - 1) * SAMPLE
+        self._held[channel] = before, clock.at(max(clock.now, due), lambda: self._settled(channel))
 
     def _settled(self, channel: int) -> None:
-        del self._held[channel]
-        self._state_changed(channel, self.is_on(channel))
+        sampled = self._sampled.get(channel)
+        if sampled is not None and sampled[1] * SAMPLE <= self._controller.clock.now:
+            self._sample(channel)  # the last sample is due at this moment, too
+        if channel in self._held:
+            del self._held[channel]
+            self._state_changed(channel, self.is_on(channel))
+
+    def _forget(self, channel: int) -> None:
+        for pending in (self._sampled.pop(channel, None), self._held.pop(channel, None)):
+            if pending is not None:
+                pending[-1].cancel()
 
     def _state_changed(self, channel: int, on: bool) -> None:
         if self._bit("INPUTPOSTRIGGER" if on else "INPUTNEGTRIGGER", channel):
@@ -149,13 +196,13 @@ def read_bit(environment: Environment, row: Keyword) -> Operation:
 
 
 def read_level_bank(environment: Environment, row: Keyword) -> Operation:
-    levels = environment.controller.inputs
-    return lambda bank: bits_of(bank, levels.__getitem__)
+    inputs = environment.part(Inputs)
+    return lambda bank: bits_of(bank, inputs.level)
 
 
 def read_level_bit(environment: Environment, row: Keyword) -> Operation:
-    levels = environment.controller.inputs
-    return lambda channel: int(levels[checked(channel)] != 0)
+    inputs = environment.part(Inputs)
+    return lambda channel: int(inputs.level(checked(channel)))
 
 
 def _bank(bank: int) -> int:
@@ -192,17 +239,20 @@ ROWS = (
             "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",
             "PRINT INX(3)", default=0.0, group="io", driven="input"),
     Keyword("INSTATE", "", "reading", "R", "bank", "bits", Actions(read=read_level_bank),
-            "The electrical levels of a bank of inputs, whatever their active level, debouncing and edges.",
+            "The electrical levels of a bank of inputs, whatever their active level and edges. With debouncing they "
+            "are those of the last sample.",
             "PRINT INSTATE(0)", default=0.0, group="io", driven="input"),
     Keyword("INSTATEX", "isx", "reading", "R", "input", "bool", Actions(read=read_level_bit),
-            "The electrical level of one input.",
+            "The electrical level of one input; with debouncing, at the last sample.",
             "PRINT INSTATEX(3)", default=0.0, group="io", driven="input"),
     Keyword("INPUTACTIVELEVEL", "", "setting", "RW", "bank", "bits", _ACTIVE_LEVEL,
             "Bit pattern of the inputs that are active while their level is high; the others are active low.",
             "INPUTACTIVELEVEL(0) = 0xFFFE\nPRINT INX(0)", default=-1.0, group="io"),
-    Keyword("INPUTDEBOUNCE", "", "setting", "RW", "bank", "integer", _DEBOUNCE,
-            "How many samples of 1 ms the inputs of a bank must stay the same before their state follows.",
-            "INPUTDEBOUNCE(0) = 5\nPRINT INPUTDEBOUNCE(0)", default=0.0, low=0, high=1000, group="io"),
+    Keyword("INPUTDEBOUNCE", "idb", "setting", "RW", "bank", "integer", _DEBOUNCE,
+            "How many consecutive samples, 1 ms apart, must have the new level of an input before its state follows. "
+            "1 is no debouncing.",
+            "INPUTDEBOUNCE(0) = 5\nPRINT INPUTDEBOUNCE(0)", default=float(UNDEBOUNCED), low=1, high=10,
+            group="io"),
     _pattern("INPUTMODE", "Bit pattern of the inputs that report their edges (1) instead of their state (0).",
              "INPUTMODE(0) = 8\nPRINT INX(3)"),
     _pattern("INPUTPOSTRIGGER", "Bit pattern of the inputs whose becoming active is an edge and an event.",

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.hold_to_analogue import HOLD
+from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, checked
 from motionlang.mint.keywords.paths import set_mode
 from motionlang.mint.keywords.sensing import AXIS_MODE
 from motionlang.mint.runtime.binding import axis_of, of, of_word
@@ -38,9 +39,24 @@ def do_contour(environment: Environment, row: Keyword, axes: tuple[int, ...], li
         set_mode(environment, "CONTOURMODE", axis_of(environment, axis), row.name.endswith("ON"))
 
 
+class DefaultBank:
+    """The bank of 32 channels that keywords without brackets mean."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.number = 0
+
+    def set(self, number: int) -> None:
+        self.number = checked(number, LAST_CHANNEL // BANK, "bank")
+
+
 # ------------------------------------------------------------------------------------------------- keywords
 
 _CONTOUR_ACTIONS = Actions(do=of_word(Environment, do_contour))
+_BANK = Actions(
+    "default_bank",
+    read=of(DefaultBank, lambda bank: bank.number),
+    write=of(DefaultBank, lambda bank, number: bank.set(number)),
+)
 
 GROUP = "v4"
 _FAIL = "\nEnd\nEvent ONERROR\n  PRINT {0}\nEnd Event"
@@ -72,6 +88,10 @@ ROWS = (
             "Move an axis so that an analogue input holds this value (v4; HTA).",
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHOLDTOANALOG(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
             default=0.0, low=-100.0, high=100.0, group="motion", effect="act"),
+    Keyword("BANK", "", "setting", "RW", "none", "integer", _BANK,
+            "The bank of inputs or outputs that keywords such as IN, OUT and INPUTDEBOUNCE mean without brackets (v4).",
+            "BANK = 1\nINPUTDEBOUNCE = 3\nPRINT INPUTDEBOUNCE(1)", default=0.0, low=0, high=LAST_CHANNEL // BANK,
+            group=GROUP),
     _contour("CONTOURON", 0, "Run through paths without slowing down (v4; CONTOURMODE = 1 in MintMT)."),
     _contour("CONTOUROFF", 1, "Slow down between paths (v4; CONTOURMODE = 0 in MintMT)."),
 )  # fmt: skip
