@@ -193,8 +193,9 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     if args is None or not args:
         if len(names) > 1:
             b.problem("values", f"{row.name} needs {row.index} in brackets", node)
-        if kind == "bank" and row.group == "io" and b.whole.names.uses_bank:
-            return [_default_bank(b, node)]
+        bank = b.whole.names.default_bank
+        if kind == "bank" and row.group == "io" and bank is not None:
+            return [as_integer(b, value(b, nodes.Name(node.at, bank.name).resolve(None, bank)))]
         return ["0"] * len(names)
     many = names[-1] in ("axis", "axes") and not single
     if len(args) != len(names) and not (many and len(args) >= len(names)):
@@ -203,13 +204,6 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
         return ["0"] * len(names)
     what = [*names, *[names[-1]] * (len(args) - len(names))]
     return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]
-
-
-def _default_bank(b: Body, node: nodes.Name) -> str:
-    """Return the text that reads BANK."""
-    table = b.whole.names.table
-    word = table.doing("default_bank")
-    return as_integer(b, value(b, nodes.Name(node.at, word).resolve(None, table.get(word))))
 
 
 # Kinds of index that may be the only one in brackets.

@@ -107,8 +107,8 @@ class Names:
         self.module = self.main.scope
         # True if the program uses AXES, which sets the axes of keywords without brackets.
         self.uses_axes = self.typed
-        # True if the program uses BANK, which sets the bank of keywords without brackets.
-        self.uses_bank = self.typed
+        # The row of BANK, which sets the bank of keywords without brackets, if the program uses it.
+        self.default_bank = table.get(table.doing("default_bank")) if self.typed else None
         # True if the program uses TERMINAL, which sets where a PRINT without a number prints.
         self.uses_terminal = self.typed
         self._surveys: dict[Function, Survey] = {}
@@ -446,7 +446,8 @@ class Names:
             if row is not None and row.kind not in ("function", "constant"):
                 function.observes = True
                 self.uses_axes = self.uses_axes or row.verb == "default_axes"
-                self.uses_bank = self.uses_bank or row.verb == "default_bank"
+                if row.verb == "default_bank":
+                    self.default_bank = row
                 self.uses_terminal = self.uses_terminal or row.verb == "terminal.terminal"
             return
         if symbol.kind in ("variable", "parameter"):
