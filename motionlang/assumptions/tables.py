@@ -183,6 +183,7 @@ veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
     "mint.movebufferidlast": "movebufferidlast",
     "mint.movebufferlow": "movebufferlow",
     "mint.load-while-stopping": "stop st",
+    "mint.movebuffersize": "movebuffersize mb",
     "mint.movebufferid": "movebufferid mbi",
     "mint.moveout-between-two-paths": "moveout",
     "mint.feedrateparameter-axis-n": "feedrateparameter",

@@ -12,6 +12,7 @@ LARGEST = 8388607.0
 # What the pages print, typed from them: the default, the range, None where the page has none of it.
 PRINTED: dict[str, tuple[float | None, tuple[float, float] | None]] = {
     "INPUTDEBOUNCE": (1, (1, 10)),
+    "REMOTEMODE": (None, (0, 1)),
     "SPEED": (40000, (0, LARGEST)),
     "FEEDRATE": (40000, (0, LARGEST)),
     "FEEDRATEMODE": (0, (0, 3)),

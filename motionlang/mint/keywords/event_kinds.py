@@ -27,6 +27,17 @@ SINGLE = frozenset((
 ))  # fmt: skip
 
 
+# Kinds that a v4 label cannot handle: Mint v4 reports them to an embedded or a host application alone
+# [MN1270 p. 106].
+_NO_LABEL = frozenset(("mblow",))
+
+
+def label_event(name: str) -> tuple[str, int] | None:
+    """Return the kind and number of the event that a v4 label of this name handles, None if it handles none."""
+    found = kind_and_number(name)
+    return None if found is None or found[0] in _NO_LABEL else found
+
+
 def kind_and_number(name: str) -> tuple[str, int] | None:
     """Return the kind and number in a handler's name, None if it names no event."""
     word = name.lower()

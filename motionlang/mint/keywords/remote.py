@@ -81,6 +81,7 @@ class Node:
 
     def __init__(self) -> None:
         self.live = True
+        self.mode = 0
         self.memory = HostMemory()
         self.encoders: dict[int, int] = {}
         self.objects: dict[tuple[int, int], float | str] = {}
@@ -327,6 +328,14 @@ def _word(name: str, access: str, index: str, unit: str, actions: Actions, help:
                    group="remote", driven=driven)  # fmt: skip
 
 
+def _set_mode(nodes: Nodes, bus: int, node: int, mode: int) -> None:
+    nodes.node(bus, node).mode = mode
+
+
+_MODE = Actions(
+    read=of(Nodes, lambda nodes, bus, node: nodes.node(bus, node).mode), write=of(Nodes, _set_mode)
+)
+
 ROWS = (
     _word("REMOTEIN", "R", "bus, node", "bits", _bits("inputs"), "The inputs of a remote node as bits.",
           "PRINT REMOTEIN(1, 2)", "remote"),
@@ -344,6 +353,10 @@ ROWS = (
           "An analogue input of a remote node in percent.", "PRINT REMOTEADC(1, 2, 0)", "remote"),
     _word("REMOTEDAC", "RW", "bus, node, channel", "%", _percent("analogue_outputs"),
           "An analogue output of a remote node in percent.", "REMOTEDAC(1, 2, 3) = 100\nPRINT REMOTEDAC(1, 2, 3)"),
+    Keyword("REMOTEMODE", "", "setting", "RW", "bus, node", "integer", _MODE,
+            "How the analogue node sends its values: 0 as events, 1 cyclically, with each SYNC of the network. Here "
+            "both modes read the same.",
+            "REMOTEMODE(1, 2) = 1\nPRINT REMOTEMODE(1, 2)", default=0.0, low=0, high=1, group="remote"),
     _word("NODELIVE", "R", "bus, node", "bool", Actions(read=of(Nodes, read_live)),
           "1 for a node that the machine file speaks of, while it lives.", "PRINT NODELIVE(1, 2)"),
 )  # fmt: skip

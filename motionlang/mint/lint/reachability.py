@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.lang.lint import driven_inputs
-from motionlang.mint.keywords.event_kinds import kind_and_number
+from motionlang.mint.keywords.event_kinds import kind_and_number, label_event
 from motionlang.mint.lint.axis_state import IDLE, State
 from motionlang.mint.lint.effects import Facts
 from motionlang.mint.resolve.flowgraph import TEST
@@ -69,10 +69,12 @@ class Ways:
     def _labels(self, function: Function, labels: Mapping[str, Step]) -> None:
         targets = {node.name.lower() for node in walk(function.body) if type(node) is nodes.Jump}
         for name, step in labels.items():
-            handler = function.kind == "main" and kind_and_number(name) is not None
+            handler = function.kind == "main" and label_event(name) is not None
             if name not in targets and not handler and " " not in name:
                 assert type(step.node) is nodes.Label
-                self.add("unused-label", f"nothing goes to the label {step.node.name}", step.node.at)
+                event = function.kind == "main" and kind_and_number(name) is not None
+                hint = f"Mint v4 has no event {step.node.name} for programs; MintMT has one" if event else ""
+                self.add("unused-label", f"nothing goes to the label {step.node.name}", step.node.at, hint)
 
     # ---------------------------------------------------------------------------------------------- conditions
 

@@ -46,7 +46,7 @@ from __future__ import annotations
 
 from heapq import heappop, heappush
 
-from motionlang.mint.keywords.event_kinds import kind_and_number
+from motionlang.mint.keywords.event_kinds import label_event
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
@@ -307,7 +307,7 @@ class Graph:
                     step.no = label
         targets = {node.name.lower() for _, node in self._jumps}
         for name, step in self.labels.items():
-            if is_main and name not in targets and kind_and_number(name) is not None:
+            if is_main and name not in targets and label_event(name) is not None:
                 self.handlers[name] = step
         if self._after_gosub:
             back = self._new(DO, None, [])
