@@ -90,16 +90,37 @@ def plan_course(
     found = _ramps_of(lengths, paces, caps, v0, a0)
     if found is None:
         return None
-    return _joined(paces[0].shape, start, end, v0, a0, *found)
+    count, steps, ramps = found
+    profile = _joined(paces[0].shape, start, end, v0, a0, steps, ramps)
+    return profile if count == 1 else _eased(profile, stretches, joins, count - 1)
+
+
+def _eased(
+    profile: Profile, stretches: Sequence[tuple[float, Pace]], joins: Sequence[float], slowed: int
+) -> Profile:
+    """Plan again from the stretch on which a run that began too fast has slowed down, `slowed` before it.
+
+    It was run at the slowest of all up to there, and on that stretch no faster; return the sooner one of both.
+    """
+    place = total(length for length, _ in stretches[:slowed])
+    time = profile.crossing(place)
+    if time is None:
+        return profile
+    here = profile.at(time)
+    rest = plan_course(stretches[slowed:], 0.0, here.velocity, here.acceleration, joins[slowed:])
+    if rest is None or not time + rest.duration < profile.duration:
+        return profile
+    return profile.cut(time).then(rest.scaled(here.position, 1.0)).ending_at(profile.end)
 
 
 def _ramps_of(
     lengths: list[float], paces: list[Pace], caps: list[float], v0: float, a0: float
-) -> tuple[Steps, list[Ramp]] | None:
+) -> tuple[int, Steps, list[Ramp]] | None:
+    """The ramps of a run, and how many stretches from the first are run as one."""
     ramps = [pace.ramps() for pace in paces]
     if all(each.squares is not None for each in ramps):
         speeds = _by_squares(lengths, ramps, caps, v0)
-        return None if speeds is None else _between_all(lengths, paces, ramps, speeds, a0)
+        return None if speeds is None else (1, *_between_all(lengths, paces, ramps, speeds, a0))
     latest = _back(lengths, paces, ramps, caps)
     for k in range(1, len(lengths) + 1):
         # A run that begins too fast for its first segment uses the slowest pace of as many segments as it
@@ -115,7 +136,7 @@ def _ramps_of(
             following = exit_speed(ramps[i], lengths[i], speeds[-1], 0.0, latest[i + 1])
             speeds.append(latest[i + 1] if following is None else following)
         merged = [way, *lengths[k:]], [slow, *paces[k:]], [own, *ramps[k:]]
-        return _between_all(*merged, speeds, a0)
+        return k, *_between_all(*merged, speeds, a0)
     return None
 
 

@@ -138,3 +138,21 @@ def test_no_course_is_faster(first: int) -> None:
 @pytest.mark.long
 def test_no_course_is_faster_of_many() -> None:
     judge(10_000, 10_000)
+
+
+def test_a_run_that_slowed_down_for_one_stretch_speeds_up_on_the_next() -> None:
+    """At 30 it comes to a stretch for 10 and brakes with a jerk of 1000 for the 0.04 s that the stretch takes.
+
+    It is then at 30 - 500 * 0.04² = 29.2 and braking at 40. That fades in another 0.04 s, and in 2 * 0.04 s it is back
+    at 30. The last 6 are those of a stop, in 30 / 100 + 100 / 1000 s.
+    """
+    first = 30.0 * 0.04 - 1000.0 * 0.04**3 / 6.0
+    limits = {"accel": 100.0, "decel": 100.0, "accel_jerk": 1000.0, "decel_jerk": 1000.0}
+    stretches = [(first, Pace("scurve", 10.0, **limits)), (100.0, Pace("scurve", 30.0, **limits))]
+    made = plan_course(stretches, 0.0, 30.0)
+    assert made is not None
+    fading = 29.2 * 0.04 - 20.0 * 0.04**2 + 1000.0 * 0.04**3 / 6.0
+    slew = (100.0 - fading - 29.2 * 0.08 - 6.0) / 30.0
+    assert made.end == first + 100.0
+    assert made.velocity(0.08) == pytest.approx(28.4)
+    assert made.duration == pytest.approx(0.16 + slew + 0.4)
