@@ -1,7 +1,7 @@
-"""The command line: which command is meant, and what becomes of a closed pipe or Ctrl-C.
+"""The command line: selection of the command, closed pipes and Ctrl-C.
 
-The commonest lines, `run FILE` with at most a report, a dialect, `--profile` and `--no-cache`, are understood here
-without argparse, whose import alone takes as long as such a run; a test holds both readings equal.
+The most frequent lines, `run FILE` with at most a report, a dialect, `--profile` and `--no-cache`, are parsed
+here without argparse, whose import alone takes as long as such a run. A test holds both parsers equal.
 """
 
 from __future__ import annotations
@@ -20,14 +20,15 @@ if TYPE_CHECKING:
 
     from motionlang.cli.options import Options
 
-# The exit status where whoever read standard output went away: 128 and SIGPIPE's number, as shells have it.
+# The exit status if the reader of standard output has gone: 128 and SIGPIPE's number, like in shells.
 PIPE_CLOSED = 141
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command; the exit status is 0, 1 (the program is wrong or faulted) or 2 (the command line is wrong).
+    """Run one command and return its exit status: 0, 1 or 2.
 
-    See docs/cli.md for the others. Whatever ends it, nobody is shown a traceback.
+    1 means that the program is wrong or faulted, 2 that the command line is wrong; see docs/cli.md for the
+    others. No error ends in a traceback.
     """
     given = sys.argv[1:] if arguments is None else list(arguments)
     seen: set[str] = set()
@@ -40,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     finally:
         errors.report_old_name = errors.warn_of_old_name
         if arguments is None and hasattr(gc, "freeze"):
-            gc.freeze()  # the process ends, and what is left goes with it: the collector need not look through it
+            gc.freeze()  # the process ends, so the collector need not examine the remaining objects
 
 
 def _note(text: str, seen: set[str]) -> None:
@@ -59,7 +60,8 @@ def _guarded(given: list[str]) -> int:
         silence()
         return PIPE_CLOSED
     except OSError as error:
-        # Every file has answered for itself by now: what is left is standard output, on a full disk for one.
+        # Every other file has reported its errors by now: this is standard output, for example on a full
+        # disk.
         sys.stderr.write(
             f"motionlang: the output cannot be written: {(error.strerror or str(error)).lower()}\n"
         )
@@ -81,7 +83,7 @@ def _guarded(given: list[str]) -> int:
 
 
 def quick_options(given: Sequence[str]) -> Options | None:
-    """The options of a plain `run` line; None for every line that argparse must read."""
+    """Return the options of a plain `run` line; None for lines that need argparse."""
     if not given or given[0] != "run":
         return None
     from motionlang.cli.options import REPORTS, Options
@@ -111,7 +113,7 @@ def quick_options(given: Sequence[str]) -> Options | None:
 
 
 def _command(given: Sequence[str]) -> int:
-    gc.disable()  # what is loaded stays, and the collector would look at it; a run collects for itself
+    gc.disable()  # loaded objects stay, and need no collection; a run collects for itself
     try:
         if given[:1] == ["run"]:
             SIGNALS.hold()  # until the run can report how it ended

@@ -1,4 +1,4 @@
-"""`motionlang run --certify`: the limits of the machine against what a run reached, of a program or a folder."""
+"""`motionlang run --certify`: machine limits and extremes of a program or folder."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from motionlang.cli.options import Options
     from motionlang.result import Run
 
-# Programs without limits that are named.
+# Maximum programs without limits that are named.
 MOST_NAMED = 5
 
 
 def certify(result: Run, machine: str | None) -> list[Limit]:
-    """The certificate of a run on a machine file; what speaks against it becomes diagnostics of the run."""
+    """Return the certificate of a run; objections become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
     if machine is None:
         stem = os.path.splitext(result.source.name)[0]
@@ -56,7 +56,7 @@ def _text_of(machine: str | None) -> str:
 
 
 def certify_folder(folder: str, options: Options) -> int:
-    """The certificates of all programs of a folder, each on the machine beside it; 1 where one cannot be signed.
+    """Certify all programs of a folder, each on its machine; 1 if one fails.
 
     Programs whose machine has no limits are named at the end.
     """

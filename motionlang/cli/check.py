@@ -1,4 +1,4 @@
-"""`motionlang check`: every mistake and every warning of every file, nothing run."""
+"""`motionlang check`: errors and warnings of every file, without a run."""
 
 from __future__ import annotations
 
@@ -49,10 +49,10 @@ examples:
 
 
 class CheckOptions:
-    """What the command line asks of a check: `strict` counts warnings as mistakes, `evidence` lists open readings.
+    """The options of a check.
 
-    `fix` writes what can only have been meant one way. `form` is one of `views.findings.FORMATS`, `jobs` how many
-    processes there are, 0 for as many as there are cores.
+    `strict` counts warnings as errors, `evidence` lists open assumptions. `fix` writes unambiguous fixes.
+    `form` is one of `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
     """
 
     __slots__ = ("dialect", "evidence", "fix", "form", "jobs", "machine", "model", "strict")
@@ -74,7 +74,7 @@ class CheckOptions:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang check` and its options."""
+    """Add `motionlang check` and its options."""
     parser = add_command(commands, "check", summary, _check_files, EPILOG)
     parser.add_argument(
         "files", metavar="FILE", nargs="+", help="programs, or folders with programs; - reads standard input"
@@ -131,7 +131,7 @@ def _check_files(arguments: argparse.Namespace) -> int:
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
     """Check files and the programs of folders; 1 if any has an error.
 
-    Diagnostics go to standard error, a line a file to standard output.
+    Diagnostics go to standard error, one line per file to standard output.
     """
     rows: list[dict[str, object]] = []
     wrong = False
@@ -172,7 +172,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
 def _tell_evidence(
     language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
 ) -> None:
-    """The open readings that a program depends on, with their strength: printed, or put into its row."""
+    """Print the open assumptions of a program with strength, or add them to its row."""
     from motionlang.assumptions.entries import readings
     from motionlang.assumptions.used import depended_on
     from motionlang.views.readings import as_dict, listing
@@ -188,7 +188,7 @@ def _tell_evidence(
 def _looked_at(
     file: str, options: CheckOptions
 ) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic], list[Fixed]]:
-    """The findings of `_check`, and the fixes that were made before; none if `--fix` is not given."""
+    """Return the findings of `_check`, and the fixes made before with `--fix`."""
     found = _check(file, options)
     language, source, settings, diagnostics = found
     if not options.fix or file == STDIN or settings is None or source is None:
@@ -208,9 +208,10 @@ def _looked_at(
 def _check(
     file: str, options: CheckOptions
 ) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic]]:
-    """The language, the source that the diagnostics are about (the program or its machine file), the diagnostics.
+    """Return language, source, machine settings and diagnostics.
 
-    Before the diagnostics stand the settings of its machine, None where the program could not be looked at.
+    The source is the program or its machine file, which the diagnostics are about. The settings are None if
+    the program could not be checked.
     """
     language = dialect(options.dialect) if options.dialect is not None else dialect_of(file)
     if language is None:

@@ -1,4 +1,4 @@
-"""The whole command line, read by argparse: which commands there are, and the door to each."""
+"""The complete command line, parsed by argparse: its commands, imported on demand."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 PROGRAM = "motionlang"
-# Every command: the module that has its options, imported only where the command is meant, and what it does.
+# Every command: the module that has its options, imported only for this command, and its summary.
 COMMANDS = {
     "run": ("run_options", "run a program on the virtual machine and report what it did"),
     "check": ("check", "report every mistake and every warning of every file; nothing is run"),
@@ -55,7 +55,7 @@ examples:
 
 
 def parse(given: Sequence[str]) -> int:
-    """Read a command line and run its command; argparse ends the process with 2 where it is wrong."""
+    """Parse a command line and run its command; argparse exits with 2 on errors."""
     if given and given[0] == "help":
         given = [*given[1:2], "--help"]
     parser = build_parser(given[0] if given else "")
@@ -70,13 +70,13 @@ def parse(given: Sequence[str]) -> int:
     try:
         command: Callable[[argparse.Namespace], int] = arguments.command
         return command(arguments)
-    except ProgramError as error:  # of a machine that cannot be built as the command line has it
+    except ProgramError as error:  # for a machine that cannot be built from the command line
         complain(error.diagnostics, None, "")
         return 1
 
 
 def _with_factor(given: Sequence[str]) -> list[str]:
-    """`--realtime FILE` said as `--realtime=1 FILE`: argparse would take the file for the factor."""
+    """Rewrite `--realtime FILE` to `--realtime=1 FILE` for argparse."""
     words = list(given)
     for i, word in enumerate(words):
         following = words[i + 1] if i + 1 < len(words) else ""
@@ -86,7 +86,10 @@ def _with_factor(given: Sequence[str]) -> list[str]:
 
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
-    """The parser with all commands; the options are those of one of them, or of all where `command` is "*"."""
+    """Return the parser with all commands.
+
+    The options are those of one command, or of all if `command` is "*".
+    """
     parser = Parser(
         prog=PROGRAM,
         description="Run programs of motion controllers offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",

@@ -1,4 +1,4 @@
-"""`motionlang compare`: what a real controller recorded, held against what the run says."""
+"""`motionlang compare`: a real controller's recording compared with the run."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ examples:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang compare` and its options."""
+    """Add `motionlang compare` and its options."""
     parser = add_command(commands, "compare", summary, _command, EPILOG)
     parser.add_argument("file", metavar="FILE", help="the program")
     parser.add_argument(
@@ -64,7 +64,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def add_mapping(parser: argparse.ArgumentParser) -> None:
-    """What a recording's columns are, and how late it is."""
+    """Add the options for the columns of a recording, and its delay."""
     parser.add_argument(
         "--map",
         action="append",
@@ -129,9 +129,9 @@ def _command(arguments: argparse.Namespace) -> int:
 
 
 def hold_against(result: Run, path: str, tolerances: dict[str, float], arguments: argparse.Namespace) -> int:
-    """Hold a recording against a run and tell; answers with the exit status.
+    """Compare a recording with a run, print the result, and return the exit status.
 
-    The other arguments are `map`, `delay`, `plot`, `all` and `json`, as `compare` and `diff` have them.
+    The other arguments are `map`, `delay`, `plot`, `all` and `json`, as in `compare` and `diff`.
     """
     from motionlang.analysis.compare.comparison import compare
 
@@ -152,7 +152,7 @@ def hold_against(result: Run, path: str, tolerances: dict[str, float], arguments
 
 
 def _ran(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Run | None:
-    """The run; None where there is none to compare with."""
+    """Return the run; None if there is none to compare with."""
     settings: dict[str, object] = {}
     overrides: dict[str, float | str] = {}
     set_values(arguments.set, settings, overrides, parser)

@@ -1,4 +1,4 @@
-"""What went wrong, told on standard error: diagnostics, and why nothing was run."""
+"""Errors on standard error: diagnostics, and reasons for not running."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def unreadable(file: str, error: OSError) -> Diagnostic:
-    """The diagnostic of a file that cannot be read."""
+    """Return the diagnostic of a file that cannot be read."""
     from motionlang.errors import Diagnostic
     from motionlang.files import reason
 
@@ -25,7 +25,7 @@ def unreadable(file: str, error: OSError) -> Diagnostic:
 
 
 def unwritten(file: str, error: OSError) -> Diagnostic:
-    """The diagnostic of a file that cannot be written."""
+    """Return the diagnostic of a file that cannot be written."""
     from motionlang.errors import Diagnostic
     from motionlang.files import reason
 
@@ -33,7 +33,7 @@ def unwritten(file: str, error: OSError) -> Diagnostic:
 
 
 def no_dialect(file: str) -> Diagnostic:
-    """The diagnostic of a file whose name does not say its language."""
+    """Return the diagnostic of a file whose name does not show its language."""
     from motionlang.errors import Diagnostic
 
     name = "standard input" if file == STDIN else file
@@ -46,7 +46,7 @@ def no_dialect(file: str) -> Diagnostic:
 
 
 def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str) -> None:
-    """Show diagnostics on standard error, after everything that standard output has so far."""
+    """Show diagnostics on standard error, after all present output."""
     if not diagnostics:
         return
     from motionlang.views.diagnostics import render_all
@@ -66,7 +66,7 @@ def refuse(
     status: int,
     outcome: str = "fault",
 ) -> int:
-    """Say why nothing was run, in JSON too where that was asked for."""
+    """Report why nothing was run, also in JSON if requested."""
     if options.report == "json":
         from motionlang.report import failure
 

@@ -1,4 +1,4 @@
-"""`motionlang completion`: what a shell reads to complete the command line, made from the parser that reads it."""
+"""`motionlang completion`: a shell completion script, made from the parser."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 SHELLS = ("bash", "zsh", "fish")
-# What is a file, by how the help names it.
+# Names of files in the help.
 FILES = ("FILE", "PATH", "M.toml")
 
 
@@ -29,7 +29,7 @@ examples:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang completion` and its options."""
+    """Add `motionlang completion` and its options."""
     parser = add_command(commands, "completion", summary, completion_command, EPILOG)
     parser.add_argument("shell", choices=SHELLS, help="the shell; needs the extra completion")
 
@@ -48,7 +48,7 @@ def completion_command(arguments: argparse.Namespace) -> int:
 
 
 def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:
-    """Every option and every argument of a command line, those of its commands too."""
+    """Yield every option and argument of a command line, including its commands."""
     for action in parser._actions:
         yield action
         if isinstance(action, argparse._SubParsersAction):

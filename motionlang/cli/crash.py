@@ -1,6 +1,7 @@
-"""A mistake of motionlang's own: what is needed to find it, in a folder, and where that lies.
+"""Internal errors: their circumstances are stored in a folder, which is reported.
 
-The last guard of the command line: nobody is shown a traceback, and nothing that was computed is lost by one.
+This is the last guard of the command line: no error ends in a traceback, and no computed result is lost by
+one.
 """
 
 from __future__ import annotations
@@ -25,14 +26,15 @@ if TYPE_CHECKING:
 
 MACHINE = ".toml"
 REPORT = "crash.txt"
-# Folders of crashes before this one that may lie beside it.
+# The maximum of existing crash folders next to a new one.
 MOST = 1000
 
 
 def crash(error: BaseException, arguments: Sequence[str], source: Source | None = None) -> Diagnostic:
-    """The message for an unexpected error, whose circumstances are stored; `source` is a program without a file.
+    """Store the circumstances of an unexpected error and return its message.
 
-    An error that came of a missing library has its own message, with the code "extra", and nothing is stored.
+    `source` is a program without a file. An error caused by a missing library has its own message, with the
+    code "extra", and nothing is stored.
     """
     lacking = missing(error, "this run")
     if lacking is not None:
@@ -66,7 +68,7 @@ def _bundle(error: BaseException, arguments: Sequence[str], source: Source | Non
 
 
 def _folder() -> str:
-    """A new folder that nobody else may look into."""
+    """Return a new folder that no other user may read."""
     for number in range(MOST):
         path = os.path.join(tempfile.gettempdir(), f"motionlang-crash-{os.getpid()}-{number}")
         try:
@@ -78,7 +80,10 @@ def _folder() -> str:
 
 
 def _inputs(arguments: Sequence[str]) -> Iterable[str]:
-    """The programs and machine files that a command line names, and the machine files beside the programs."""
+    """Yield the programs and machine files of a command line.
+
+    They include the machine files next to the programs.
+    """
     for word in arguments:
         path = word.partition("=")[2] if word.startswith("--") else word
         if path == STDIN:

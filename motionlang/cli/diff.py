@@ -1,4 +1,7 @@
-"""`motionlang diff A [B]`: two programs, machines or variants, or a program and its golden files or a recording."""
+"""`motionlang diff A [B]`: two programs, machines or variants, or a golden file.
+
+A program may also be compared with a recording.
+"""
 
 from __future__ import annotations
 
@@ -49,12 +52,12 @@ examples:
   motionlang diff pick.mnt --variant-a 0 --variant-b 12   two variants of pick.sweep.toml
   motionlang diff pick.mnt drive.csv --map position.0=PosAct --tolerance position=0.05uu
 """
-# What a recording is called; anything else is a program or a report.
+# The suffixes of a recording; any other file is a program or a report.
 RECORDED = (".csv", ".tsv", ".dat")
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang diff` and its options."""
+    """Add `motionlang diff` and its options."""
     parser = add_command(commands, "diff", summary, diff_command, EPILOG)
     add = parser.add_argument
     add("a", metavar="A", help="a program, or a report")
@@ -92,7 +95,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def diff_command(arguments: argparse.Namespace) -> int:
-    """Compare and tell; answers with the exit status."""
+    """Compare, print the result, and return the exit status."""
     parser = arguments.parser
     try:
         tolerance = Tolerance(*arguments.tolerance)
@@ -119,7 +122,7 @@ def diff_command(arguments: argparse.Namespace) -> int:
             return 1
         sides.append(read)
     if golden:
-        sides.reverse()  # what was comes first
+        sides.reverse()  # the old one comes first
     (old, old_run), (new, new_run) = sides
     found = difference(old, new, tolerance)
     parted, charges = None, []
@@ -139,7 +142,7 @@ def diff_command(arguments: argparse.Namespace) -> int:
 
 
 def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) -> int:
-    """A run held against a recording; answers with the exit status."""
+    """Compare a run with a recording and return the exit status."""
     if arguments.a.lower().endswith(".json"):
         arguments.parser.error("a recording is held against a program, and A is a report")
     read = _side(arguments, "a", arguments.a)
@@ -150,7 +153,7 @@ def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) ->
 
 
 def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:
-    """The page of the new run with the old one behind it; 1 where it could not be written."""
+    """Write the page of the new run with the old one behind it; 1 on failure."""
     if old is None or new is None:
         parser.error("--plot draws two runs, and one of these is a report")
     from motionlang.views.scope import write_scope
@@ -159,7 +162,10 @@ def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.Argument
 
 
 def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str, Any], Run | None] | None:
-    """The report of one side, and its run where it is a program; None where there is none, which has been told."""
+    """Return the report of one side, and its run if it is a program.
+
+    None if there is none, which has been reported.
+    """
     try:
         if path.lower().endswith(".json"):
             return _report(path)
@@ -202,7 +208,10 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
 def _variant(
     program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
 ) -> tuple[dict[str, object], dict[str, float | str]]:
-    """Settings and overrides of a variant of the sweep that lies beside a program; ValueError where there is none."""
+    """Return settings and overrides of a variant of the sweep next to a program.
+
+    Raises ValueError if there is none.
+    """
     from motionlang.analysis.sweeps import Sweep
     from motionlang.analysis.sweeps.description import SUFFIX, read_description
 
@@ -239,7 +248,7 @@ def _golden(program: str) -> tuple[dict[str, Any], Run | None] | None:
 
 
 def _report(path: str) -> tuple[dict[str, Any], None] | None:
-    """A report from its file; None where the file is none, or was cut off."""
+    """Return a report from its file; None if it is none, or truncated."""
     with open(path, encoding="utf-8", errors="replace") as file:
         try:
             found = json.load(file)

@@ -1,6 +1,6 @@
-"""What of a run that went to its end makes its exit status 1 all the same: limits, following errors, faults.
+"""Events that make a completed run exit with 1: limits, following errors, faults.
 
-`--allow` takes kinds of them off.
+`--allow` removes kinds of them.
 """
 
 from __future__ import annotations
@@ -9,24 +9,27 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.result import Run
 
-# What `--allow` names: the events that are then no matter.
+# The names of `--allow`: the events that are then ignored.
 ALLOWED = {
     "limit": ("limit",),
     "soft-limit": ("soft limit",),
     "following-error": ("following error",),
     "fault": ("fault", "abort", "e-stop"),
 }
-# Faults that are nothing where the program handles them: others are something in any case.
+# Faults that are ignored if the program handles them; others always count.
 _HANDLED = ALLOWED["fault"]
 
 
 def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
-    """A sentence for each kind of event and axis that is not allowed: the first of them, with its line."""
+    """Return a sentence for the first event of each kind and axis not allowed.
+
+    It has the line.
+    """
     from motionlang.controller.triggers.events import HOMING
 
     # The last handler that was entered, by None, and where the faults of each axis were last cleared.
     handled: dict[int | None, int] = {}
-    # As plain tuples: to import what a record is takes as long as an empty Python to start.
+    # As plain tuples: importing the record type takes as long as starting an empty Python.
     events = list(run.machine.log.events.as_kept())
     for place, (_, kind, axis, *_) in enumerate(events):
         if kind == "handler":

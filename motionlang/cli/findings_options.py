@@ -1,4 +1,4 @@
-"""How findings are printed: the options that `check` and `verify` share."""
+"""The form of findings: options that `check` and `verify` share."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def add_form(parser: argparse.ArgumentParser) -> None:
-    """--format and --json."""
+    """Add --format and --json."""
     parser.add_argument(
         "--format",
         choices=FORMATS,

@@ -1,4 +1,4 @@
-"""`motionlang check --fix`: what can only have been meant one way is written so, and nothing else of a file changes."""
+"""`motionlang check --fix`: unambiguous corrections, and no other change."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MAX_PASSES = 1_000
 
 
 class Fixed(NamedTuple):
-    """One place of a file that was written otherwise: where it stood, and what stood and stands there."""
+    """One correction in a file: its position, and the text before and after."""
 
     line: int
     column: int
@@ -30,11 +30,12 @@ class Fixed(NamedTuple):
 
 
 def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]) -> list[Fixed]:
-    """Write the fixes of diagnostics into their file, and return them. OSError if it cannot be read or written.
+    """Write the fixes of diagnostics to their file, and return them.
 
-    `check(text)` gives the diagnostics of a text. A check stops at a number of mistakes, so fixes are made and checked
-    for until none is left; the file is written once, with all of them. Line ends stay as they are. A file that is not
-    UTF-8, or that has lone carriage returns, stays as it is.
+    `check(text)` gives the diagnostics of a text. A check stops at a number of errors, so fixes are made and
+    checked until none is left; the file is written once, with all of them. Line ends do not change. A file
+    that is not UTF-8, or that has lone carriage returns, does not change. Raises OSError if it cannot be read
+    or written.
     """
     if not any(each.fix for each in found):
         return []
@@ -61,7 +62,7 @@ def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[
 
 
 def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
-    """A text with the fixes of its diagnostics made, and these; of two that overlap, the later one."""
+    """A text with its fixes, and the fixes made; of two that overlap, the later one."""
     wanted = [each for each in found if each.fix and each.line and each.column]
     lines = text.split("\n")
     made: list[Fixed] = []

@@ -1,7 +1,8 @@
-"""Golden files: what a program is known to do, kept beside it.
+"""Golden files: the known result of a program, next to it.
 
-`pick.mnt` has its report in `pick.golden.json` and what it prints in `pick.golden.txt`. Texts must be equal to the
-letter; figures agree when they differ by no more than a billionth, so that another mathematical library is no fault.
+`pick.mnt` has its report in `pick.golden.json` and its printed output in `pick.golden.txt`. Texts must be
+equal. Figures agree if they differ by no more than a billionth, so that another mathematical library is no
+error.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ MOST_DIFFERENCES = 8
 
 
 def programs(paths: Sequence[str]) -> list[str]:
-    """The programs that the paths name, those of a folder by their suffixes, in order."""
+    """Return the programs of the paths, those of a folder by their suffixes, in order."""
     found: list[str] = []
     suffixes = tuple(suffix for name in dialects() for suffix in dialect(name).suffixes)
     for path in paths:
@@ -40,13 +41,16 @@ def programs(paths: Sequence[str]) -> list[str]:
 
 
 def golden_files(program: str) -> tuple[str, str]:
-    """Where the report and the printed output of a program are kept."""
+    """Return the files of the report and the printed output of a program."""
     stem = os.path.splitext(program)[0]
     return f"{stem}.golden.json", f"{stem}.golden.txt"
 
 
 def differences(program: str, result: Run) -> list[str]:
-    """How a program's run differs from its golden files; OSError where one cannot be read, ValueError for no report."""
+    """Return how a program's run differs from its golden files.
+
+    Raises OSError if one cannot be read, ValueError if it is no report.
+    """
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
@@ -83,7 +87,7 @@ def write(program: str, report: str, output: Sequence[str]) -> None:
     path, printed = golden_files(program)
     with replacing(path, only_copy=True) as file:
         file.write(report.encode())
-        file.flush()  # the disk has it before the other one is there
+        file.flush()  # it is on the disk before the other one exists
         os.fsync(file.fileno())
         if output:
             with replacing(printed, only_copy=True) as other:
@@ -97,5 +101,5 @@ def _lines(output: Sequence[str]) -> str:
 
 
 def same(expected: object, found: object) -> bool:
-    """Whether two values are one, figures within a billionth."""
+    """True if two values are equal, figures within a billionth."""
     return EXACT.same(expected, found)

@@ -1,4 +1,4 @@
-"""What a run reads: the program, from a file or standard input, and the machine file."""
+"""The inputs of a run: the program, from a file or standard input, and machine."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ if TYPE_CHECKING:
 
 
 def read_source(file: str) -> Source:
-    """The program of a file, or of standard input for `-`; OSError where it cannot be read."""
+    """Return the program of a file, or of standard input for `-`; may raise OSError."""
     if file == STDIN:
         return Source.from_bytes(STDIN_NAME, contents(sys.stdin.buffer))
     return Source.read(file)
 
 
 def read_machine_file(options: Options, settings: dict[str, object]) -> int:
-    """Put the machine file's settings below those of `--set`."""
+    """Merge the machine file's settings with those of `--set`, which override them."""
     from motionlang.errors import ProgramError
 
     assert options.machine is not None
@@ -41,9 +41,9 @@ def read_machine_file(options: Options, settings: dict[str, object]) -> int:
 
 
 def _settings(source: Source, cached: bool) -> dict[str, object]:
-    """The settings of a machine file, from the cache where that has them.
+    """Return the settings of a machine file, from the cache if it has them.
 
-    The library that reads such a file takes as long to import as an empty Python to start.
+    The library that reads such a file takes as long to import as starting an empty Python.
     """
     from motionlang.cache import machine_entry
 

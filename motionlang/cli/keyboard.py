@@ -1,4 +1,4 @@
-"""A person at the keyboard of a run in real time: keys reach the program as they are pressed, lines when it asks."""
+"""Keyboard input in a real-time run: single keys at once, lines on request."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CHUNK = 1024
 
 
 class Keyboard(RealTime):
-    """Real time, and whatever can be read from `file` in the meantime is typed by the operator."""
+    """Real time, with the input of `file` in the meantime typed by the operator."""
 
     def __init__(self, file: int, factor: float = 1.0) -> None:
         super().__init__(factor)
@@ -34,12 +34,12 @@ class Keyboard(RealTime):
             return
         text = os.read(self._file, CHUNK)
         if not text:
-            self._file = None  # nobody is there any more
+            self._file = None  # the input has ended
             return
         self.ask(lambda: self._type(text.decode("latin-1")))
 
     def may_act(self) -> bool:
-        """Only a program that listens to the keyboard can be helped by it."""
+        """True if the program reads the keyboard, and so can be helped by it."""
         assert self.machine is not None
         return self._file is not None and self.machine.has_operator
 
@@ -49,7 +49,7 @@ class Keyboard(RealTime):
 
 
 def run_live(run: Callable[[Keyboard | None], Result], factor: float) -> Result:
-    """What `run` makes of a keyboard, or of none where nobody sits at one."""
+    """Call `run` with a keyboard, or with None if there is no terminal."""
     if not is_live():
         return run(None)
     file = sys.stdin.fileno()
@@ -58,7 +58,7 @@ def run_live(run: Callable[[Keyboard | None], Result], factor: float) -> Result:
 
 
 def is_live() -> bool:
-    """Whether a person sits at the keyboard of a terminal that tells of single keys."""
+    """True if standard input is a terminal that reports single keys."""
     if not sys.stdin.isatty():
         return False
     try:
@@ -70,7 +70,7 @@ def is_live() -> bool:
 
 @contextmanager
 def single_keys(file: int) -> Iterator[None]:
-    """The terminal tells of every key at once and shows none by itself; Ctrl-C still interrupts."""
+    """Make the terminal report each key at once without echo; Ctrl-C still interrupts."""
     import termios
     import tty
 

@@ -1,4 +1,4 @@
-"""`motionlang keywords`: the vocabulary of a language as a list, one word as a page."""
+"""`motionlang keywords`: the keywords of a language as a list, or one as a page."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.lang.keyword import Keyword
 
-# Of a word whose meaning is remembered.
+# For a keyword whose meaning is remembered.
 MEANING = "what it means is open, too: run the example here and where axes may move so, and compare"
 SCHEMA = "motionlang.keywords/1"
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang keywords` and its options."""
+    """Add `motionlang keywords` and its options."""
     parser = add_command(commands, "keywords", summary, _keywords)
     parser.add_argument(
         "name",
@@ -49,7 +49,7 @@ def _keywords(arguments: argparse.Namespace) -> int:
 
 
 def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:
-    """Print the list, the page of a word or the list of a group; 1 when no language has what is named."""
+    """Print the list, the page of a keyword or the list of a group; 1 if unknown."""
     names = dialects() if dialect_name is None else (dialect_name,)
     tables = {each: dialect(each).table() for each in names}
     single = name is not None
@@ -82,7 +82,7 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
 
 
 def _group(name: str, tables: Mapping[str, Iterable[Keyword]]) -> dict[str, list[Keyword]]:
-    """The words of a group, by the languages that have one of that name."""
+    """Return the keywords of a group, by the languages that have it."""
     found = {
         each: [row for row in table if (row.group or row.kind).lower() == name.lower()]
         for each, table in tables.items()
@@ -105,7 +105,7 @@ def _print(found: dict[str, list[Keyword]], single: bool) -> None:
 
 
 def _page(row: Keyword, language: str, width: int, colour: bool) -> str:
-    """Everything that is known of a word, and what is left open."""
+    """Return all facts of a keyword, and its open assumptions."""
     text = page([row], language, width=width, colour=colour)
     questions = of_word(language, row)
     if row.example and of_word_facts(language, row)["meaning"].strength not in SETTLED:

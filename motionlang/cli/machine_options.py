@@ -1,4 +1,4 @@
-"""The options about the machine and its language, which several commands have."""
+"""The options for the machine and its language, shared by several commands."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_machine(parser: argparse.ArgumentParser) -> None:
-    """What `run`, `repl` and `serve` need to know about the machine."""
+    """Add the machine options of `run`, `repl` and `serve`."""
     add_dialect(parser)
     parser.add_argument(
         "--machine",
@@ -45,7 +45,10 @@ def set_values(
     overrides: dict[str, float | str],
     parser: argparse.ArgumentParser,
 ) -> None:
-    """Sort NAME=VALUE pairs into settings (a dot in the name) and variables; a wrong one: status 2."""
+    """Sort NAME=VALUE pairs into settings (a dot in the name) and variables.
+
+    An invalid one exits with status 2.
+    """
     for pair in pairs:
         name, equals, text = pair.partition("=")
         name = name.strip()
@@ -62,7 +65,7 @@ def set_values(
 
 
 def _setting(text: str) -> object:
-    """A machine key's value as the machine file would have it; a bare word is a text."""
+    """A machine key's value like that of the machine file; a bare word is a text."""
     try:
         return read_value(text)
     except ProgramError:  # no TOML, more digits than Python reads, or nested too deeply
@@ -70,7 +73,7 @@ def _setting(text: str) -> object:
 
 
 def _value(text: str) -> float | str:
-    """A number where it reads as one."""
+    """Return a number if the text is one."""
     try:
         return float(text)
     except ValueError:

@@ -1,4 +1,4 @@
-"""What the command line asks of a run, and what may be asked: reports, formats of files, rates."""
+"""The options of a run on the command line: reports, file formats, rates."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
 PLOTS = (".png", ".svg", ".html")
 PROFILES = (".json", ".trace.json", ".speedscope.json")
 RATE = 1000.0
-# TN1069: trajectory points a second, and samples of the loop that goes from one to the next in a straight line.
+# TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
 
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Options:
-    """What the command line asks of a run."""
+    """The command line's options of a run."""
 
     __slots__ = (
         "allow",
@@ -59,21 +59,21 @@ class Options:
         self.realtime: float | None = None
         self.trace: str | None = None
         self.rate = RATE
-        # Trajectory points a second where the trace is to be as the controller computes it.
+        # Trajectory points per second if the trace has to be as the controller computes it.
         self.points: float | None = None
-        # What the trace has columns of, see Trace.choose; None for the usual ones.
+        # The columns of the trace, see Trace.choose; None for the usual ones.
         self.columns: list[str] | None = None
         self.plot: str | None = None
-        # What of the run the picture shows: see views.window.Window.
+        # The interval and axes of the run in the picture: see views.window.Window.
         self.window: tuple[float, float | None, Axes, Axes] = (0.0, None, None, None)
-        # `--set` by what it names: keys of the machine file, and names of the program.
+        # `--set` by key of the machine file, and by name of the program.
         self.settings: dict[str, object] = {}
         self.overrides: dict[str, float | str] = {}
         # `--input`, `--analog`, `--answer` and `--keys`, by the parameters of lang.machine.entries.with_entries.
         self.world: dict[str, list[str]] = {}
         self.nv: str | None = None
         self.cache = True
-        # The command line itself, to be told where it brought motionlang down.
+        # The command line itself, for crash reports.
         self.given: list[str] = []
         self.prove = False
         # The time profile: as a table, and as a file.
@@ -82,9 +82,9 @@ class Options:
         self.profile_to: str | None = None
         self.certify = False
         self.show_code = False
-        # Gigabytes that the log may take on the disk; None for the usual ones.
+        # Gigabytes that the log may take on the disk; None for the default.
         self.log_size: float | None = None
-        # What of the run's events does not make the exit status 1: names of cli.event_status.ALLOWED.
+        # The events that do not make the exit status 1: names of cli.event_status.ALLOWED.
         self.allow: frozenset[str] = frozenset()
 
     def __eq__(self, other: object) -> bool:

@@ -1,4 +1,7 @@
-"""`--trace` and `--plot`: checked before the run, so that eight hours are not run for nothing, and written after it."""
+"""`--trace` and `--plot`: checked before a run, so that it is not wasted.
+
+They are written after it.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,7 @@ _WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", "
 
 
 def wrong_target(option: str, path: str) -> str | None:
-    """What is wrong with the file that `option` names, as far as it can be told before the run."""
+    """Return the error of the file that `option` names, if it is known before the run."""
     formats = {"--trace": TRACES, "--plot": PLOTS, "--profile-to": PROFILES}[option]
     suffix = os.path.splitext(path)[1].lower()
     known = f"{', '.join(formats[:-1])} and {formats[-1]}"
@@ -41,14 +44,14 @@ def wrong_target(option: str, path: str) -> str | None:
 
 
 def need_writer(option: str, path: str) -> None:
-    """Raise MissingExtra if the library that writes the format of `path` is not installed."""
+    """Raise MissingExtra if the library that writes the format of `path` is missing."""
     suffix = os.path.splitext(path)[1].lower()
     if suffix in _WRITERS:
         need(f"{option} {suffix}", _WRITERS[suffix])
 
 
 def write_files(result: Run, options: Options) -> int:
-    """Write what was asked for; 1 when one of the files could not be written."""
+    """Write the requested files; 1 if one of them cannot be written."""
     status = 0
     if options.trace is not None:
         status = written(options.trace, lambda: _write_trace(result, options))
@@ -60,7 +63,10 @@ def write_files(result: Run, options: Options) -> int:
 
 
 def refused(path: str, options: Options) -> Diagnostic | None:
-    """The diagnostic of a file that cannot be written, as far as it can be told beforehand, or would be lost by it."""
+    """Return the diagnostic of a file that cannot be written, or would be overwritten.
+
+    It returns the ones that can be known beforehand.
+    """
     inputs = {
         "the program": None if options.file == STDIN else options.file,
         "the machine file": machine_of(options.file, options.machine),
@@ -74,7 +80,7 @@ def refused(path: str, options: Options) -> Diagnostic | None:
 
 
 def written(path: str, write: Callable[[], None]) -> int:
-    """The exit status of writing a file: 1 where it could not be written, which has been told."""
+    """Return the exit status of writing a file: 1 if it failed, which is reported."""
     try:
         write()
     except BrokenPipeError:
@@ -89,7 +95,7 @@ def written(path: str, write: Callable[[], None]) -> int:
     except OSError as error:
         complain([unwritten(path, error)], None, path)
         return 1
-    except ValueError as error:  # a window or a column of what the run does not have, or too much of it
+    except ValueError as error:  # a window or a column that the run does not have, or too many samples
         complain([Diagnostic("window", f"{path} was not written: {error}")], None, path)
         return 1
     return 0
@@ -133,7 +139,7 @@ def _write_profile(result: Run, options: Options) -> None:
 
 
 def _motors(result: Run) -> dict[int, ServoTrace]:
-    """What the simulated motors of a run did, by axis."""
+    """Return the traces of the simulated motors of a run, by axis."""
     if all(axis.feedback is None for axis in result.controller.axes.values()):
         return {}
     from motionlang.log.history import servo_traces

@@ -1,10 +1,10 @@
-"""Standard output and standard error of a server, whose writes never wait for a reader.
+"""Standard output and standard error of a server, whose writes never block.
 
-A pipe holds 64 KB and a terminal can be stopped with Ctrl-S. A write to either then waits for as long as the reader
-likes, and a server that waits there serves no host and ignores SIGTERM. So a thread writes to the descriptor, from a
-queue of at most `CAPACITY` characters. What does not fit is dropped and its lines are counted. When the queue has been
-written, a line on standard error reports the count, so a log shows where it has a gap. Regular files are written to
-directly: they take every write.
+A pipe holds 64 KB and a terminal can be stopped with Ctrl-S. A write to either then blocks for any time, and
+a server that blocks there serves no host and ignores SIGTERM. So a thread writes to the descriptor, from a
+queue of at most `CAPACITY` characters. Text that does not fit is dropped and its lines are counted. When the
+queue has been written, a line on standard error reports the count, so a log shows where it has a gap. Regular
+files are written to directly: they take every write.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from typing import Any, TextIO
 
 CAPACITY = 1 << 18
-# Seconds at the end for what is queued to be written.
+# Seconds at the end for writing the queue.
 FAREWELL = 0.5
 
 
 class OutputQueue:
-    """A text stream for `stream`; a line about what was dropped goes to `notes`, or in its own place without."""
+    """A text stream for `stream`; reports of dropped lines go to `notes`, or inline."""
 
     def __init__(self, stream: TextIO, name: str, notes: OutputQueue | None = None) -> None:
         self._stream, self.name, self._notes = stream, name, notes
@@ -46,9 +46,9 @@ class OutputQueue:
         return getattr(self._stream, name)
 
     def write(self, text: str) -> int:
-        """Queue `text`, or drop it if there is no room; neither waits."""
+        """Queue `text`, or drop it if there is no space; neither blocks."""
         with self._changed:
-            # Nothing is queued behind a gap before the gap has been reported.
+            # Nothing is queued after a gap before the gap has been reported.
             if self._dropped or self._size + len(text) > CAPACITY:
                 lines = text.count("\n") or 1
                 self._dropped += lines
@@ -79,7 +79,10 @@ class OutputQueue:
                 self._changed.notify_all()
 
     def _note(self) -> str:
-        """Report the gap, after which there is room again: what to write here, "" if `notes` has taken it."""
+        """Report the gap; return the text to write here, "" if `notes` has taken it.
+
+        After that there is space again.
+        """
         text = f"motionlang: {_lines(self._dropped)} of {self.name} dropped, as it was not read\n"
         self._dropped = 0
         if self._notes is not None:
@@ -89,7 +92,7 @@ class OutputQueue:
         return text
 
     def _put(self, text: str) -> None:
-        """Write all of `text`; a reader that has gone is no reason to end."""
+        """Write all of `text`; ignore a reader that has gone."""
         data = memoryview(text.encode(self._stream.encoding, self._stream.errors or "strict"))
         try:
             while data and not self._broken:
@@ -104,7 +107,7 @@ def _lines(count: int) -> str:
 
 @contextmanager
 def never_waiting() -> Iterator[list[OutputQueue]]:
-    """Give standard output and standard error a queue each where a write could wait; yields these queues."""
+    """Give standard output and error a queue each if a write could block; yield these."""
     before = sys.stdout, sys.stderr
     queues: list[OutputQueue] = []
     notes: OutputQueue | None = None
@@ -131,5 +134,5 @@ def _may_wait(stream: TextIO) -> bool:
 
 
 def dropped(queues: list[OutputQueue]) -> str:
-    """The end of a sentence that says how many lines were dropped; "" for none."""
+    """Return the end of a sentence with the number of dropped lines; "" for none."""
     return "".join(f"; {_lines(queue.dropped)} of {queue.name} dropped" for queue in queues if queue.dropped)

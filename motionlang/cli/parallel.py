@@ -1,4 +1,4 @@
-"""Many files at once, on all cores: the same work for each, the results in the order of the files."""
+"""Work on many files at once, on all cores, with results in their order."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ if TYPE_CHECKING:
     Item = TypeVar("Item")
     Result = TypeVar("Result")
 
-# Fewer files than this for each process are done before a process has begun.
+# With fewer files per process than this, the work is done before a process has started.
 _WORTH = 4
 
 
 def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int = 0) -> Iterator[Result]:
-    """`work` of each item, in their order; `jobs` processes, 0 for as many as there are cores and work for.
+    """`work` of each item, in order, on `jobs` processes; 0 chooses their number.
 
-    Work and items must be what another process can be sent. What work raises is raised where its result was due.
+    It is that of the cores, or less for little work. Work and items must be picklable. An exception of the
+    work is raised in place of its result.
     """
     jobs = min(jobs, len(items)) or min(cores(), len(items) // _WORTH)
     if jobs <= 1:
@@ -38,7 +39,7 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
 
 
 def add_jobs(parser: ArgumentParser) -> None:
-    """The option of commands that take many files."""
+    """Add the option of commands that take many files."""
     parser.add_argument(
         "--jobs",
         metavar="N",

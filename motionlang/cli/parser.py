@@ -1,4 +1,4 @@
-"""argparse as this command line has it: whole words, mistakes in two lines, and what was probably meant."""
+"""argparse for this command line: complete words, two-line errors, suggestions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from _typeshed import SupportsWrite
 
 
-# Numbers below zero are values, never options; argparse itself does not know those with an exponent.
+# Numbers below zero are values, never options; argparse itself does not recognise those with an exponent.
 _NEGATIVE = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
@@ -34,7 +34,7 @@ OLD_OPTIONS = {
 
 
 class Parser(argparse.ArgumentParser):
-    """argparse with whole words only and with help texts that keep their lines."""
+    """argparse with complete words only and with help texts that keep their lines."""
 
     def __init__(self, **options: object) -> None:
         options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
@@ -55,11 +55,11 @@ class Parser(argparse.ArgumentParser):
         return f"{new}{equals}{value}"
 
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""
+        """Report an error in two lines and exit with 2; --help has the usage line."""
         self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
 
     def _print_message(self, message: str, file: SupportsWrite[str] | None = None) -> None:
-        """Write a help text; argparse itself does not say where it could not be written."""
+        """Write a help text; argparse itself ignores a failed write."""
         (file or sys.stderr).write(message)
         sys.stdout.flush()
 
@@ -76,7 +76,7 @@ class Parser(argparse.ArgumentParser):
         return f"{self.prog} --help explains the command line"
 
     def _options(self) -> dict[str, str]:
-        """Every option, and every choice as if it were one, with what says so: --report json for --json."""
+        """Every option, and every choice as if it were one: --report json for --json."""
         said: dict[str, str] = {}
         for action in self._actions:
             for choice in action.choices or ():
@@ -84,7 +84,7 @@ class Parser(argparse.ArgumentParser):
         return said | {option: option for action in self._actions for option in action.option_strings}
 
     def _words(self) -> list[str]:
-        """Every option and every choice, those of the commands too."""
+        """Return every option and every choice, including those of the commands."""
         words: list[str] = []
         for action in self._actions:
             words += [*action.option_strings, *map(str, action.choices or ())]
@@ -94,7 +94,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def _in_our_words(message: str) -> str:
-    """A wrong choice as it is said here, whichever way this Python's argparse quotes it."""
+    """A wrong choice in our wording, whichever way this Python's argparse quotes it."""
     wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
     if wrong is None:
         return message

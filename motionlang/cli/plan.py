@@ -1,7 +1,7 @@
-"""`motionlang plan`: the missing figures of a trapezoidal move, and a program that makes it.
+"""`motionlang plan`: missing figures of a trapezoidal move, and its program.
 
-AN00115's lesson: distance, time, speed, rates and ramp times determine one another; a rule fills what is still free. A
-move that is too short for its speed turns round before, and the figures say so.
+AN00115: distance, time, speed, rates and ramp times determine one another; a rule fills what is still free. A
+move that is too short for its speed peaks below it, and the figures show that.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ examples:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang plan` and its options."""
+    """Add `motionlang plan` and its options."""
     parser = add_command(commands, "plan", summary, plan_command)
     for name in NAMES:
         parser.add_argument(f"--{name.replace('_', '-')}", type=float, metavar="X", help=HELP[name])
@@ -77,7 +77,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def plan_command(arguments: argparse.Namespace) -> int:
-    """Solve, and print the figures and the program; argparse's error where the figures do not make a move."""
+    """Solve, and print figures and program; argparse's error if there is no such move."""
     parser = arguments.parser
     given = {name: value for name in NAMES if (value := getattr(arguments, name)) is not None}
     backwards = given.get("distance", 0.0) < 0.0
@@ -115,7 +115,10 @@ def plan_command(arguments: argparse.Namespace) -> int:
 
 
 def _solve(given: dict[str, float], rule: str | None) -> tuple[dict[str, float], set[str], dict[str, float]]:
-    """The eight figures, those taken over from their opposite number, and what a move that is too short asked for."""
+    """The eight figures, the mirrored ones, and the request of a move too short.
+
+    A mirrored figure is taken over from its counterpart.
+    """
     short = _too_short(given)
     if short is not None:
         return short
@@ -137,7 +140,7 @@ def _solve(given: dict[str, float], rule: str | None) -> tuple[dict[str, float],
 def _too_short(
     given: dict[str, float],
 ) -> tuple[dict[str, float], set[str], dict[str, float]] | None:
-    """The same of a distance with a speed and ramps that it has no room for; None for anything else."""
+    """Return the figures of a distance too short for its speed and ramps, or None."""
     rates = {}
     for rate, time in (("accel", "accel_time"), ("decel", "decel_time")):
         if (rate in given) == (time in given):
@@ -161,7 +164,7 @@ def _too_short(
 
 
 def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
-    """That the speed asked for is not reached, and what it would need."""
+    """Return that the commanded speed is not reached, and its requirements."""
     if not wanted:
         return []
     speed, distance = wanted["speed"], abs(move["distance"])
@@ -204,7 +207,7 @@ def _lines(
 
 
 def _mint(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
-    """The move in Mint, where ramp times are milliseconds."""
+    """Return the move in Mint, in which ramp times are milliseconds."""
     n = axis or 0
     lines = [f"SCALE({n}) = {_number(scale)}"] if scale != 1.0 else []
     lines.append(f"SPEED({n}) = {_number(move['speed'])}")
@@ -216,7 +219,7 @@ def _mint(move: dict[str, float], scale: float, axis: int | None, by_times: bool
 
 
 def _mccl(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
-    """The move in MCCL, which knows rates only; a scale acts from the next MN on."""
+    """The move in MCCL, which has rates only; a scale takes effect at the next MN."""
     n = 1 if axis is None else axis
     lines = [f"{n}US{_number(scale)}"] if scale != 1.0 else []
     lines += [
@@ -234,6 +237,6 @@ WRITERS: dict[str, Callable[[dict[str, float], float, int | None, bool], str]] =
 
 
 def _number(value: float) -> str:
-    """A figure as both languages read it: no exponent, no digit that says nothing."""
+    """Return a figure for both languages: no exponent, no insignificant digit."""
     text = f"{value:.10g}"
     return f"{value:.12f}".rstrip("0").rstrip(".") if "e" in text else text

@@ -1,4 +1,7 @@
-"""Counts per user unit for `motionlang plan`: given, or derived from encoder, gear and screw, or linear scale."""
+"""Counts per user unit for `motionlang plan`: given, or from the mechanics.
+
+These are encoder, gear and screw, or a linear scale.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ LEAST, MOST = 1e-6, 1e12
 
 
 def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options that say how many counts a user unit has."""
+    """Add the options for the counts of a user unit."""
     parser.add_argument("--scale", type=float, metavar="COUNTS", help="counts per user unit (1)")
     parser.add_argument(
         "--encoder-lines", type=float, metavar="N", help="lines of the motor's encoder a turn, for the scale"
@@ -32,7 +35,7 @@ def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
-    """Counts per user unit, and how they were derived; ValueError where the options do not say it."""
+    """Counts per user unit, and their derivation; ValueError if they are missing."""
     lines, resolution = arguments.encoder_lines, arguments.resolution
     ways = [name for name in ("scale", "encoder_lines", "resolution") if getattr(arguments, name) is not None]
     if len(ways) > 1:
@@ -65,7 +68,7 @@ def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
 
 
 def _ratio(text: str) -> float:
-    """A ratio as people write it: 3, 3:1 or 7:2."""
+    """Return a ratio in usual notation: 3, 3:1 or 7:2."""
     above, _, below = text.partition(":")
     try:
         return float(above) / float(below or 1)

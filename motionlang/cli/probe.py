@@ -1,4 +1,4 @@
-"""`motionlang probe`: a program that asks a controller which readings hold, and what its answers say."""
+"""`motionlang probe`: a program that tests assumptions, and its evaluated answers."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ examples:
 """
 
 
-# The end of the names of readings about power-up, and how many of them are named.
+# The suffix of assumptions about power-up, and how many of them are named.
 DEFAULT, SHOWN = "-default", 6
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang probe` and its options."""
+    """Add `motionlang probe` and its options."""
     parser = add_command(commands, "probe", summary, _probe, EPILOG)
     add = parser.add_argument
     add(
@@ -124,7 +124,7 @@ def _probe(arguments: argparse.Namespace) -> int:
 
 
 def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
-    """How the question of a name is asked; the end where there is none, with what there is."""
+    """Return the probe of a name; exit with the alternatives if there is none."""
     found = questions().get(name)
     if found is not None and found.probe is not None:
         return found.probe
@@ -142,13 +142,13 @@ def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
 
 
 def _about(word: str) -> list[Reading]:
-    """What is open of a word, in whichever language has it."""
+    """Return the open assumptions of a keyword, in any language."""
     rows = ((each, dialect(each).table().get(word)) for each in dialects())
     return [found for language, row in rows if row is not None for found in of_word(language, row)]
 
 
 def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
-    """The questions that can be asked, a line each, with what each takes."""
+    """Print the available questions, one per line, with their requirements."""
     if what is None or what in dialects():
         known = [
             each
@@ -192,7 +192,7 @@ def _answers(path: str, language: str) -> int:
 
 
 def _told(found: Answers) -> str:
-    """What the answers say, for a person."""
+    """Return the result of the answers as text."""
     lines: list[str] = []
     by_status = {
         status: [each for each in found.verdicts if each.status == status]
@@ -211,7 +211,7 @@ def _told(found: Answers) -> str:
 
 
 def _names(found: Iterable[Reading]) -> list[str]:
-    """The names of readings, those of what settings are at power-up only counted where they are many."""
+    """Return the names of assumptions; many about power-up are only counted."""
     names = [each.name for each in found]
     rest = [name for name in names if not name.endswith(DEFAULT)]
     many = len(names) - len(rest)

@@ -1,4 +1,7 @@
-"""`motionlang profiles`: the comparison table of PMC's technical note TN1069, exact, as printed, and of any move."""
+"""`motionlang profiles`: the comparison table of PMC's technical note TN1069.
+
+It is exact, as printed, and for any move.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ if TYPE_CHECKING:
     from motionlang.notes.tn1069 import Row
 
 SCHEMA = "motionlang.profiles/1"
-# What the names of the rows stand for.
+# The meanings of the row names.
 MEANINGS = {
     "T_A": "acceleration time",
     "S_A": "acceleration distance",
@@ -45,7 +48,7 @@ OPTIONS = (
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang profiles` and its options."""
+    """Add `motionlang profiles` and its options."""
     parser = add_command(commands, "profiles", summary, profiles_command)
     for name, letter, help in OPTIONS:
         parser.add_argument(f"--{name}", type=float, metavar=letter, help=help)
@@ -59,7 +62,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def profiles_command(arguments: argparse.Namespace) -> int:
-    """Print the table, draw it where that is asked for; argparse's error for a move that there is not."""
+    """Print the table, and draw it on request; argparse's error if impossible."""
     parser = arguments.parser
     given = {name: value for name, *_ in OPTIONS if (value := getattr(arguments, name)) is not None}
     try:
@@ -85,7 +88,7 @@ def profiles_command(arguments: argparse.Namespace) -> int:
 
 
 def _draw(demand: Demand, path: str) -> int:
-    """Draw the four profiles; 1 where the file cannot be written, which is reported."""
+    """Draw the four profiles; 1 if the file cannot be written, which is reported."""
     from motionlang.errors import Diagnostic
     from motionlang.views.diagnostics import render
     from motionlang.views.profiles_plot import draw_profiles

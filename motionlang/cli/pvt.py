@@ -1,4 +1,4 @@
-"""`motionlang pvt`: points to motion, velocities for points, exports for a drive, and a stream to a simulated one.
+"""`motionlang pvt`: points to motion, velocities, exports and streams for a drive.
 
 `add_parser` registers the commands; each handler takes the parsed arguments and returns the exit status.
 """
@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.pvt/1"
 NOISE = 1e-6
-"""Counts below which a difference is the arithmetic's."""
+"""Counts below which a difference is rounding."""
 
 
 def add_parser(family: Commands, summary: str) -> None:
-    """`motionlang pvt` and its commands."""
+    """Add `motionlang pvt` and its commands."""
     pvt = family.add_parser("pvt", help=summary)
     commands = pvt.add_subparsers(
         dest="pvt_command", required=True, metavar="plot | refine | export | stream"
@@ -68,7 +68,7 @@ def plot(args: argparse.Namespace) -> int:
 
 
 def refine(args: argparse.Namespace) -> int:
-    """Print the ways to choose velocities side by side; write the points with the chosen ones."""
+    """Compare methods for velocities; write the points with the chosen ones."""
     from motionlang.copley.table import write_points
     from motionlang.views.pvt import comparison_lines
 
@@ -95,7 +95,7 @@ def refine(args: argparse.Namespace) -> int:
 
 
 def export(args: argparse.Namespace) -> int:
-    """Write the move in a format for a drive, with the error that the format's rounding leaves."""
+    """Write the move in a format for a drive, with its rounding error."""
     from motionlang.copley.export import Unwritable
     from motionlang.copley.export import export as written
     from motionlang.copley.point import from_wire, to_wire
@@ -117,7 +117,7 @@ def export(args: argparse.Namespace) -> int:
 
 
 def stream(args: argparse.Namespace) -> int:
-    """Stream the move to a drive and print what came of it; MissingExtra without the CAN libraries."""
+    """Stream the move to a drive and print the result; MissingExtra without CAN."""
     need("motionlang pvt stream", "can", "canopen")
     from motionlang.cli.pvt_stream import run_stream
 
@@ -128,11 +128,12 @@ def stream(args: argparse.Namespace) -> int:
     return status
 
 
-# ------------------------------------------------------------------------------------------------ in and out
+# ------------------------------------------------------------------------------------------------ input and
+# output
 
 
 def _guarded(handler: Handler) -> Handler:
-    """The handler with every mistake of a user answered as a diagnostic."""
+    """Return the handler with every user error reported as a diagnostic."""
 
     def run(args: argparse.Namespace) -> int:
         if args.plot:
@@ -157,7 +158,7 @@ def _guarded(handler: Handler) -> Handler:
 
 
 def _checked(args: argparse.Namespace, *, strict: bool) -> Move:
-    """The move, its troubles told; `ProgramError` where they do not allow to go on."""
+    """Return the move, and report its errors; `ProgramError` if they prevent it."""
     move = read_move(args)
     found = diagnose(move, args.start, strict=strict)
     if any(d.severity == "error" for d in found):
@@ -180,7 +181,7 @@ def _replaced(points: Sequence[Point], velocities: Sequence[float]) -> list[Poin
 
 
 def _error(move: Move, sent: Sequence[Point], start: float) -> tuple[float, float]:
-    """How far the motion that is sent departs from the one that was meant, counts, and when."""
+    """Return the largest error of the sent motion, counts, and its time."""
     from motionlang.planners.pvt.fit import motion_error
 
     if move.track is not None:

@@ -1,4 +1,4 @@
-"""What `motionlang pvt` works on: points from a file, from the command line, from an S-curve, or from a program."""
+"""The input of `motionlang pvt`: a file, positions, an S-curve, or a program."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ NAMES = {
     "positions": "--positions",
     "scurve": "--scurve",
 }
-# Each option and the kinds of input that it says something about.
+# Each option and the kinds of input that it applies to.
 SERVES: dict[str, tuple[str, ...]] = {
     "time": ("positions", "scurve", "table"),
     "jerk": ("scurve",),
@@ -46,7 +46,10 @@ SERVES: dict[str, tuple[str, ...]] = {
 
 @dataclass(slots=True)
 class Move:
-    """Points and where they came from; `lines` of the source, and for a program the motion they were fitted to."""
+    """Points and their source; for a program the motion they were fitted to.
+
+    `lines` are those of the source.
+    """
 
     name: str
     points: list[Point]
@@ -66,7 +69,7 @@ class Track:
 
 
 def read_move(args: argparse.Namespace) -> Move:
-    """The move that the command line describes; `ProgramError`, or OSError where the file cannot be read."""
+    """Return the move of the command line; may raise `ProgramError` and OSError."""
     given = [name for name in ("file", "positions", "scurve") if getattr(args, name) is not None]
     if len(given) != 1:
         raise UsageError("give one of: a file of points or a program, --positions, --scurve")
@@ -89,7 +92,7 @@ class UsageError(Exception):
 
 
 def _refuse_strangers(args: argparse.Namespace, source: str) -> None:
-    """Refuse an option that would do nothing."""
+    """Reject an option that would have no effect."""
     if source == "file":
         source = "program" if _is_program(args.file) else "table"
     for option, sources in SERVES.items():
@@ -107,7 +110,10 @@ def _is_program(file: str) -> bool:
 
 
 def diagnose(move: Move, start: float | None, *, strict: bool) -> list[Diagnostic]:
-    """What a drive would misunderstand, as diagnostics; errors only where `strict` points must be sent."""
+    """Return what a drive would misinterpret, as diagnostics.
+
+    They are errors only if `strict` points must be sent.
+    """
     found = []
     troubles = check_points(move.points, start)
     for bad in troubles[:MOST_TOLD]:
@@ -183,7 +189,7 @@ def _from_file(args: argparse.Namespace) -> Move:
 
 
 class SourceError(Exception):
-    """Mistakes in a file, with the file."""
+    """Errors in a file, with the file."""
 
     def __init__(self, source: Source, diagnostics: list[Diagnostic]) -> None:
         super().__init__(source.name)
@@ -191,7 +197,7 @@ class SourceError(Exception):
 
 
 def _from_program(args: argparse.Namespace) -> Move:
-    """Run the program and fit what one axis did."""
+    """Run the program and fit the motion of one axis."""
     from motionlang.execution import run
     from motionlang.planners.pvt.fit import OutOfTolerance, fit_track, least_tolerance
 
@@ -229,7 +235,7 @@ def _from_program(args: argparse.Namespace) -> Move:
 
 
 def _span(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[float, float]:
-    """From the first motion to the end of the last, what happened between them included."""
+    """Return the time from the first motion to the end of the last, pauses included."""
     moving = [i for i, profile in enumerate(profiles) if profile.shape != "hold"]
     last = moving[-1]
     ends = starts[last] + profiles[last].duration
@@ -253,5 +259,5 @@ def _velocities(positions: Sequence[float], spans: Sequence[float], method: str,
 
 
 def spans_of(points: Sequence[Point]) -> list[float]:
-    """The segment times of a move, seconds."""
+    """Return the segment times of a move, seconds."""
     return [point.time for point, _ in pairwise(until_end(points))]

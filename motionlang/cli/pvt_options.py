@@ -1,4 +1,4 @@
-"""The options of `motionlang pvt`, and what each may be."""
+"""The options of `motionlang pvt`, and their values."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:
-    """The options that say where points come from: a file, positions, an S-curve or a program."""
+    """Add the options for the source of points: a file, positions, S-curve or program."""
     add = parser.add_argument
     add(
         "file", nargs="?", help="points (.csv: position, velocity, time), or a program whose motion is fitted"
@@ -105,7 +105,7 @@ OPTIONS: dict[str, Callable[[argparse.ArgumentParser], None]] = {
 
 
 def _numbers(text: str) -> list[float]:
-    """Numbers with commas between them; what they may be is for the points to say, by index."""
+    """Comma-separated numbers; their validity is checked by the points, by index."""
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:

@@ -1,4 +1,4 @@
-"""`motionlang pvt stream`: a master on one end of a CAN bus, a simulated drive on the other, or a real one."""
+"""`motionlang pvt stream`: a master on a CAN bus with a simulated or real drive."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ LINEAR = (*FIXED, "-2")
 
 
 def run_stream(args: argparse.Namespace, move: Move) -> int:
-    """Stream, print what came of it, and answer the exit status."""
-    logging.getLogger("canopen").setLevel(logging.CRITICAL)  # what matters is told as a diagnostic
+    """Stream, print the result, and return the exit status."""
+    logging.getLogger("canopen").setLevel(logging.CRITICAL)  # the relevant errors are reported as diagnostics
     try:
         return _stream_to_real(args, move) if args.real else _stream_to_simulated(args, move)
     except BusError as problem:
@@ -63,7 +63,10 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
 
 
 def _look(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
-    """Microseconds between two looks of the master; in sub-mode 0 it sends a point at each, so a period apart."""
+    """Return the polling period of the master, microseconds.
+
+    In sub-mode 0 it sends a point in each, so it is the time between points.
+    """
     usual = float(wire[0].time or 1) if args.transfer == "0" else 1.0
     return max(1, round((usual if args.poll_interval is None else args.poll_interval) * 1000))
 
@@ -83,7 +86,7 @@ def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
 
 
 def _standing(args: argparse.Namespace, move: Move) -> float:
-    """Where the simulated motor stands: as told, or where the move begins."""
+    """Return the position of the simulated motor: as given, or where the move begins."""
     if args.start is not None:
         return float(args.start)
     first = move.points[0]
@@ -150,7 +153,10 @@ def _lines(
 
 
 def _departure(args: argparse.Namespace, drive: Drive, wire: Sequence[WirePoint]) -> float | None:
-    """The largest difference of what the drive did from what the points say; None where it never started."""
+    """Return the largest difference of the drive's motion from the points.
+
+    None if it never started.
+    """
     begin = next((time for time, what in drive.log if what.startswith("move started")), None)
     if begin is None:
         return None

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang repl` and its options."""
+    """Add `motionlang repl` and its options."""
     parser = add_command(commands, "repl", summary, _repl)
     parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first, or mint or mccl")
     add_machine(parser)
@@ -58,9 +58,9 @@ def open_session(
     machine_settings: Mapping[str, object] | None = None,
     overrides: Mapping[str, float | str] | None = None,
 ) -> int:
-    """Open a session, after running `file` if there is one; 1 if anything was wrong and no person sat before it.
+    """Open a session, after running `file` if given; 1 on an error without a terminal.
 
-    Without a name the file's suffix says which dialect is spoken, and it is Mint where nothing does.
+    Without a name the file's suffix selects the dialect, with Mint as the default.
     """
     language = (dialect(dialect_name) if dialect_name else dialect_of(file or "")) or dialect("mint")
     at_terminal = is_terminal(sys.stdin) and is_terminal(sys.stdout)

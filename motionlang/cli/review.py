@@ -1,4 +1,7 @@
-"""`motionlang verify --review`: the changes of a program one by one, and golden files that have the accepted ones."""
+"""`motionlang verify --review`: changes of a program accepted one by one.
+
+The golden files get the accepted ones.
+"""
 
 from __future__ import annotations
 
@@ -28,15 +31,18 @@ q  quit: this one and all that follow stay as they were
 
 
 class NobodyAnswers(Exception):
-    """Standard input is at its end, or there is none: nobody says what is accepted."""
+    """Standard input has ended, or there is none, so no change is accepted."""
 
 
 class Quit(Exception):
-    """Whoever was asked has had enough."""
+    """The user has quit."""
 
 
 def ask(question: str, keys: str) -> str:
-    """One of the `keys`, from a terminal or a pipe, else `NobodyAnswers`; "?" tells what they mean."""
+    """Ask for one of the `keys` on a terminal or a pipe; "?" explains them.
+
+    Raises `NobodyAnswers` if neither gives one.
+    """
     while True:
         sys.stdout.write(f"{question} [{','.join(keys)},?] ")
         sys.stdout.flush()
@@ -60,10 +66,11 @@ def _is_terminal() -> bool:
 
 
 def review(program: str, result: Run) -> bool:
-    """Ask of each change between the golden files of a program and its run, and write those that are accepted.
+    """Ask about each change between golden files and run, and write accepted ones.
 
-    Whether the golden files are as the run is now. Both files are written, or neither: where nobody answers, and at
-    Ctrl-C, they stay as they were; `Quit` comes after what was accepted has been written. OSError names a file.
+    True if the golden files then match the run. Both files are written, or neither: without an answer, and at
+    Ctrl-C, they do not change; `Quit` is raised after the accepted changes have been written. OSError names a
+    file.
     """
     report, printed = golden_files(program)
     new = json.loads(text(result, whole=False))
@@ -77,7 +84,7 @@ def review(program: str, result: Run) -> bool:
     except ValueError:
         return _whole(program, result, f"{name} is no report of which changes could be told. Write it anew?")
     all_of_them = changes(found)
-    if not all_of_them:  # what was printed is kept twice, and only the other one is otherwise
+    if not all_of_them:  # printed output is stored twice, and only the other one differs
         other = os.path.basename(printed)
         return _whole(program, result, f"what is printed is not that of {other}. Accept it?")
     accepted, ends = _asked(program, all_of_them, found)
@@ -91,7 +98,7 @@ def review(program: str, result: Run) -> bool:
 
 
 def _whole(program: str, result: Run, question: str) -> bool:
-    """Ask whether the golden files are written as the run is."""
+    """Ask if the golden files are to be rewritten from the run."""
     answer = ask(f"{program}: {question}", "ynq")
     if answer == "q":
         raise Quit
@@ -101,7 +108,7 @@ def _whole(program: str, result: Run, question: str) -> bool:
 
 
 def _asked(program: str, all_of_them: list[Change], found: object) -> tuple[list[Change], bool]:
-    """The changes that are accepted, and whether there is to be an end."""
+    """Return the accepted changes, and if the user has quit."""
     accepted: list[Change] = []
     for number, change in enumerate(all_of_them):
         lines = "\n".join(f"  {line}" for line in change_lines(found, change))  # type: ignore[arg-type]

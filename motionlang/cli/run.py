@@ -1,4 +1,4 @@
-"""`motionlang run`: a program from its file to its report, its trace and its picture."""
+"""`motionlang run`: a program from its file to report, trace and picture."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
 
-# The exit status where motionlang itself has made a mistake, as sysexits has it.
+# The exit status after an internal error, as in sysexits.
 CRASHED = 70
-# Profiles of a run that a signal ended which are still proved: a report comes within a second of it.
+# Profiles of an interrupted run up to which it is still proved: a report comes within a second of the signal.
 PROVED_IN_TIME = 10_000
 
 
 def run_command(options: Options) -> int:
-    """Run a program and show what it did; answers with the exit status.
+    """Run a program, show its results, and return the exit status.
 
-    However it ends, there is one whole report: a signal that comes while it is written waits until it stands there.
+    However it ends, there is one complete report: a signal during its output waits until it is written.
     """
     told = False
     try:
@@ -65,7 +65,7 @@ def _crash(error: Exception, options: Options, source: Source | None = None) -> 
 
 
 def _result(options: Options) -> Run | int:
-    """The run; the exit status where there is none, which has been told."""
+    """Return the run, or the exit status if there is none, which has been reported."""
     try:
         source = read_source(options.file)
     except OSError as error:
@@ -76,7 +76,7 @@ def _result(options: Options) -> Run | int:
         from motionlang.cli.complaints import no_dialect
 
         return _refuse(options, [no_dialect(options.file)], None, 2)
-    settings = Checked(options.settings)  # those of `--set` were looked at with the command line
+    settings = Checked(options.settings)  # those of `--set` were checked with the command line
     options.machine = machine_of(options.file, options.machine)
     if options.machine is not None:
         status = read_machine_file(options, settings)
@@ -104,8 +104,8 @@ def _result(options: Options) -> Run | int:
 
 
 def _tell(result: Run, options: Options) -> int:
-    """The report and what there is to complain of; answers with the exit status."""
-    if isinstance(result.crash, OSError):  # of what the program has printed: `main` knows what that means
+    """Print report and complaints, and return the exit status."""
+    if isinstance(result.crash, OSError):  # of the program's output, which `main` handles
         raise result.crash
     if result.crash is not None:
         result.diagnostics.append(
@@ -144,7 +144,10 @@ def _tell(result: Run, options: Options) -> int:
 
 
 def _proof(result: Run) -> Proof | None:
-    """The proof of a run that is to be proved, and that has not crashed, nor been ended after long motion."""
+    """Return the proof of a run, if requested and possible.
+
+    It is not for a run that has crashed, or was interrupted after long motion.
+    """
     if result.orders is None or result.crash is not None:
         return None
     profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
@@ -157,7 +160,10 @@ def _proof(result: Run) -> Proof | None:
 
 
 def _complain_of_events(result: Run, options: Options) -> bool:
-    """Tell of limits, following errors and faults that make the exit status 1; whether there are any."""
+    """Report limits, following errors and faults that make the exit status 1.
+
+    True if there are any.
+    """
     from motionlang.cli.event_status import complaints
     from motionlang.views.terminal import printable
 
@@ -204,7 +210,7 @@ def _run(
             lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun), warn
         )
     show: Callable[[str], object] = sys.stdout.write
-    if sys.stdout.isatty():  # else it is what `shower` answers, and a script does not wait for its module
+    if sys.stdout.isatty():  # without a terminal a script need not import `shower`
         from motionlang.views.terminal import shower
 
         show = shower(sys.stdout)
@@ -254,7 +260,7 @@ def _ask(machine: Machine) -> str | None:
 
 
 def pacer(factor: float) -> Callable[[float], None]:
-    """What holds a run to the wall clock, `factor` machine seconds a second; output appears when it happens."""
+    """Return a function that runs at `factor` × real time; output appears immediately."""
     from time import monotonic, sleep
 
     began = monotonic()
@@ -311,8 +317,11 @@ def _report(result: Run, options: Options) -> None:
 
 
 def _rests_on(result: Run, options: Options) -> str:
-    """Number of unconfirmed assumptions that the run depends on, for --report full."""
     from motionlang.report import assumptions
+    """Return the number of open assumptions of the run, for a complete report only.
+
+    Every program depends on some.
+    """
 
     count = len(assumptions(result))
     note = f"{count} unconfirmed assumptions; motionlang check --evidence {options.file} lists them"
@@ -320,7 +329,7 @@ def _rests_on(result: Run, options: Options) -> str:
 
 
 def _write_files(result: Run, options: Options) -> int:
-    """The trace and the picture, where they were asked for; 1 when one could not be written."""
+    """Write the requested trace and picture; 1 if one cannot be written."""
     if options.trace is None and options.plot is None and options.profile_to is None:
         return 0
     from motionlang.cli.output_files import write_files

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 HIGHEST_RATE = 10e6
-# What --show-code goes by; the other options are about a run.
+# The options that --show-code uses; the others are about a run.
 FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "no_cache"))
 RUN_EPILOG = """\
 The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
@@ -43,7 +43,7 @@ examples:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang run` and its options."""
+    """Add `motionlang run` and its options."""
     parser = add_command(commands, "run", summary, _run, RUN_EPILOG)
     parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
     add_machine(parser)
@@ -170,7 +170,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
-    """The options of a `run` line."""
+    """Return the options of a `run` line."""
     options = Options(arguments.file)
     for name in (
         "dialect",
@@ -225,7 +225,7 @@ def _run(arguments: argparse.Namespace) -> int:
 
 
 def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
-    """Options that would say something about nothing."""
+    """Reject options without an effect."""
     if arguments.show_code:
         for action in parser._actions:
             if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
@@ -274,7 +274,7 @@ def _number(text: str, low: float, high: float, what: str, *, open_low: bool = F
 
 
 def machine_time(text: str) -> float:
-    """A time of the machine, s, for argparse."""
+    """Return a time of the machine, s, for argparse."""
     return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
 
 

@@ -1,4 +1,4 @@
-"""A person before a run that takes a while is shown how far it has come, below what the program prints."""
+"""Progress of a long run on a terminal, below the program's output."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def watched(
     run: Callable[[Callable[[str], object], Callable[[Machine], None]], Run],
     warn: Callable[[Diagnostic], object],
 ) -> Run:
-    """The outcome of `run(show, begun)`, looked on at from when the program begins until it ends in whatever way.
+    """Return the result of `run(show, begun)`, with a progress line until it ends.
 
-    What the machine warns of before the end goes to `warn`, above the line of progress.
+    Warnings of the machine before the end go to `warn`, above the progress line.
     """
     if not is_shown(sys.stderr):
         return run(shower(sys.stdout), lambda machine: setattr(machine, "warn", warn))
@@ -51,7 +51,10 @@ def watched(
 
 
 def _describer(machine: Machine) -> Callable[[], str]:
-    """What makes the line: the clock stands while the program computes without a wait, which is said."""
+    """Return the function that makes the line.
+
+    The clock does not advance while the program computes without a wait, which the line states.
+    """
     began, before = monotonic(), -1.0
 
     def describe() -> str:

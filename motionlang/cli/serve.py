@@ -1,4 +1,7 @@
-"""`motionlang serve`: a virtual board on a TCP port or a serial device, or a Mint program behind Modbus."""
+"""`motionlang serve`: a virtual board on a TCP port or serial device, or Modbus.
+
+Modbus serves a Mint program.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,7 @@ examples:
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang serve` and its options."""
+    """Add `motionlang serve` and its options."""
     parser = add_command(commands, "serve", summary, serve_command, EPILOG)
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?", help="commands that the board gets first; - reads standard input")
@@ -88,7 +91,7 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
 
 
 def serve_command(args: argparse.Namespace) -> int:
-    """Serve until a signal; the exit status is 0, 1 (something is wrong) or 2 (the command line is)."""
+    """Serve until a signal; the exit status is 0, 1 (an error) or 2 (command line)."""
     _check(args)
     options = Options(args.file or "")
     options.dialect, options.machine = args.dialect, args.machine
@@ -114,7 +117,7 @@ def serve_command(args: argparse.Namespace) -> int:
 
 
 def _check(args: argparse.Namespace) -> None:
-    """What does not go together ends the command here."""
+    """End the command if options conflict."""
     error = args.parser.error
     if not args.tcp and not args.pty and args.modbus is None:
         error("no host could connect: give --tcp HOST:PORT, --pty or --modbus HOST:PORT")

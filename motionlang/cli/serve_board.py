@@ -1,4 +1,4 @@
-"""A served MCCL board from the command line: what is printed, what ends it."""
+"""A served MCCL board on the command line: its output and its end."""
 
 from __future__ import annotations
 
@@ -36,7 +36,10 @@ def serve_board(
     overrides: dict[str, float | str],
     queues: list[OutputQueue],
 ) -> int:
-    """Serve until a signal; 1 where the board or its ways in cannot be made. `queues` are those of the output."""
+    """Serve until a signal; 1 if the board or an interface fails.
+
+    `queues` are those of the output.
+    """
     if source is not None:
         settings.setdefault("controller.model", written_for(source.name))
     try:
@@ -66,7 +69,7 @@ def _pace(args: argparse.Namespace, console: Console) -> Pace:
 
 
 def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
-    """Open the ways in and print them; False when one of them cannot be opened."""
+    """Open and print the interfaces; False if one of them cannot be opened."""
     board = console.board
     time = "in lock step" if args.clock == "lockstep" else "in real time"
     if args.factor:
@@ -93,7 +96,7 @@ def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
 
 
 def _until_signal(server: Server) -> None:
-    """Serve until Ctrl-C or SIGTERM, which both are its ordinary end."""
+    """Serve until Ctrl-C or SIGTERM, both of which are its normal end."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         server.stop()
@@ -121,7 +124,7 @@ def _remark(text: str) -> None:
 
 
 def _write(stream: TextIO, text: str) -> None:
-    """Show something at once; nobody looking any more is no reason to end."""
+    """Write a text at once; ignore a reader that has gone."""
     try:
         stream.write(text)
         stream.flush()

@@ -1,4 +1,4 @@
-"""`motionlang serve FILE --modbus`: a Mint program whose comms memory a Modbus client reads and writes."""
+"""`motionlang serve FILE --modbus`: a Mint program with comms memory on Modbus."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def serve_modbus(
     overrides: dict[str, float | str],
     queues: list[OutputQueue],
 ) -> int:
-    """Run the program until it ends or a signal comes; 1 where it is wrong or the address cannot be had."""
+    """Run the program until it ends or a signal comes; 1 if it cannot."""
     from motionlang.serve.modbus import ModbusServer
 
     host, port = args.modbus
@@ -45,7 +45,7 @@ def serve_modbus(
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")
     _greet(server, source, str(settings.get("controller.model", "")))
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # as good an end as Ctrl-C
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # a normal end, like Ctrl-C
     try:
         result = run(
             source,

@@ -1,4 +1,4 @@
-"""`motionlang servo`: slip, DAC steps, profiles under servo, step responses, first gains, and chapter 12's figures.
+"""`motionlang servo`: slip, DAC steps, servo runs, gains, chapter 12's figures.
 
 `add_parser` registers the commands; each handler takes the parsed arguments and returns the exit status.
 """
@@ -40,7 +40,7 @@ PLOTS = (".png", ".svg")
 
 
 def add_parser(family: Commands, summary: str) -> None:
-    """`motionlang servo` and its commands."""
+    """Add `motionlang servo` and its commands."""
     servo = family.add_parser("servo", help=summary)
     commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
     for name, (what, handler, options) in _COMMANDS.items():
@@ -51,11 +51,11 @@ def add_parser(family: Commands, summary: str) -> None:
         parser.set_defaults(command=_guarded(name, handler))
 
 
-# --------------------------------------------------------------------------------------------------- the commands
+# --------------------------------------------------------------------------------------------------- commands
 
 
 def slip(args: argparse.Namespace) -> int:
-    """How fast a load may be accelerated that only friction holds, and whether a move keeps to it."""
+    """Print the highest acceleration of a load held by friction, and check a move."""
     from motionlang.views import servo as view
 
     limit = dissect.slip_acceleration(args.friction, args.gravity)
@@ -82,7 +82,7 @@ def slip(args: argparse.Namespace) -> int:
 
 
 def dac(args: argparse.Namespace) -> int:
-    """What a DAC step asks of the motor, and what holding it back gains."""
+    """Print the demands of a DAC step on the motor, and the effect of holding it."""
     from motionlang.notes.dac_override import demonstrate
     from motionlang.views import servo as view
 
@@ -109,7 +109,7 @@ def dac(args: argparse.Namespace) -> int:
 
 
 def compare(args: argparse.Namespace) -> int:
-    """The four profiles of TN1069 on one simulated axis."""
+    """Compare the four profiles of TN1069 on one simulated axis."""
     from motionlang.notes.tn1069_servo import BASES
     from motionlang.notes.tn1069_servo import compare as compared
     from motionlang.views import servo as view
@@ -136,7 +136,7 @@ def compare(args: argparse.Namespace) -> int:
 
 
 def step(args: argparse.Namespace) -> int:
-    """The answer of an axis to a step: rise, overshoot, settling."""
+    """Print the step response of an axis: rise, overshoot, settling."""
     from motionlang.servo.response import loop_figures, step_figures, step_response
     from motionlang.views import servo as view
 
@@ -160,7 +160,7 @@ def step(args: argparse.Namespace) -> int:
 
 
 def tune(args: argparse.Namespace) -> int:
-    """First gains for a motor and a bandwidth, as Mint and as MCCL have them."""
+    """Print first gains for a motor and a bandwidth, in Mint and in MCCL."""
     from motionlang.lang.gains import spoken
     from motionlang.servo.gains import mccl_values, mint_values
     from motionlang.servo.response import step_figures, step_response
@@ -189,7 +189,7 @@ def tune(args: argparse.Namespace) -> int:
 
 
 def figure(args: argparse.Namespace) -> int:
-    """The figures of chapter 12: what they show in numbers, and as a picture."""
+    """Print the figures of chapter 12 in numbers, and draw them."""
     from motionlang.views.chapter12 import FIGURES, figure_lines
 
     if args.report == "json":
@@ -206,7 +206,7 @@ def figure(args: argparse.Namespace) -> int:
 
 
 def listing(args: argparse.Namespace) -> int:
-    """Chapter 12's C program, run on its own drive."""
+    """Run chapter 12's C program on its own drive."""
     from motionlang.notes.chapter12 import NOTES, Settings, run_listing
     from motionlang.views import servo as view
 
@@ -237,7 +237,10 @@ def listing(args: argparse.Namespace) -> int:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run a program on its machine and show what the motors made of it: the machine's own, or those of the options."""
+    """Run a program on its machine and show the motor data.
+
+    The motors are the machine's own, or those of the options.
+    """
     from motionlang import run as run_program
     from motionlang.log.history import servo_trace
     from motionlang.log.track import WholeTrack
@@ -290,7 +293,8 @@ _COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], Non
 }
 
 
-# ---------------------------------------------------------------------------------------------------- in and out
+# ---------------------------------------------------------------------------------------------------- input
+# and output
 
 
 def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
@@ -317,7 +321,7 @@ def _slip_json(found: Slip) -> dict[str, object]:
 
 
 def _plain(value: object, *without: str) -> dict[str, object]:
-    """The fields of a dataclass; what has no number in JSON is null."""
+    """Return the fields of a dataclass; values without a number in JSON are null."""
     from dataclasses import fields
 
     found: dict[str, object] = {}
@@ -344,7 +348,7 @@ def _as_json(value: object) -> object:
 
 
 def _guarded(name: str, handler: Handler) -> Handler:
-    """A handler whose troubles are messages: 2 where the command line is wrong, 1 where a file is."""
+    """Return a handler that reports errors: 2 for the command line, 1 for a file."""
 
     def call(args: argparse.Namespace) -> int:
         try:

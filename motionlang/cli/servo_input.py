@@ -1,4 +1,7 @@
-"""The loop and the plant of a `servo` command: from a machine file, from single values, from a language's gains."""
+"""The loop and the plant of a `servo` command, from its various sources.
+
+They are a machine file, single values, and a language's gains.
+"""
 
 from __future__ import annotations
 
@@ -19,11 +22,14 @@ if TYPE_CHECKING:
     from motionlang.servo.settings import Key
 
 EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5}
-"""What the motor of the commands has otherwise than [axis.N.plant] by itself, when no machine file describes one."""
+"""The changes of the commands' motor from [axis.N.plant]'s defaults.
+
+They apply if no machine file describes one.
+"""
 
 
 def add_plant(parser: argparse.ArgumentParser) -> None:
-    """The options that say which motor."""
+    """Add the options that describe the motor."""
     add = parser.add_argument
     add("--machine", metavar="M.toml", help="take [axis.N.plant] and [axis.N.servo] from a machine file")
     add("--axis", type=int, default=0, metavar="N", help="the axis of the machine file (0)")
@@ -37,7 +43,7 @@ def add_plant(parser: argparse.ArgumentParser) -> None:
 
 
 def add_loop(parser: argparse.ArgumentParser) -> None:
-    """The options that say which loop."""
+    """Add the options that describe the loop."""
     add = parser.add_argument
     add(
         "--loop",
@@ -65,21 +71,22 @@ def add_loop(parser: argparse.ArgumentParser) -> None:
 
 
 def gains_of(language: str) -> dict[str, str]:
-    """The words of a language that are gains, and which quantity of the loop each sets."""
+    """The gain keywords of a language, and the quantity of the loop that each sets."""
     return gain_words(language, dialect(language).table())
 
 
 def plant_of(args: argparse.Namespace) -> Motor | Drive:
-    """The motor that the options describe; ValueError names what is wrong."""
+    """Return the motor that the options describe; ValueError names an invalid one."""
     options = pairs(args.plant, PLANT)
     example = {} if options.get("kind") == "drive" else EXAMPLE
     return make_plant((_section(args, "plant") or example) | options)
 
 
 def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) -> Loop:
-    """The loop that the options describe; without any gain a loop tuned for the plant, without feed-forward.
+    """Return the loop that the options describe.
 
-    `scale` is counts per user unit, which MCCL's feed-forward gains are written in.
+    Without any gain it is a loop tuned for the plant, without feed-forward. `scale` is counts per user unit,
+    which MCCL's feed-forward gains are written in.
     """
     from dataclasses import replace
 
@@ -103,9 +110,9 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
 
 
 def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
-    """The settings of --machine, or of the machine file beside the program; without motors where options describe one.
+    """Return the settings of --machine, or of the machine file next to the program.
 
-    None where there is no file. ValueError names what is wrong in it.
+    They have no motors if options describe one. None if there is no file. ValueError names an invalid entry.
     """
     from motionlang.errors import ProgramError
     from motionlang.lang.machine.file import read_machine
@@ -124,13 +131,13 @@ def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
 
 
 def _first(path: str, error: ProgramError) -> ValueError:
-    """The first mistake of a machine file as one sentence."""
+    """Return the first error of a machine file as one sentence."""
     first = error.diagnostics[0]
     return ValueError(f"{path}:{first.line}: {first.message}; {first.hint}")
 
 
 def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
-    """NAME=VALUE texts as values of the kinds that the keys ask for."""
+    """Return NAME=VALUE texts as values of the types of the keys."""
     found: dict[str, object] = {}
     for text in texts:
         name, equals, value = text.partition("=")
@@ -141,7 +148,7 @@ def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
 
 
 def numbers(texts: list[str]) -> dict[str, float]:
-    """WORD=VALUE texts as numbers by upper-case word."""
+    """Return KEYWORD=VALUE texts as numbers by upper-case keyword."""
     found: dict[str, float] = {}
     for text in texts:
         word, equals, value = text.partition("=")
@@ -172,7 +179,10 @@ def _machine_path(args: argparse.Namespace) -> str | None:
 
 
 def _section(args: argparse.Namespace, name: str) -> dict[str, object]:
-    """`[axis.N.plant]` or `[axis.N.servo]` of the machine file, also of one beside the program; empty without one."""
+    """`[axis.N.plant]` or `[axis.N.servo]` of the machine file; empty without one.
+
+    The file may be next to a program.
+    """
     path = _machine_path(args)
     if path is None:
         return {}

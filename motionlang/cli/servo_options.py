@@ -1,4 +1,4 @@
-"""The options of the `servo` commands, and the kinds of value that they take."""
+"""The options of the `servo` commands, and the types of their values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SECONDS = {"second": 1.0, "minute": 60.0}
 
 
 def slip_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `servo slip`: friction, the load, and a move to be checked."""
+    """Add the options of `servo slip`: friction, the load, and a move to check."""
     add = parser.add_argument
     _add_friction(parser)
     add("--weight", type=_positive, default=dissect.WEIGHT_LB, metavar="W", help="weight of the load (5 lb)")
@@ -29,7 +29,7 @@ def slip_options(parser: argparse.ArgumentParser) -> None:
 
 
 def dac_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `servo dac`: bits, the share of full scale, the gain."""
+    """Add the options of `servo dac`: bits, the share of full scale, the gain."""
     add = parser.add_argument
     _add_friction(parser)
     add(
@@ -59,7 +59,7 @@ def _add_friction(parser: argparse.ArgumentParser) -> None:
 
 
 def compare_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `servo compare`: motor, loop, the move in counts, and when it has settled."""
+    """Add the options of `servo compare`: motor, loop, move, settling window."""
     add = parser.add_argument
     add_plant(parser)
     add_loop(parser)
@@ -79,7 +79,7 @@ def step_options(parser: argparse.ArgumentParser) -> None:
 
 
 def tune_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `servo tune`: motor, rates, the bandwidth in Hz and the step that is shown."""
+    """Add the options of `servo tune`: motor, rates, bandwidth in Hz, displayed step."""
     add = parser.add_argument
     add_plant(parser)
     add("--loop", action="append", default=[], metavar="NAME=VALUE", help="rates and limits of the loop")
@@ -101,7 +101,7 @@ def figure_options(parser: argparse.ArgumentParser) -> None:
 
 
 def listing_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `servo listing`, all of them per update as in the listing itself."""
+    """Add the options of `servo listing`, all per update as in the listing itself."""
     add = parser.add_argument
     add("--distance", type=_count, default=20_000, metavar="D", help="counts (20000)")
     add("--speed", type=_count, default=50, metavar="V", help="MxVel, counts per update (50)")
@@ -124,7 +124,7 @@ def listing_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `servo run`: a program, how long it may take, motor and loop."""
+    """Add the options of `servo run`: a program, its time limit, motor and loop."""
     add = parser.add_argument
     add("file", metavar="FILE", help="the program")
     add("--dialect", choices=["mint", "mccl"], help="the language, where the suffix does not say it")

@@ -1,4 +1,4 @@
-"""`motionlang run FILE --show-code`: the code that a run would execute, next to the lines of the program."""
+"""`motionlang run FILE --show-code`: the generated code next to the program."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def show_code(options: Options, source: Source, settings: dict[str, object]) -> int:
-    """Print the listing; answers with the exit status, 1 if the program has a mistake."""
+    """Print the listing and return the exit status, 1 if the program has an error."""
     language = dialect_for(source, options.dialect)
     try:
         listing = language.listing(source, settings, options.overrides, accelerators().ranges)

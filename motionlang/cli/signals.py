@@ -1,4 +1,7 @@
-"""Ctrl-C, SIGTERM and SIGHUP as the end of a command: what was computed is reported, and nothing is shown by halves."""
+"""Ctrl-C, SIGTERM and SIGHUP as the end of a command, with complete output.
+
+Results computed so far are reported.
+"""
 
 from __future__ import annotations
 
@@ -14,23 +17,24 @@ if TYPE_CHECKING:
     from typing import Any, Self
 
 NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
-# Seconds within which a further signal is the same wish: `timeout` tells its child, and the group that it is in.
+# Seconds within which another signal is a duplicate: `timeout` signals its child and the group that it is in.
 ONE_WISH = 1.0
-# Seconds after which a signal that was lost is sent again.
+# Seconds after which a lost signal is sent again.
 AGAIN = 1e-3
 
 
 class Signals:
-    """`with SIGNALS:` turns a signal into KeyboardInterrupt or `Terminated`, at once or at the end of what is held.
+    """`with SIGNALS:` turns a signal into KeyboardInterrupt or `Terminated`.
 
-    A signal that whoever started us has switched off, as `nohup` does, stays off.
+    It is raised at once or at the end of a held block. A signal that our parent has disabled, like `nohup`,
+    stays disabled.
     """
 
     __slots__ = ("_asked", "_before", "_held", "_hook", "_lost", "_pending", "_since")
 
     def __init__(self) -> None:
         self._before: dict[int, Any] = {}
-        # The last signal that was heeded, the one that waits for the end of what is held, the one that got lost.
+        # The last signal that was raised, the one that waits for the end of a held block, and the lost one.
         self._asked = self._pending = self._lost = 0
         self._held = 0
         self._since = 0.0
@@ -39,12 +43,12 @@ class Signals:
     def __enter__(self) -> Self:
         self._asked = self._pending = self._lost = self._held = 0
         for name in NAMES:
-            number = getattr(signal, name, None)  # Windows knows no SIGHUP
+            number = getattr(signal, name, None)  # Windows has no SIGHUP
             if number is None or signal.getsignal(number) in (signal.SIG_IGN, None):
                 continue
             try:
                 self._before[number] = signal.signal(number, self._end)
-            except ValueError:  # only a main thread hears of signals
+            except ValueError:  # only a main thread receives signals
                 return self
         self._hook, sys.unraisablehook = sys.unraisablehook, self._unraisable
         return self
@@ -59,12 +63,15 @@ class Signals:
 
     @property
     def status(self) -> int:
-        """The exit status after the signal that was heeded last; of Ctrl-C where somebody else's handler heard it."""
+        """The exit status after the last signal raised, by default that of Ctrl-C."""
         return 128 + (self._asked or signal.SIGINT)
 
     @property
     def held(self) -> Held:
-        """`with SIGNALS.held:` lets what is in it come to its end; a second wish, a second later, ends that, too."""
+        """`with SIGNALS.held:` completes its block; a further signal ends it.
+
+        A signal within a second of the first is a duplicate.
+        """
         return Held(self)
 
     def _end(self, number: int, frame: FrameType | None) -> None:
@@ -78,7 +85,7 @@ class Signals:
         raise error_of(number)
 
     def let_go(self) -> None:
-        """The end of what was held: a signal that came meanwhile counts now."""
+        """End a held block: a pending signal is raised now."""
         self._held = max(0, self._held - 1)
         if self._pending and not self._held:
             number, self._pending = self._pending, 0
@@ -88,7 +95,7 @@ class Signals:
         self._held += 1
 
     def _unraisable(self, lost: Any) -> None:
-        """Python drops what is raised where nothing can be, as in a callback of its imports: the signal comes again."""
+        """Send a signal again whose exception Python dropped, as in an import callback."""
         if not isinstance(lost.exc_value, KeyboardInterrupt | Terminated) or not hasattr(signal, "setitimer"):
             self._hook(lost)
             return
@@ -101,7 +108,7 @@ class Signals:
 
 
 class Held:
-    """What `Signals.held` answers."""
+    """The context manager of `Signals.held`."""
 
     __slots__ = ("_signals",)
 
@@ -119,12 +126,12 @@ class Held:
 
 
 def status_of(error: BaseException) -> int:
-    """The exit status of a command that a signal ended: 128 and its number, as shells have it."""
+    """Return the exit status after a signal: 128 and its number, like in shells."""
     return 128 + (error.number if isinstance(error, Terminated) else signal.SIGINT)
 
 
 def error_of(number: int) -> BaseException:
-    """What a signal raises."""
+    """Return the exception of a signal."""
     return KeyboardInterrupt() if number == signal.SIGINT else Terminated(number)
 
 

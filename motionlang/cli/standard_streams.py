@@ -1,4 +1,4 @@
-"""Standard input, output and error, in a state in which no write to them ends the command in the wrong way."""
+"""Standard input, output and error, prepared so that writes cannot end a command."""
 
 from __future__ import annotations
 
@@ -8,18 +8,21 @@ from io import BufferedWriter, FileIO, TextIOWrapper
 
 
 def prepare() -> None:
-    """Prepare the three streams of this process; streams in memory, as tests use, stay as they are."""
+    """Prepare the three streams of this process; streams in memory, as in tests, stay."""
     _open_closed()
     _write_whole()
     for stream in (sys.stdout, sys.stderr):
-        # A letter that the terminal's encoding lacks is shown by its number; it never ends the run.
+        # A character that the terminal's encoding lacks is shown by its number; it never ends the run.
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(errors="backslashreplace")
 
 
 def silence() -> None:
-    """Discard what standard output still holds: its reader has gone, and Python's last flush would complain."""
+    """Discard the rest of standard output, whose reader has gone.
+
+    Python's last flush would report it.
+    """
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except (OSError, ValueError, AttributeError):
@@ -27,13 +30,14 @@ def silence() -> None:
 
 
 class Whole(FileIO):
-    """A file descriptor of which every write is whole: one that a signal cuts short goes on behind what was written.
+    """A file descriptor with complete writes: an interrupted one continues.
 
-    Python's own text layer takes such a write for a whole one where no buffer lies below it, and loses the rest.
+    Python's own text layer takes an interrupted write for a complete one if there is no buffer below it, and
+    loses the rest.
     """
 
     def write(self, data: bytes) -> int:  # type: ignore[override]
-        """Write all of `data` and say how much that is; BlockingIOError where it would have to wait."""
+        """Write all of `data` and return its length; BlockingIOError if it would block."""
         left = memoryview(data).cast("B")
         size = len(left)
         while left:
@@ -45,7 +49,10 @@ class Whole(FileIO):
 
 
 class Dispensable(Whole):
-    """A descriptor whose write errors are ignored: a full disk or a reader that has gone costs the text alone."""
+    """A descriptor whose write errors are ignored: they lose only the text.
+
+    Such errors are a full disk and a reader that has gone.
+    """
 
     def write(self, data: bytes) -> int:  # type: ignore[override]
         try:
@@ -57,7 +64,7 @@ class Dispensable(Whole):
 def _open_closed() -> None:
     """Replace a stream that was closed at the start with the null device.
 
-    As in Python's own streams the descriptor stays open with the object gone: `-X dev` reports any other.
+    Like in Python's own streams the descriptor stays open after the object: `-X dev` reports any other.
     """
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
@@ -66,7 +73,7 @@ def _open_closed() -> None:
 
 
 def _write_whole() -> None:
-    """Make writes whole where standard output has no buffer, and on standard error, whose errors are ignored.
+    """Make writes complete without a buffer, and on standard error, ignoring errors.
 
     The exit status states how the command ended, which a lost message does not change.
     """
@@ -78,7 +85,7 @@ def _write_whole() -> None:
 
 
 def _text(stream: object, kind: type[Whole]) -> TextIOWrapper:
-    """A text stream on the descriptor of `stream` that writes at once."""
+    """Return a text stream on the descriptor of `stream` that writes at once."""
     assert isinstance(stream, TextIOWrapper)
     raw = kind(stream.fileno(), "wb", closefd=False)
     return TextIOWrapper(raw, stream.encoding, stream.errors, write_through=True)

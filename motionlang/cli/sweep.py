@@ -1,4 +1,4 @@
-"""`motionlang sweep`: a program in many variants, the rows as they come, and what is best at the end."""
+"""`motionlang sweep`: a program in many variants, rows as they come, and the best."""
 
 from __future__ import annotations
 
@@ -33,17 +33,17 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
-# What is added to the name of --out for the rows of a sweep that is not at its end.
+# The suffix of --out for the rows of an incomplete sweep.
 PART = ".part"
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang sweep` and its options."""
+    """Add `motionlang sweep` and its options."""
     add_options(add_command(commands, "sweep", summary, sweep_command, EPILOG))
 
 
 def sweep_command(arguments: argparse.Namespace) -> int:
-    """Run the sweep and show what came of it; answers with the exit status."""
+    """Run the sweep, show its results, and return the exit status."""
     parser = arguments.parser
     problem = _wrong_files(arguments)
     if problem is not None:
@@ -70,7 +70,7 @@ def sweep_command(arguments: argparse.Namespace) -> int:
 
 
 def _wrong_files(arguments: argparse.Namespace) -> str | None:
-    """What is wrong with the files that are to be written, as far as that can be told beforehand."""
+    """Return the error of the output files, as far as it is known beforehand."""
     for option, path, suffixes in (("--out", arguments.out, OUT), ("--plot", arguments.plot, PLOT)):
         if path is None:
             continue
@@ -87,7 +87,7 @@ def _wrong_files(arguments: argparse.Namespace) -> str | None:
 
 
 def _description(arguments: argparse.Namespace) -> Description:
-    """What is asked for: by the command line, and where that is silent by the file beside the program."""
+    """The options of the command line, completed by the file next to the program."""
     beside = os.path.splitext(arguments.file)[0] + SUFFIX
     if arguments.file != STDIN and os.path.isfile(beside):
         try:
@@ -121,7 +121,7 @@ def _description(arguments: argparse.Namespace) -> Description:
 
 
 def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Report] | int:
-    """The sweep and its report; the exit status where a file is wrong, which has been told."""
+    """Return the sweep and its report, or the exit status after a reported file error."""
     source = read_source(arguments.file)
     if arguments.dialect is None and dialect_of(arguments.file) is None:
         complain([no_dialect(arguments.file)], None, arguments.file)
@@ -161,7 +161,7 @@ def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Re
 
 
 def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
-    """The rows of an earlier sweep that is to be gone on with, by the numbers of their variants."""
+    """The rows of an earlier sweep to be resumed, by the numbers of their variants."""
     if not arguments.resume:
         return {}
     part = arguments.out + PART
@@ -172,7 +172,10 @@ def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
 
 
 def _digest(sweep: Sweep) -> str:
-    """What makes two sweeps the same: the program, its machine, what is kept, and the variants, by the last of them."""
+    """Return the identity of a sweep: program, machine, kept results, and variants.
+
+    The variants count by the last of them.
+    """
     count = len(sweep)
     return f"{sweep.job.digest} {count} {[sweep.space[n] for n in (0, count // 2, count - 1)]!r}"
 
@@ -215,7 +218,7 @@ def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict
 def _finish(
     arguments: argparse.Namespace, sweep: Sweep, report: Report, rows: dict[int, Result], journal: Journal
 ) -> int:
-    """Write --out whole, and take the journal away where nothing is left to be done."""
+    """Write --out completely, and delete the journal if nothing remains to be done."""
     from motionlang.views.sweep_files import write_rows
 
     try:

@@ -30,7 +30,7 @@ examples:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """The options of `sweep`."""
+    """Add the options of `sweep`."""
     add = parser.add_argument
     add(
         "file", metavar="FILE", help="the program; pick.sweep.toml beside pick.mnt says what is not said here"

@@ -1,4 +1,4 @@
-"""What a sweep tells: its table, what is best, the front, the bad variants apart, and its picture."""
+"""The report of a sweep: table, best variant, Pareto front, failures, picture."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 
     Cells = list[object]
 
-# Bad variants that are named for each thing that is wrong.
+# Failed variants that are named for each error.
 MOST_BAD = 3
 _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
 class Report:
-    """What is to be told; `keep` is what was asked for, and what the expressions need besides."""
+    """The report; `keep` has the requested results, and those the expressions need."""
 
     __slots__ = ("_costs", "_expressions", "keep", "names")
 
     def __init__(self, wishes: Description, names: Sequence[str], keep: Sequence[str]) -> None:
-        """ValueError where an expression is none, or has a name that there is not."""
+        """Parse the expressions; ValueError for an invalid one, or an unknown name."""
         self.names = tuple(names)
         self._expressions, self._costs = wishes.expressions(), wishes.costs()
         needed = [name for each in (*self._expressions.values(), *self._costs) for name in each.names]
@@ -40,17 +40,17 @@ class Report:
 
     @property
     def columns(self) -> list[str]:
-        """The columns of the file: the number of the variant, its values, what is kept, and what is wrong."""
+        """The columns of the file: variant number, values, kept results, and error."""
         return ["variant", *self.names, *self.keep, "problem"]
 
     def cells(self, sweep: Sweep, rows: dict[int, Result]) -> Iterator[Cells]:
-        """The rows of the file, in the order of the variants."""
+        """Yield the rows of the file, in the order of the variants."""
         for index in sorted(rows):
             _, kept, problem = rows[index]
             yield [index, *sweep.space[index], *kept, problem and problem["message"]]
 
     def tell(self, arguments: argparse.Namespace, sweep: Sweep, rows: dict[int, Result]) -> int:
-        """Print and draw what is asked for; 1 where a variant is bad or the picture cannot be written."""
+        """Print and draw the requested output; 1 on a failed variant or picture."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
         if arguments.report == "csv":
             from motionlang.views.sweep_files import write_csv
@@ -73,7 +73,7 @@ class Report:
         }
 
     def _best(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> int | None:
-        """The number of the best variant; of equals the first."""
+        """Return the number of the best variant; of equals the first."""
         wanted = self._expressions.get("minimise") or self._expressions.get("maximise")
         if wanted is None:
             return None
@@ -156,17 +156,17 @@ class Report:
         which = "largest" if "maximise" in self._expressions else "smallest"
         return f"best: {found}; {wanted.text} is {which} there, {cell(wanted.number(values))}"
 
-    # --------------------------------------------------------------------------------------- the bad variants
+    # --------------------------------------------------------------------------------------- failed variants
 
     def _tell_bad(self, sweep: Sweep, bad: dict[int, Problem], count: int) -> None:
-        """Bad variants apart from the others, those with the same thing wrong together."""
+        """Report failed variants separately, grouped by error."""
         from motionlang.views.sweep_table import cell
 
         alike: dict[str, tuple[str, list[int]]] = {}
         for index, problem in bad.items():
             place = f" (line {problem['line']})" if problem["line"] else ""
             message = f"{problem['code']}: {problem['message']}{place}"
-            # The same but for its figures is the same.
+            # Errors that differ only in figures are grouped.
             alike.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
         sys.stderr.write(f"{len(bad)} of {count} variants are bad\n")
         for message, indices in alike.values():
@@ -206,7 +206,7 @@ class Report:
         best: int | None,
         front: list[int],
     ) -> str | None:
-        """Draw what fits what was varied; what stands in the way of any picture."""
+        """Draw a picture that fits the varied names; return the reason if there is none."""
         from motionlang.views.sweep_plot import MOST_LINES, plot_front, plot_lines, plot_map
 
         units = {name: unit_of(name) for name in self.keep}

@@ -1,4 +1,7 @@
-"""What `motionlang verify` has to say of one program, scenario or sweep: made by any process, told by the first."""
+"""The result of `motionlang verify` for one program, scenario or sweep.
+
+It is made by any process, reported by the first.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Verdict:
-    """Whether it `failed`, the `lines` that are printed, and the `diagnostics`, which are about the file `place`.
+    """`failed`, the `lines` to print, and the `diagnostics` about the file `place`.
 
     `kind` is "program", "scenario" or "sweep".
     """
@@ -30,17 +33,20 @@ class Verdict:
         self.source: Source | None = None
 
     def refuse(self, diagnostics: list[Diagnostic], source: Source | None = None, place: str = "") -> None:
-        """It could not be run, or its golden files not be read or written; a `source` is what is wrong."""
+        """Fail because it could not run, or its golden files not be read or written.
+
+        A `source` is the one with the error.
+        """
         self.failed, self.diagnostics = True, diagnostics
         self.source, self.place = source, place or self.name
 
     def fail(self, message: str) -> None:
-        """It failed for a reason that is one line."""
+        """Fail for a reason of one line."""
         self.failed = True
         self.lines.append(f"{self.name}: {message}")
 
     def tell(self, found: Sequence[str]) -> None:
-        """It failed if anything was found that differs."""
+        """Fail if any differences were found."""
         if found:
             self.fail("differs")
             self.lines += [f"  {each}" for each in found[:MOST_DIFFERENCES]]
@@ -48,6 +54,6 @@ class Verdict:
                 self.lines.append(f"  and {len(found) - MOST_DIFFERENCES} more")
 
     def findings(self) -> list[Diagnostic]:
-        """The same as diagnostics, for other tools."""
+        """Return the result as diagnostics, for other tools."""
         told = [Diagnostic("golden", "\n".join(self.lines))] if self.failed and self.lines else []
         return self.diagnostics + told

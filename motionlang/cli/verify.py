@@ -38,7 +38,7 @@ a line each, or accept everything with --update. The golden files of this progra
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """`motionlang verify` and its options."""
+    """Add `motionlang verify` and its options."""
     parser = add_command(commands, "verify", summary, _verify_all)
     parser.add_argument(
         "paths",
@@ -69,7 +69,10 @@ def _verify_all(arguments: argparse.Namespace) -> int:
 def verify_command(
     paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0, asks: bool = False
 ) -> int:
-    """Verify programs, or write their golden files anew; 1 where one differs, cannot be read or has none."""
+    """Verify programs, or rewrite their golden files; 1 on a difference or an error.
+
+    A missing golden file is an error.
+    """
     found = programs(paths)
     if not found:
         sys.stderr.write(f"no programs in {', '.join(paths)}\n")
@@ -105,7 +108,7 @@ def verify_command(
 
 
 def _review(program: str, verdict: Verdict) -> None:
-    """Ask of each change whether it is accepted; what golden files have no say in stays as it failed."""
+    """Ask about each change; failures unrelated to golden files remain."""
     sys.stdout.flush()
     try:
         if verdict.kind == "sweep":
@@ -134,7 +137,7 @@ def _review_rows(program: str, verdict: Verdict) -> None:
 
 
 def _count(verdicts: Sequence[Verdict], kind: str) -> str:
-    """How many of a kind are well; "" where there are none."""
+    """Return how many of a kind passed; "" if there are none."""
     of_kind = [each for each in verdicts if each.kind == kind]
     well = [each for each in of_kind if not each.failed]
     return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""
@@ -151,7 +154,7 @@ def _row(verdict: Verdict) -> dict[str, object]:
 
 
 def _judged(rewrite: bool, program: str) -> list[Verdict]:
-    """The verdict of a program, and those of what lies beside it."""
+    """Return the verdict of a program, and those of its scenarios and sweep."""
     verdict = Verdict(program)
     if _is_readable(verdict):
         (_update if rewrite else _verify)(verdict)
@@ -175,7 +178,7 @@ def _verify(verdict: Verdict) -> None:
         verdict.fail(f"{os.path.basename(report)} {what}: {error}")
     else:
         verdict.tell(expectations(result) + found)
-        if verdict.failed and result.diagnostics:  # of a program that no longer compiles, for one
+        if verdict.failed and result.diagnostics:  # for example of a program that no longer compiles
             verdict.diagnostics, verdict.source = result.diagnostics, result.source
 
 
@@ -191,7 +194,7 @@ def _update(verdict: Verdict) -> None:
 
 
 def _ran(verdict: Verdict) -> Run | None:
-    """The run of a program; None where it, or the machine file beside it, cannot be read."""
+    """Return the run of a program; None if it or its machine file cannot be read."""
     program = verdict.name
     try:
         return run(program, cache=False)
@@ -200,9 +203,7 @@ def _ran(verdict: Verdict) -> Run | None:
     except ProgramError as error:
         machine = machine_of(program)
         verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
-    except (
-        Exception
-    ) as error:  # a mistake of motionlang's own is no reason to leave out the programs behind it
+    except Exception as error:  # an internal error must not skip the programs after it
         verdict.refuse([crash(error, (program,))])
     return None
 

@@ -1,4 +1,4 @@
-"""What `motionlang verify` checks beside a program's golden files: expectations, its scenarios, its sweep."""
+"""Further checks of `motionlang verify`: expectations, scenarios, sweep."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def besides(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
-    """Check, or write anew, the scenarios and the sweep that lie beside a program, or one of them."""
+    """Check, or rewrite, the scenarios and the sweep of a program, or one of them."""
     found = [
         _guarded(Verdict(path, "scenario"), _scenario, program, rewrite)
         for path in scenario_files(program)
@@ -37,7 +37,7 @@ def besides(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
 
 
 def expectations(result: Run) -> list[str]:
-    """What a run of the program on its own machine did not do of what the machine file expects."""
+    """Return the unmet expectations of the machine file for a run."""
     expected = result.machine.settings.get("expect", [])
     return unmet(result, expected) if expected else []  # type: ignore[arg-type]
 
@@ -45,7 +45,7 @@ def expectations(result: Run) -> list[str]:
 def _guarded(
     verdict: Verdict, work: Callable[[str, Verdict, bool], None], program: str, rewrite: bool
 ) -> Verdict:
-    """The verdict, also where a file cannot be read or is wrong."""
+    """Return the verdict, also if a file cannot be read or is invalid."""
     try:
         work(program, verdict, rewrite)
     except OSError as error:
@@ -58,7 +58,7 @@ def _guarded(
 
 
 def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
-    """A scenario is as expected, and as its golden files say where it has any."""
+    """Check a scenario against its expectations and its golden files, if any."""
     path = verdict.name
     scenario = Scenario(program, path)
     result = scenario.run()
@@ -79,7 +79,7 @@ def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
 
 
 def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
-    """The rows of a sweep are those of its golden file."""
+    """Check the rows of a sweep against its golden file."""
     path = verdict.name
     wishes = read_description(path)
     worlds = wishes.worlds()
@@ -124,7 +124,7 @@ def _same(was: str, found: str) -> bool:
 
 
 def sweep_golden(path: str) -> str:
-    """Where the rows of a sweep are kept."""
+    """Return the golden file of a sweep's rows."""
     return path.removesuffix(".toml") + ".golden.csv"
 
 
