@@ -1,5 +1,5 @@
-"""Open readings: what the sources leave open, what was chosen, and how the owner of a controller can settle it.
+"""Assumptions: what the sources leave open, the choices, and how to confirm them.
 
-The readings are data, in the folders `evidence/` of the dialects and of this package. What explains, documents or
-probes loads them; a run never does.
+They are data, in the folders `evidence/` of the dialects and of this package. Code that explains, documents
+or probes loads them; a run never does. An owner of a controller can confirm them.
 """

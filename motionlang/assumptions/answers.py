@@ -1,4 +1,4 @@
-"""The answers to a probe, read out of what a terminal showed, and what they say of each reading."""
+"""The answers to a probe, read from a terminal's output, and their meaning."""
 
 from __future__ import annotations
 
@@ -17,17 +17,19 @@ _ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x09\x0b\x0c\x0e-\x1f\x7f]")
 _STAMP = re.compile(r"^\s*\[?(?:\d{4}-\d\d-\d\d[ T])?\d{1,2}:\d\d:\d\d(?:[.,]\d+)?\]?[ \t]*")
 _MINT = re.compile(r"(?<!\")<([a-z]+(?:\.[a-z0-9-]+)?)\|([^<>\n]*)(>?)")
 _MARK = re.compile(rf"{str(FIRST_MARK)[:3]}\d{{6}}")
-# How far a value may be from the one chosen and still be the same.
+# The difference of a value from the chosen one that still counts as equal.
 ROUNDING = 1e-9
-# The place of an axis or of a distance in a question, its brackets escaped.
+# The placeholder of an axis or of a distance in a question, its brackets escaped.
 _FILLED = re.compile(r"\\\{\w+\\\}")
 HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
 
 
 @record
 class Verdict:
-    """What an answer says of a reading: it `holds`, an `other` alternative does (`what`, and the `value` that sets
-    it), or it is `unknown`, as the answer fits nothing that is known.
+    """The result of an answer for an assumption: it `holds`, `other` or `unknown`.
+
+    With `other` an alternative applies (`what`, and the `value` that sets it); `unknown` matches no
+    alternative.
     """
 
     reading: Reading
@@ -38,12 +40,15 @@ class Verdict:
 
     @property
     def can_be_set(self) -> bool:
-        """Whether the machine file can make the virtual controller answer alike."""
+        """True if the machine file can make the virtual controller answer alike."""
         return self.value is not None
 
 
 class Answers:
-    """What was read: `verdicts` in the order of the readings, and `problems` with what was shown."""
+    """The results: `verdicts` in the order of the assumptions, and `problems`.
+
+    The latter have the output.
+    """
 
     def __init__(self) -> None:
         self.language = ""
@@ -51,12 +56,15 @@ class Answers:
         self.problems: list[Diagnostic] = []
 
     def complain(self, message: str, hint: str = "", line: int = 0, severity: str = "error") -> None:
-        """Tell of something that is wrong with the answers."""
+        """Report an error in the answers."""
         self.problems.append(Diagnostic("answers", message, line, hint=hint, severity=severity))
 
 
 def read(text: str, wanted: str = "") -> Answers:
-    """The answers in a text that a terminal showed; `wanted` is the language that they must be of, "" for any."""
+    """Return the answers in a terminal's output.
+
+    `wanted` is their required language, "" for any.
+    """
     found = Answers()
     lines = [_STAMP.sub("", line) for line in _ESCAPE.sub("", re.sub(r"\r\n?", "\n", text)).split("\n")]
     told = _told_by_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
@@ -85,11 +93,15 @@ def _is_a_probe(text: str) -> bool:
     return f"<{BEGIN}|" in text or str(mark(BEGIN)) in text
 
 
-# --------------------------------------------------------------------------------------------- where they stand
+# --------------------------------------------------------------------------------------------- finding
+# answers
 
 
 def _told_by_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
-    """The answers by their names, with their lines; the listing of the probe itself has a quote behind the name."""
+    """Return the answers by name, with their lines.
+
+    The listing of the probe itself has a quote after the name.
+    """
     told: dict[str, list[tuple[str, int]]] = {}
     for number, line in enumerate(lines, 1):
         for match in _MINT.finditer(line):
@@ -104,7 +116,7 @@ def _told_by_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str,
 
 
 def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
-    """The answers by their names: what was told behind each mark, without the echo of what was asked."""
+    """The answers by name: the text after each mark, without the echoed question."""
     names = {mark(name): name for name in (*questions(), BEGIN, END, NEXT)}
     told: dict[str, list[tuple[str, int]]] = {}
     name, begun = "", 0
@@ -128,7 +140,7 @@ def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str,
 
 
 def _is_echo(said: str, name: str) -> bool:
-    """Whether a line without a prompt is what was sent, shown once more."""
+    """True if a line without a prompt echoes the input."""
     if _MARK.search(said) or said.startswith(";"):
         return True
     reading = questions().get(name)
@@ -144,7 +156,8 @@ def _plain(answer: str) -> str:
     return " ".join(answer.split())
 
 
-# -------------------------------------------------------------------------------------------- what they say
+# -------------------------------------------------------------------------------------------- evaluating
+# answers
 
 
 def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
@@ -190,7 +203,7 @@ def _take(found: Answers, reading: Reading, answer: str, line: int) -> None:
 
 
 def judged(reading: Reading, answer: str) -> Verdict:
-    """What an answer says of a reading; ValueError where it is a number that the reading cannot be set to."""
+    """Return the result of an answer; ValueError for a number that cannot be set."""
     probe = reading.probe
     assert probe is not None
     settable = switch(reading.name)
@@ -213,7 +226,7 @@ def judged(reading: Reading, answer: str) -> Verdict:
 
 
 def _number(probe: Probe, answer: str) -> float | None:
-    """The value that an answer tells, None where it has not the form; whole ones as such."""
+    """Return the value in an answer, None if it has another form; integers as such."""
     match = re.fullmatch(probe.form.replace("{}", NUMBER), answer)
     if match is None:
         return None
@@ -225,7 +238,10 @@ def _number(probe: Probe, answer: str) -> float | None:
 
 
 def is_answer(expected: str, answer: str) -> bool:
-    """Whether an answer is the one expected: as a pattern, or word by word, numbers by their value."""
+    """True if an answer is the expected one.
+
+    It is compared as a pattern, or word by word, with numbers by their value.
+    """
     if expected.startswith("re:"):
         return re.fullmatch(expected[3:], answer) is not None
     wanted, given = expected.split(), answer.split()
@@ -233,7 +249,7 @@ def is_answer(expected: str, answer: str) -> bool:
 
 
 def _are_alike(wanted: str, given: str) -> bool:
-    """Numbers are alike when they differ by no more than half a unit of the last place that was shown."""
+    """True if numbers differ by no more than half a unit of the last shown digit."""
     if wanted == given:
         return True
     if not (re.fullmatch(NUMBER, wanted) and re.fullmatch(NUMBER, given)):
@@ -249,7 +265,7 @@ def _are_alike(wanted: str, given: str) -> bool:
 
 
 def machine_text(found: Answers, source: str) -> str:
-    """The `[assumptions]` of a machine file that make the virtual controller answer alike."""
+    """Return the `[readings]` of a machine file that reproduce the answers."""
     count = {
         status: sum(each.status == status for each in found.verdicts) for status in (HOLDS, OTHER, UNKNOWN)
     }
@@ -277,7 +293,7 @@ def machine_text(found: Answers, source: str) -> str:
 
 
 def counted(number: int, one: str, many: str) -> str:
-    """A number with what it counts."""
+    """Return a number with the noun it counts."""
     return f"{number} {one if number == 1 else many}"
 
 

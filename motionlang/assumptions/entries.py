@@ -1,4 +1,4 @@
-"""The open readings as they stand in the files of evidence: chapters, sections, entries."""
+"""The assumptions from the files of evidence: chapters, sections, entries."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ FILES = (
     "assumptions/evidence/prompt.toml",
     "assumptions/evidence/report.toml",
 )
-# Behind so many of them stand Mint's settings at power-up.
+# The number of chapters before that of Mint's settings at power-up.
 AFTER = 3
 PROBE_KEYS = (
     *("before", "ask", "after", "answers", "form", "scale", "motion"),
@@ -49,7 +49,10 @@ A setting of an axis that no program has written yet. Each can be given another 
 
 @record
 class Section:
-    """Readings about one matter, behind what there is to say of all of them; `title` "" for a chapter's only one."""
+    """Assumptions on one subject, with a common text; `title` may be "".
+
+    It is for a chapter's only section.
+    """
 
     title: str
     text: str
@@ -67,7 +70,7 @@ class Chapter:
 
 @cache
 def chapters() -> tuple[Chapter, ...]:
-    """Every file of evidence, read; AssertionError where two readings have one name."""
+    """Return every file of evidence; AssertionError for a duplicate name."""
     of_files = [_chapter(ROOT / file) for file in FILES]
     found = (*of_files[:AFTER], _defaults(), *of_files[AFTER:])
     names = [each.name for each in _readings(found)]
@@ -77,7 +80,7 @@ def chapters() -> tuple[Chapter, ...]:
 
 @cache
 def readings() -> Mapping[str, Reading]:
-    """Every reading by its name, in the order of the chapters."""
+    """Return every assumption by its name, in the order of the chapters."""
     return {each.name: each for each in _readings(chapters())}
 
 
@@ -97,7 +100,7 @@ def _chapter(path: Path) -> Chapter:
 
 
 def _reading(entry: dict[str, Any]) -> Reading:
-    """An entry of a file: what is of the probe stands beside the rest."""
+    """Return an entry of a file, with the fields of its probe separated."""
     asked = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
     language = entry.pop("language", entry["name"].partition(".")[0])
     if asked:
@@ -111,7 +114,7 @@ def _reading(entry: dict[str, Any]) -> Reading:
 
 
 def _defaults() -> Chapter:
-    """What Mint's settings are at power-up: as many readings, whose values stand in the rows of the words."""
+    """Return Mint's settings at power-up, with values from the rows of the keywords."""
     found = [_default(row) for row in with_default()]
     return Chapter("Mint: settings at power-up", DEFAULTS, [Section("", "", found)])
 

@@ -1,7 +1,7 @@
-"""What each fact of a word rests on: its meaning, short form, brackets, unit, default and range.
+"""The evidence of each fact of a keyword: meaning, short form, brackets, unit, …
 
-The facts stand in the word's row, once. What they rest on stands in the `facts.txt` of the dialect, for each fact of
-each word; only `keywords`, the documents and `check --evidence` read it, and never a run.
+The facts are in the keyword's row, once. Their evidence is in the `facts.txt` of the dialect, for each fact
+of each keyword; only `keywords`, the documents and `check --evidence` read it, and never a run.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 ROOT = Path(__file__).parent.parent
-# How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule is printed;
-# a choice has nothing to go by.
+# How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule
+# is printed; a choice has no evidence.
 STRENGTHS = ("manual", "code", "sibling", "memory high", "memory medium", "memory low", "choice")
-# The facts that a row may have, as a page of the word shows them.
+# The facts that a row may have, in the order of the keyword's page.
 FACTS = ("meaning", "short", "index", "unit", "default", "range")
 
 
 class Evidence:
-    """What a fact rests on: its strength, one of `STRENGTHS`, and the source, "" where there is none."""
+    """The evidence of a fact: its strength, one of `STRENGTHS`, and source, or ""."""
 
     def __init__(self, strength: str, source: str = "") -> None:
         assert strength in STRENGTHS, strength
@@ -36,18 +36,21 @@ class Evidence:
         return f"{self.strength}, {self.source}" if self.source else self.strength
 
 
-# Of a word that is not listed, such as one that is being added.
+# For a keyword that is not listed, such as one that is being added.
 UNKNOWN = Evidence("choice")
 
 
 def of_word(language: str, row: Keyword) -> dict[str, Evidence]:
-    """The evidence of each fact that the row of a word has, by its name; a choice where `facts.txt` has none."""
+    """Return the evidence of each fact of a keyword's row, by the name of the fact.
+
+    It is a choice if `facts.txt` has none.
+    """
     known = listed(language)
     return {fact: known.get((row.name, fact), UNKNOWN) for fact in facts_of(row)}
 
 
 def facts_of(row: Keyword) -> list[str]:
-    """The facts that a row has."""
+    """Return the facts that a row has."""
     has = {
         "meaning": True,
         "short": row.short != "",
@@ -61,7 +64,7 @@ def facts_of(row: Keyword) -> list[str]:
 
 @cache
 def listed(language: str) -> Mapping[tuple[str, str], Evidence]:
-    """What `facts.txt` of a dialect says, by word and fact; AssertionError where it says a thing twice."""
+    """`facts.txt` of a dialect by keyword and fact; AssertionError for duplicates."""
     assert language in dialects(), language
     found: dict[tuple[str, str], Evidence] = {}
     facts, evidence = [""], UNKNOWN

@@ -1,4 +1,7 @@
-"""Write `tables.py`, by which a report finds the readings of a program: `python -m motionlang.assumptions.indexing`."""
+"""Writer of `tables.py`, the index of assumptions by keyword for a report.
+
+Run it with `python -m motionlang.assumptions.indexing`.
+"""
 
 from __future__ import annotations
 
@@ -24,16 +27,16 @@ HEAD = '''"""The open readings by the words that depend on them. Written by `ind
 from __future__ import annotations
 
 '''
-# What puts an axis in motion by its speed and its rates.
+# The roles that put an axis in motion by its speed and its rates.
 ROLES = ("move", "path", "act")
-# So many letters of words stand on the line of their reading.
+# Up to this many characters of keywords are on the line of their assumption.
 SHORT = 70
 # The longest line, its end included.
 WIDTH = 111
 
 
 def written() -> str:
-    """The text of `tables.py`."""
+    """Return the text of `tables.py`."""
     tables = {name: dialect(name).table() for name in dialects()}
     mint = tables["mint"]
     settings = {name_of(row): row for row in with_default()}
@@ -72,13 +75,13 @@ def _open(tables: dict[str, Table], settings: dict[str, Keyword]) -> Iterator[st
 
 
 def _text(words: list[str]) -> str:
-    """Words as a text in quotes, of several lines where they are many."""
+    """Return keywords as a quoted text, on several lines if there are many."""
     joined = " ".join(words).replace("\\", "\\\\")
     return f'"{joined}"' if len(joined) < SHORT else f'"""\n{fill(joined, 110)}\n"""'
 
 
 def _words(language: str, table: Table, reading: Reading) -> list[str]:
-    """The words of a reading that are of a language, in every spelling."""
+    """Return an assumption's keywords of a language, in every spelling."""
     prefix = reading.name.partition(".")[0]
     if is_of(reading.name, *(each for each in dialects() if each != language)):
         return []

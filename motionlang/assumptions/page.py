@@ -1,4 +1,4 @@
-"""docs/fidelity.md, made from the readings."""
+"""docs/fidelity.md, made from the assumptions."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 
 
 def markdown() -> str:
-    """The whole page."""
+    """Return the complete page."""
     parts = [HEAD, "\n## Contents\n\n"]
     parts += [f"* [{each.title}](#{_anchor(each.title)})\n" for each in chapters()]
     for chapter in chapters():
@@ -39,7 +39,7 @@ def markdown() -> str:
 
 
 def rests_on(reading: Reading) -> str:
-    """Its strength, and why it was chosen."""
+    """Return its strength, and the reason for the choice."""
     kind, _, confidence = reading.strength.partition(" ")
     strength = f"{kind} ({confidence})" if confidence else kind
     return f"{strength}: {reading.why}" if reading.why else strength
@@ -76,5 +76,5 @@ def _cell(text: str) -> str:
 
 
 def _anchor(title: str) -> str:
-    """The place of a heading, as a page of Markdown names it."""
+    """Return the anchor of a heading in Markdown."""
     return "".join(letter for letter in title.lower() if letter.isalnum() or letter in " -").replace(" ", "-")

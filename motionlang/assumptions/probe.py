@@ -1,8 +1,8 @@
-"""A probe: a program that asks a controller which readings hold, to be run by the controller's owner.
+"""A probe: a program that tests assumptions on a real controller.
 
-It moves nothing and writes no setting, unless it is asked for motion. Each question prints one answer, marked with the
-name of its reading, so that the answers can be told from whatever else a terminal shows. What writes settings, or may
-end with an error, has a program of its own.
+Its owner runs it. It moves nothing and writes no setting, unless motion is allowed. Each question prints one
+answer, marked with the name of its assumption, so that answers can be found in a terminal's output. A
+question that writes settings, or may end with an error, has a program of its own.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from motionlang.assumptions.entries import ROOT, readings
 from motionlang.assumptions.reading import REFUSED, Probe, Reading
 from motionlang.record import record
 
-# What a probe of MCCL tells before an answer: a register with this number, and one of its own for each name.
+# The number that a probe of MCCL prints before an answer, from a register; each name has its own.
 FIRST_MARK = 731_000_000
 MARKS = 1_000_000
 BEGIN, END, NEXT = "probe", "end", "next"
 # A longer answer has a line of its own.
 WIDE = 24
-# How a pattern is shown to a person: signs and their stand-ins, one after the other.
+# The display of a pattern: signs and their replacements, one after the other.
 PLAIN = (
     (r"0\??\\d\+?", "01"),
     (r"\\\?", "\0"),
@@ -40,25 +40,28 @@ PLAIN = (
     (r"[()\\?$^]", ""),
     ("\0", "?"),
 )
-# What a question with motion does takes no more than so many of its steps of the distance.
+# The maximum travel of a question with motion, in its steps of the distance.
 STEPS = 4
 
 
 @record
 class Motion:
-    """What the owner allows: `distance` in user units, over which an axis may move to and fro."""
+    """The owner's permission: `distance` in user units, over which an axis may move."""
 
     axis: int
     distance: float
 
     @property
     def step(self) -> float:
-        """The `{d}` of a question; whole if it can be, since a board without a scale counts in whole counts."""
+        """The `{d}` of a question; an integer if possible, for a board without a scale."""
         return float(self.distance // STEPS) or self.distance / STEPS
 
 
 def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list[Reading]:
-    """The readings of a language that a probe asks about; those that need motion only where it is allowed."""
+    """Return the assumptions of a language in a probe.
+
+    Those that need motion are included only if it is allowed.
+    """
     found = [
         each
         for each in readings().values()
@@ -72,12 +75,15 @@ def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list
 
 
 def _moves(reading: Reading) -> bool:
-    """What moves, or writes a setting, comes last: settings are asked for as they are at power-up."""
+    """True if it moves or writes a setting, which comes last.
+
+    Settings are read in their state at power-up.
+    """
     return reading.probe is not None and reading.probe.motion
 
 
 def written(language: str, axis: int, motion: Motion | None = None, without: Collection[str] = ()) -> str:
-    """The text of a probe."""
+    """Return the text of a probe."""
     found = asked(language, motion=motion is not None, without=without)
     head, maker, sign = (_mint_head, _mint, "'") if language == "mint" else (_mccl_head, _mccl, ";")
     lines = [*(f"{sign} {line}" for line in head(found, motion)), *maker(found, axis, motion)]
@@ -85,7 +91,7 @@ def written(language: str, axis: int, motion: Motion | None = None, without: Col
 
 
 def alone(reading: Reading, axis: int, motion: Motion | None = None) -> str:
-    """The text of a probe that asks one question, and says above it what each answer means."""
+    """Return the text of a probe with one question, and the meanings of its answers."""
     assert reading.probe is not None
     maker, sign = (_mint, "'") if reading.probe.language == "mint" else (_mccl, ";")
     needs = reading.probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
@@ -101,12 +107,12 @@ def alone(reading: Reading, axis: int, motion: Motion | None = None) -> str:
 
 
 def _wrapped(line: str) -> list[str]:
-    """A line of a remark, in several where it is long."""
+    """Return a line of a remark, wrapped."""
     return [line] if line.startswith("  ") else textwrap.wrap(line, 110)
 
 
 def meanings(reading: Reading, most: int = 110) -> list[str]:
-    """What a controller may show, and what that says of it, an answer a line."""
+    """Return the possible answers and their meanings, one per line."""
     probe = reading.probe
     assert probe is not None
     chosen = f"{reading.chosen} (chosen here)"
@@ -126,7 +132,7 @@ def meanings(reading: Reading, most: int = 110) -> list[str]:
 
 
 def as_shown(answer: str) -> str:
-    """An answer as a person reads it: a pattern without its signs, what nothing prints as what happens."""
+    """Return an answer for display: a pattern without its signs, or an event."""
     if answer == REFUSED:
         return "(the compiler refuses it)"
     if not answer:
@@ -140,12 +146,12 @@ def as_shown(answer: str) -> str:
 
 
 def mark(name: str) -> int:
-    """The number that a probe of MCCL tells before the answer to a question."""
+    """Return the number that a probe of MCCL prints before the answer to a question."""
     return FIRST_MARK + crc32(name.encode()) % MARKS
 
 
 def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list[str]]:
-    """What is done before a question, the question, and what is done after it."""
+    """Return the lines before a question, the question, and the lines after it."""
 
     def filled(text: str) -> str:
         text = text.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
@@ -155,7 +161,7 @@ def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list
 
 
 def _reach(probe: Probe, motion: Motion) -> str:
-    """How far a question of its own moves which axes; whether they come back is what it says itself."""
+    """Return how far a separate question moves its axes; it states if they return."""
     both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
     axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
     where = "they stand" if both else "it stands"
@@ -215,7 +221,7 @@ def _mint(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterato
 
 
 def _behind(reading: Reading, axis: int) -> Iterator[str]:
-    """What stands behind the End of a program: the lines of its probe, and what tells that it ended with an error."""
+    """Yield the text after the End of a program: lines of its probe, and error output."""
     assert reading.probe is not None
     for line in reading.probe.behind:
         yield line.replace("{a}", str(axis))

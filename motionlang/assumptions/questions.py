@@ -1,4 +1,4 @@
-"""Every question that a controller can be asked: the entries of the files of evidence, and open facts of words."""
+"""Every question for a controller: entries of evidence, open facts of keywords."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 @cache
 def questions() -> Mapping[str, Reading]:
-    """Every reading by its name: the entries in the order of docs/fidelity.md, then the facts in that of the tables."""
+    """Return every assumption by its name: the entries, then the facts.
+
+    The entries are in the order of docs/fidelity.md, the facts in that of the tables.
+    """
     facts = (
         fact
         for language in dialects()
@@ -32,7 +35,7 @@ def questions() -> Mapping[str, Reading]:
 
 
 def of_word(language: str, row: Keyword) -> list[Reading]:
-    """What is open of a word of a language: the entries that depend on it, then its own facts."""
+    """Return the open assumptions of a keyword: its entries, then its own facts."""
     others = tuple(f"{each}." for each in dialects() if each != language)
     entries = [
         each

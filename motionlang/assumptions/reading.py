@@ -1,4 +1,4 @@
-"""What an open reading is, and how a controller is asked which of its answers holds."""
+"""The record of an assumption, and of the probe that tests it."""
 
 from __future__ import annotations
 
@@ -6,23 +6,24 @@ from collections.abc import Sequence
 
 from motionlang.record import record
 
-# What a source prints is not open, nor what running code shows.
+# Printed facts are not open, nor are those shown by running code.
 SETTLED = ("manual", "code")
-# What answers a question that a program of its own asks, where nothing is printed: the compiler takes no such program,
-# or it ends with an error, which the handler of the program tells.
+# The answers of a separate program that prints nothing: the compiler rejects it, or it ends with an error,
+# which the handler of the program reports.
 REFUSED, ERROR = "refused", "an error"
 
 
 class Probe:
-    """How the owner of a controller asks it.
+    """The question for the owner of a controller.
 
-    `before`, `ask` and `after` are lines of the language, of Mint's `ask` what a PRINT shows; `{a}` is the axis and
-    `{d}` a distance, of a probe that needs `motion`. `answers` are what a controller says to it, that of the reading
-    chosen first, then those of the alternatives; a text that begins with `re:` is a pattern. Where a number is asked
-    for, `form` is the pattern around it, and `scale` what it is multiplied with. What writes settings, may be refused
-    or may end with an error is asked `alone`, by a program of its own; lines `behind` its End are subs, tasks and
-    handlers, `error` is what a PRINT shows of an error; `needs` says what must be wired or done first, and `machine` is
-    a machine file that gives it to the virtual controller.
+    `before`, `ask` and `after` are lines of the language, of Mint's `ask` the operands of PRINT; `{a}` is the
+    axis and `{d}` a distance, for a probe that needs `motion`. `answers` are the controller's replies, that
+    of the chosen assumption first, then those of the alternatives; a text that begins with `re:` is a
+    pattern. If the answer is a number, `form` is the pattern around it, and `scale` its factor. A question
+    that writes settings, may be rejected or may end with an error is asked `alone`, by a program of its own;
+    lines `behind` its End are subs, tasks and handlers, `error` is the operands of PRINT for an error;
+    `needs` states the wiring or preparation, and `machine` is a machine file that gives it to the virtual
+    controller.
     """
 
     def __init__(
@@ -53,14 +54,14 @@ class Probe:
 
 @record
 class Reading:
-    """One question that somebody had to answer, and the answer.
+    """One question that the sources leave open, and the chosen answer.
 
-    `name` is that of the machine file's `[assumptions]`, `alternatives` are the other answers, `why` the reason for the
-    one `chosen`, `strength` one of `facts.STRENGTHS`; `words` are those whose use makes a program depend on it,
-    in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any. `probe` is how
-    a controller is asked, None where it cannot be; `key` is that of the machine file which sets the reading, "" where
-    it is no value that could be set. What is `own` is this program's own matter, such as the form of a report: no
-    controller has another answer.
+    `name` is that of the machine file's `[assumptions]`, `alternatives` are the other answers, `why` the reason
+    for the `chosen` one, `strength` one of `facts.STRENGTHS`. `words` are the keywords whose use makes a
+    program depend on it, in the spelling of the language, `@motor` for a machine with a simulated motor and
+    `@always` for any. `probe` is the question for a controller, None if there is none; `key` is that of the
+    machine file which sets the assumption, "" if it is no value that could be set. An `own` one is a choice
+    of this program, such as the form of a report: no controller has another answer.
     """
 
     name: str
@@ -76,5 +77,5 @@ class Reading:
 
     @property
     def is_open(self) -> bool:
-        """Whether another answer is as possible: no manual prints this one, and no code shows it."""
+        """True if another answer is equally possible: no manual or code confirms this one."""
         return self.strength not in SETTLED

@@ -1,8 +1,9 @@
-"""The open facts of a word as readings: alternatives and a probe that follow from the kind of fact and the word's row.
+"""The open facts of a keyword as assumptions, with generated probes.
 
-A default is told by reading the word after power-up, a range by writing what lies beyond it, a type by writing a
-fraction, a scale by reading a value back under another one. What no such form can tell (what a word means, a unit that
-shows only in motion) has none here, and is told by an entry of its own, or not at all.
+Alternatives and probe follow from the kind of fact and the keyword's row. A default is tested by reading the
+keyword after power-up, a range by writing a value beyond it, a type by writing a fraction, a scale by reading
+a value back under another one. A fact without such a form (a meaning, a unit that shows only in motion) has
+none here, but an entry of its own, or no probe.
 """
 
 from __future__ import annotations
@@ -19,23 +20,23 @@ if TYPE_CHECKING:
 
     from motionlang.lang.keyword import Keyword
 
-# Units of values that are whole, and of those that have a scale.
+# Units of integer values, and of those that have a scale.
 SCALED = ("uu", "uu/s", "uu/s2", "uu/s3")
-# Of a whole setting with no more values than this each other one is named.
+# If an integer setting has no more values than this, each alternative is named.
 FEW = 4
 # The two scales between which a value is read back, and the value.
 SCALES, VALUE = (10, 20), 5
-# Where a fraction is written, so much above the least value: no rounding makes it another one's.
+# The fraction that is written, relative to the lowest value: no rounding makes it another value's.
 FRACTION = 0.75
-# What a handler says, with the value that was an error.
+# The text of a handler, before the value that was an error.
 REFUSES = "refuses"
-# Up to here a Float of 32 bits tells a number from the next one.
+# Below this a Float of 32 bits distinguishes adjacent integers.
 EXACT = 1e7
 AGAIN = "switch the drive off, and start the controller anew afterwards"
 
 
 def other_defaults(row: Keyword) -> list[str]:
-    """What the default of a setting may be instead: each value of a few, else that nobody can list them."""
+    """Return the alternatives of a default: each value of a few, or a general text."""
     low, high = row.low if row.low is not None else 0, 1 if row.unit == "bool" else row.high
     if not row.takes_fractions and high is not None and high - low < FEW:
         few = [f"{value}" for value in range(int(low), int(high) + 1) if value != row.default]
@@ -47,12 +48,15 @@ def other_defaults(row: Keyword) -> list[str]:
 
 
 def default_probe(row: Keyword) -> Probe:
-    """A setting of an axis, read after power-up."""
+    """Return the probe of an axis setting, read after power-up."""
     return Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}")
 
 
 def facts_asked(language: str, row: Keyword) -> list[Reading]:
-    """The open facts of a word whose kind has a form of probe; a default that is an entry is not among them."""
+    """Return the open facts of a keyword with a form of probe.
+
+    A default that is an entry is not among them.
+    """
     if not row.simulated:
         return []
     makers = MINT if language == "mint" else MCCL
@@ -78,7 +82,7 @@ def facts_asked(language: str, row: Keyword) -> list[Reading]:
 
 @cache
 def unasked(language: str) -> frozenset[tuple[str, str]]:
-    """The words and facts that `unasked.txt` of a dialect leaves out."""
+    """Return the keywords and facts that `unasked.txt` of a dialect omits."""
     found: set[tuple[str, str]] = set()
     facts: list[str] = []
     for line in (ROOT / language / "evidence" / "unasked.txt").read_text(encoding="utf-8").splitlines():
@@ -93,7 +97,10 @@ Asked = list[tuple[str, str, str, list[str], Probe]]
 
 
 def _place(row: Keyword) -> str | None:
-    """What stands in the brackets behind a word: the axis, else what its example has there; None for nothing known."""
+    """Return the contents of the brackets after a keyword: the axis, or its example's.
+
+    None if it is unknown.
+    """
     if row.index == "axis":
         return "({a})"
     if row.index in ("none", ""):
@@ -103,7 +110,7 @@ def _place(row: Keyword) -> str | None:
 
 
 def _is_kept(row: Keyword) -> bool:
-    """Whether a word of Mint only keeps what it is given, for an axis: writing it switches and moves nothing."""
+    """True if a keyword of Mint only stores a value of an axis, without any effect."""
     return (
         row.kind == "setting"
         and {"R", "W"} == set(row.access)
@@ -126,7 +133,7 @@ def _default(row: Keyword) -> Asked:
 
 
 def _range(row: Keyword) -> Asked:
-    """The last value and one beyond it; the handler tells which of the two the controller refused."""
+    """Return the last value and one beyond; the handler reports the rejected one."""
     if not _is_kept(row):
         return []
     found: Asked = []
@@ -159,7 +166,7 @@ def _range(row: Keyword) -> Asked:
 
 
 def _beyond(bound: float, step: int) -> str:
-    """A number that lies clearly beyond an end of a range."""
+    """Return a number clearly beyond an end of a range."""
     if abs(bound) >= EXACT:
         return f"{bound * 2:.10g}"
     return f"{bound + step:.10g}" if bound == int(bound) else f"{0 if bound * step < 0 else 2 * bound:.10g}"
@@ -176,7 +183,7 @@ def _unit(row: Keyword) -> Asked:
 
 
 def _scale(row: Keyword) -> Asked:
-    """A value that is kept in counts reads otherwise under another scale; any other value does not."""
+    """A question with a second scale, which changes a value stored in counts only."""
     first, second = SCALES
     kept = VALUE * first / second
     high, low = row.high if row.high is not None else VALUE, row.low if row.low is not None else 0
@@ -217,7 +224,7 @@ def _type(row: Keyword) -> Asked:
 
 
 def _short(row: Keyword) -> Asked:
-    """A short form is asked beside the word, where reading it moves nothing."""
+    """A question with a short form next to its keyword, if reading moves nothing."""
     place = _place(row)
     if place is None or "R" not in row.access:
         return []
@@ -228,7 +235,7 @@ def _short(row: Keyword) -> Asked:
 
 
 def _number(row: Keyword) -> Asked:
-    """A constant is asked for its number."""
+    """Return a question for the number of a constant."""
     if row.kind != "constant" or not re.fullmatch(r"-?\d+", row.verb):
         return []
     others = [
@@ -242,7 +249,7 @@ def _number(row: Keyword) -> Asked:
 
 
 def _code(row: Keyword) -> Asked:
-    """A board answers a parameter that it does not take with a code, and one that it takes with nothing."""
+    """A question whose parameter a board rejects with a code, or accepts silently."""
     if row.kind != "setting" or row.effect:
         return []
     found: Asked = []
@@ -258,7 +265,7 @@ def _code(row: Keyword) -> Asked:
 
 
 def _bare(row: Keyword) -> Asked:
-    """What a command does that names no axis."""
+    """Return a question for a command that names no axis."""
     if row.kind != "reading" or row.access != "R" or row.index not in ("axis", "axes"):
         return []
     lines, code = "it tells of every axis, a line each", "it answers a code: an axis must be named"

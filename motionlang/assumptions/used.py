@@ -1,4 +1,7 @@
-"""Which open readings a program depends on: those whose words it uses, as `tables` has them; no evidence is loaded."""
+"""The open assumptions of a program: those of its keywords, from `tables`.
+
+No evidence is loaded.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +16,10 @@ if TYPE_CHECKING:
 
 
 def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) -> list[str]:
-    """The names of the open readings that a program depends on, in the order of docs/fidelity.md.
+    """Return the open assumptions of a program, in the order of docs/fidelity.md.
 
-    Those that the machine file sets are settled. What a setting is at power-up counts only for a program that never
-    writes it; of the settings that shape every move, for one that moves an axis.
+    Those that the machine file sets are settled. A setting at power-up counts only for a program that never
+    writes it; those settings that affect every move, for one that moves an axis.
     """
     words, written = _words(language, text)
     words.add("@always")
@@ -38,12 +41,15 @@ def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) ->
 
 
 def is_of(name: str, *languages: str) -> bool:
-    """Whether a reading is one of a language alone."""
+    """True if an assumption is about one language alone."""
     return name.partition(".")[0] in languages
 
 
 def _words(language: Dialect, text: str) -> tuple[set[str], set[str]]:
-    """The words of a program, in small letters, and those at the begin of a statement, which are written or done."""
+    """The keywords of a program, in lower case, and those at the start of a statement.
+
+    The latter are written or executed.
+    """
     words: set[str] = set()
     first: set[str] = set()
     for line in dict.fromkeys(text.splitlines()):
