@@ -1,10 +1,13 @@
-"""All figures, each beside its bar: `python -m benchmarks [--halfway | --prove | --against COMMIT] [NAME …]`.
+"""All figures, each with its target.
 
-A benchmark is a file of this folder that prints lines of `name value unit`. Those that count are ratios within one run,
-against a peer, a limit or the same thing done another way; `BARS` says how far they are to reach. Exit status 1 where
-one does not, or with `--halfway` where one does not come halfway, which also a machine with other work should.
-With `--prove` there are no figures: every run is proved, so that what is measured is known to keep its limits.
-With `--against COMMIT` the work of this tree is compared with that commit's, by counting (`against.py`).
+Usage: `python -m benchmarks [--halfway | --prove | --against COMMIT] [NAME …]`.
+
+A benchmark is a file of this folder that prints lines of `name value unit`. The relevant ones are ratios
+within one run, against a peer, a limit or an alternative; `BARS` has their targets. The exit status is 1 if
+one is missed, or with `--halfway` if one is missed by more than a factor of two, which a loaded machine
+should pass, too. With `--prove` there are no figures: every run is proved, so that the measured programs are
+known to observe their limits. With `--against COMMIT` the work of this tree is compared with that commit's,
+by counting (`against.py`).
 """
 
 from __future__ import annotations
@@ -19,19 +22,19 @@ from rich.console import Console
 from rich.table import Table
 
 FOLDER = Path(__file__).parent
-# Order: what takes seconds first.
+# Order: the ones that take seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
          "servo", "serve", "pvt", "watches", "cycle", "events", "proof")  # fmt: skip
 
 
 class Bar(NamedTuple):
-    """How far a figure is to reach: at least, or at most, so much."""
+    """The target of a figure: a minimum or a maximum."""
 
     at_least: bool
     value: float
 
     def holds(self, figure: float, slack: float = 1.0) -> bool:
-        """Whether a figure reaches it; with `slack` 2, whether it comes halfway."""
+        """True if a figure meets it; with `slack` 2, within a factor of two."""
         return figure * slack >= self.value if self.at_least else figure <= self.value * slack
 
 
@@ -44,7 +47,7 @@ def _most(value: float) -> Bar:
 
 
 BARS: dict[str, Bar] = {
-    # Loops against the same loop in Python.
+    # Loops against equal loops in Python.
     "loop_declared": _most(1.0),
     "loop_undeclared": _most(1.0),
     "loop_while": _most(2.0),
@@ -96,7 +99,7 @@ BARS: dict[str, Bar] = {
     "quantised-in-a-run": _least(80.0),
     "linear-in-a-run": _least(200.0),
     "suggestion": _most(20.0),
-    # An S-curve from motion against one from rest, and against ruckig where that is installed.
+    # An S-curve from motion against one from rest, and against ruckig if that is installed.
     "plan.from_velocity_over_rest": _most(3.0),
     "plan.from_acceleration_over_rest": _most(5.0),
     "plan.from_rest_over_ruckig": _most(5.0),
@@ -113,18 +116,21 @@ BARS: dict[str, Bar] = {
     "sweep_faster_than_shell": _least(50.0),
     "diff_way_motion": _most(2.0),
     "diff_command": _most(2.0),
-    # What it costs to be told more of a run.
+    # The cost of the reports of a run.
     "events_quiet": _most(1.03),
     "cycle_by_run_and_table": _most(1.1),
     "cycle_by_run_and_json": _most(1.1),
     "cycle_command": _most(1.1),
-    # What a proof of twice the run takes.
+    # The time of a proof of twice the run.
     "proof_168_over_82": _most(2.2),
 }
 
 
 def ran(name: str, *further: Path) -> subprocess.CompletedProcess[str]:
-    """A benchmark in a process of its own, with further folders to import from; CalledProcessError where it fails."""
+    """Run a benchmark in a process, with further import folders.
+
+    Raises CalledProcessError if it fails.
+    """
     path = os.pathsep.join(map(str, (*further, FOLDER.parent, FOLDER)))
     return subprocess.run(
         [sys.executable, str(FOLDER / f"{name}.py")],
@@ -136,7 +142,10 @@ def ran(name: str, *further: Path) -> subprocess.CompletedProcess[str]:
 
 
 def figures(name: str) -> dict[str, tuple[float, str]]:
-    """What one benchmark prints: value and unit by name. Raises CalledProcessError where it fails."""
+    """Return the output of one benchmark: value and unit by name.
+
+    Raises CalledProcessError if it fails.
+    """
     found = {}
     for line in ran(name).stdout.splitlines():
         label, _, rest = line.partition(" ")
@@ -149,7 +158,7 @@ def figures(name: str) -> dict[str, tuple[float, str]]:
 
 
 def prove(names: list[str]) -> int:
-    """Prove every run of benchmarks; 1 where one fails."""
+    """Prove every run of benchmarks; 1 if one fails."""
     failed = 0
     for name in names:
         try:
@@ -161,7 +170,7 @@ def prove(names: list[str]) -> int:
 
 
 def main(names: list[str]) -> int:
-    """Run the named benchmarks, or all; a table each as it is done."""
+    """Run the named benchmarks, or all, and print a table after each."""
     if names[:1] == ["--against"]:
         if len(names) != 2:
             sys.stderr.write("usage: python -m benchmarks --against COMMIT (or: --against baseline)\n")

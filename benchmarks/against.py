@@ -1,9 +1,9 @@
-"""Compare the work that this tree and an earlier commit do: `python -m benchmarks --against COMMIT`.
+"""Comparison of this tree's work with an earlier commit's, by counting.
 
-Each style of `styles.py` is counted in both trees, by function calls and by bytecode instructions. Counts repeat
-exactly, so a difference is a change of the code and never of the machine; 10 % more of either fails. `COMMIT` may be
-`baseline`, the commit named in the file `benchmarks/baseline`, where an increase on purpose is allowed by a line with
-its reason.
+Usage: `python -m benchmarks --against COMMIT`. Each style of `styles.py` is counted in both trees, by
+function calls and by bytecode instructions. Counts repeat exactly, so a difference is a change of the code
+and never of the machine; 10 % more of either fails. `COMMIT` may be `baseline`, the commit named in the file
+`benchmarks/baseline`, which allows an intended increase by a line with its reason.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ LIMIT = 1.10
 
 
 class Allowed(NamedTuple):
-    """An increase on purpose: a pattern of figures, the highest ratio accepted, and the reason."""
+    """An intended increase: a pattern of figures, the highest ratio, and the reason."""
 
     pattern: str
     limit: float
@@ -38,7 +38,7 @@ class Allowed(NamedTuple):
 
 
 class Change(NamedTuple):
-    """A figure's counts in both trees, each as (calls, instructions), and the increase that is allowed for it."""
+    """A figure's (calls, instructions) in both trees, and its allowed increase."""
 
     figure: str
     before: tuple[int, int]
@@ -57,7 +57,7 @@ class Change(NamedTuple):
 
 
 def read_baseline(text: str) -> tuple[str, list[Allowed]]:
-    """The commit and the increases that a baseline file names; ValueError with the line that is wrong."""
+    """Return commit and increases of a baseline file; ValueError with an invalid line."""
     commit, allowed = "", []
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split(maxsplit=2)
@@ -79,7 +79,7 @@ def read_baseline(text: str) -> tuple[str, list[Allowed]]:
 
 
 def counts(package: Path) -> dict[str, tuple[int, int]]:
-    """Every figure of the package in a folder, counted in a process of its own."""
+    """Return every figure of the package in a folder, counted in a separate process."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith("MOTIONLANG_")}
     done = subprocess.run(
         [sys.executable, str(FOLDER / "counted.py"), str(package)],
@@ -97,7 +97,7 @@ def counts(package: Path) -> dict[str, tuple[int, int]]:
 def compare(
     before: dict[str, tuple[int, int]], after: dict[str, tuple[int, int]], allowed: list[Allowed]
 ) -> list[Change]:
-    """Every figure that both trees have; of several matching lines the last one counts."""
+    """Compare figures of both trees; of several matching lines the last one applies."""
     return [
         Change(
             name,
@@ -111,7 +111,7 @@ def compare(
 
 
 def unpacked(commit: str, folder: Path) -> Path:
-    """The tree of a commit, written into a folder."""
+    """Unpack the tree of a commit to a folder."""
     archive = subprocess.run(
         ["git", "archive", commit, "motionlang", "grammars"], capture_output=True, check=True, cwd=ROOT
     ).stdout
@@ -121,7 +121,7 @@ def unpacked(commit: str, folder: Path) -> Path:
 
 
 def _git(*arguments: str) -> str | None:
-    """What git prints; None if it fails or is not there."""
+    """Return git's output; None if it fails or is missing."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, text=True, check=False, cwd=ROOT)
     except OSError:
@@ -130,7 +130,7 @@ def _git(*arguments: str) -> str | None:
 
 
 def show(changes: list[Change], commit: str) -> bool:
-    """Print every figure that differs by more than 2 %; True if none exceeds its limit."""
+    """Print figures that differ by more than 2 %; True if none exceeds its limit."""
     table = Table("figure", "calls", "instructions", "limit", "", box=None)
     ratios = 1.0
     for change in sorted(changes, key=lambda each: -each.ratio):
@@ -157,7 +157,7 @@ def show(changes: list[Change], commit: str) -> bool:
 
 
 def main(commit: str) -> int:
-    """Count both trees and compare; 1 if a figure exceeds its limit, 2 if nothing can be compared."""
+    """Count both trees and compare; 1 if a figure exceeds its limit, 2 on failure."""
     try:
         named, allowed = read_baseline(BASELINE.read_text(encoding="utf-8"))
     except ValueError as error:

@@ -1,12 +1,13 @@
-"""How fast Mint is made runnable: `name value unit` lines, every ratio measured within this one run.
+"""Time to make Mint runnable: `name value unit` lines, ratios within one run.
 
     python benchmarks/compile.py [BYTES]
 
-The text is a program of about a quarter of a megabyte, made twice with the same statements: in Mint and in Python, so
-that CPython's own `compile` is a fair yardstick. Runnable means that the first statement can be executed: the code of
-a long program is made function by function, as they are called; `everything` has made all of it. The collector is
-off for both. `lines` are programs of one straight line of statements, whose cost should grow as their length does.
-Times are processor times, ratios the medians of rounds in which both run one after the other.
+The text is a program of about a quarter of a megabyte, made twice with equal statements: in Mint and in
+Python, so that CPython's own `compile` is a fair comparison. Runnable means that the first statement can be
+executed: the code of a long program is made function by function, as they are called; `everything` has made
+all of it. The collector is off for both. `lines` are programs of one straight line of statements, whose cost
+should grow with their length. Times are processor times, ratios the medians of rounds in which both run one
+after the other.
 """
 
 from __future__ import annotations
@@ -33,12 +34,12 @@ LINES = (10_000, 40_000)
 
 
 def runnable(source: Source) -> MintProgram:
-    """A program that can be started."""
+    """Return a program that can be started."""
     return compile_source(source, ranges=accelerators().ranges)
 
 
 def whole(source: Source) -> None:
-    """A program of which everything is compiled."""
+    """Compile everything of a program."""
     runnable(source).code.compile_all()
 
 

@@ -1,9 +1,10 @@
-"""Count the function calls and bytecode instructions of every style: `python benchmarks/counted.py FOLDER`.
+"""Counter of function calls and bytecode instructions of every style.
 
-Prints one JSON object: `{"style.stage": [calls, instructions]}`. `FOLDER` holds the package that is counted. The
-stages are `compile` (source to a started program), `run` (the program itself) and `report` (to JSON text). Each stage
-runs once before it is counted, so that imports and caches within the process do not count. The same package, Python and
-styles give the same figures on every machine, however busy it is.
+Usage: `python benchmarks/counted.py FOLDER`. It prints one JSON object: `{"style.stage": [calls,
+instructions]}`. `FOLDER` contains the package that is counted. The stages are `compile` (source to a started
+program), `run` (the program itself) and `report` (to JSON text). Each stage runs once before it is counted,
+so that imports and caches within the process do not count. The same package, Python and styles give equal
+figures on every machine, whatever its load.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ if TYPE_CHECKING:
 
 
 class Counter:
-    """Calls of Python and C functions, and instructions executed, while `counting` runs."""
+    """Calls of Python and C functions, and instructions, while `counting` runs."""
 
     def __init__(self) -> None:
         self.calls = self.instructions = 0
 
     def counting(self, work: Callable[[], object]) -> tuple[int, int]:
-        """The calls and instructions of one call of `work`."""
+        """Return the calls and instructions of one call of `work`."""
         self.calls = self.instructions = 0
         gc.collect()
         gc.disable()
@@ -60,7 +61,7 @@ class Counter:
 def stages(
     style: Style, count: Callable[[Callable[[], object]], tuple[int, int]]
 ) -> dict[str, tuple[int, int]]:
-    """The calls and instructions of each stage of one style."""
+    """Return the calls and instructions of each stage of one style."""
     from motionlang.execution import run
     from motionlang.report import text
     from motionlang.source import Source

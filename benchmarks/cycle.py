@@ -1,9 +1,9 @@
-"""What `run --profile` costs on a shift: eight hours run and reported, without and with where the time went.
+"""The cost of `run --profile` on a shift of eight hours, run and reported.
 
-In one process the ratios are of the best of several interleaved rounds, in CPU time; the collector rests, as in a
-process of its own. `cycle_command` is of whole processes, `run shift.mnt` with and without `--profile`;
-`cycle_command_json` of the JSON report without and with the profile in a file beside it: the middle of the ratios of
-pairs.
+In one process the ratios are of the best of several interleaved rounds, in CPU time; the collector is off, as
+in a process of its own. `cycle_command` is of complete processes, `run shift.mnt` with and without
+`--profile`; `cycle_command_json` of the JSON report without and with the profile in a file: the median of the
+ratios of pairs.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def main() -> None:
 
 
 def whole() -> dict[str, float]:
-    """What whole processes take with the profile, by what they take without."""
+    """Return the ratios of complete processes with the profile and without."""
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "MOTIONLANG_CACHE": folder, "PYTHONPYCACHEPREFIX": f"{folder}/pyc"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)

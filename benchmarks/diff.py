@@ -1,7 +1,7 @@
-"""What a change did to a shift: two runs of 20 000 moves compared, their reports, their motion, and the whole command.
+"""Comparison of two runs of a shift of 20 000 moves: reports, motion, command.
 
-`diff_command` is the CPU time of `motionlang diff shift.mnt way.mnt`, both compiled before, `diff_command_by_run` by
-how much that is more than the time of `motionlang run shift.mnt`.
+`diff_command` is the CPU time of `motionlang diff shift.mnt way.mnt`, both compiled before,
+`diff_command_by_run` its ratio to the time of `motionlang run shift.mnt`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ from motionlang.source import Source
 from motionlang.views.diff import diff_lines
 
 ROUNDS = 3
-# The program as it is, with a line put in, with another rate in every move, and with another way in every other one.
+# The program unchanged, with an inserted line, with another rate in every move, and with another distance in
+# every other one.
 CHANGES = {
     "same": PROGRAM,
     "line": f"' a remark\n{PROGRAM}",
@@ -55,7 +56,7 @@ def main() -> None:
 
 
 def whole() -> list[str]:
-    """Whole processes: the comparison, and beside it a run alone."""
+    """Measure complete processes: the comparison, and a run alone."""
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "MOTIONLANG_CACHE": folder, "PYTHONPYCACHEPREFIX": f"{folder}/pyc"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)

@@ -1,10 +1,10 @@
-"""What it costs to write down what happens: a shift run and reported with its events, and with none of what makes them.
+"""The cost of events: a shift run and reported with its events, and without.
 
     python benchmarks/events.py
 
-Where an event is written, and where it is looked whether one is to be, the statement is taken out of the source before
-that is compiled; nothing else differs. Both ways run in processes of their own, in turn; the ratio is that of the best
-CPU time of each. `quiet` is the shift as it is, in which nothing happens; in `busy` each cycle stops every axis once.
+Statements that write an event, and checks for one, are removed from the source before it is compiled; nothing
+else differs. Both variants run in processes of their own, alternating; the ratio is that of the best CPU time
+of each. `quiet` is the shift itself, which has no events; in `busy` each cycle stops every axis once.
 """
 
 from __future__ import annotations
@@ -29,15 +29,18 @@ PROGRAMS = {
     "busy": PROGRAM.replace("WAIT(5150)\n", f"JOG({ALL}) = 1; : WAIT(4800) : STOP({ALL}) : PAUSE {IDLE}\n"),
 }
 TURNS, ROUNDS = 4, 3
-# Functions that write events, by the names under which modules have them.
+# Functions that write events, by their names in modules.
 WRITERS = ("clamped", "note")
 
 
 class Silent(ast.NodeTransformer):
-    """Takes out statements that write an event, and conditions that are asked for nothing else."""
+    """Removes statements that write an event, and conditions used for nothing else."""
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | None:
-        """A call of `events.…(…)`, also of `triggers`, `clamped(…)`, `note(…)` or `….log.note(…)` goes."""
+        """Remove a call of `events.…(…)` and the other writers.
+
+        They are those of `triggers`, `clamped(…)`, `note(…)` and `….log.note(…)`.
+        """
         call = node.value
         if not isinstance(call, ast.Call):
             return node
@@ -51,35 +54,35 @@ class Silent(ast.NodeTransformer):
         return node
 
     def visit_If(self, node: ast.If) -> ast.AST | None:
-        """A condition with nothing left to do goes too."""
+        """Remove a condition with an empty body."""
         self.generic_visit(node)
         return node if node.body or node.orelse else None
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
-        """A function has something to do, if only to pass."""
+        """Give an empty function a `pass`."""
         self.generic_visit(node)
         node.body = node.body or [ast.Pass()]
         return node
 
 
 class Loader(SourceFileLoader):
-    """Compiles a module without what writes events."""
+    """Compiles a module without its writers of events."""
 
     def get_code(self, fullname: str) -> CodeType:
-        """Never from a file of bytecode."""
+        """Compile, ignoring bytecode files."""
         tree = Silent().visit(ast.parse(self.get_data(self.path)))
         return compile(ast.fix_missing_locations(tree), self.path, "exec", dont_inherit=True)
 
 
 class Finder:
-    """Finds the modules of the package, to be loaded so."""
+    """Finds the modules of the package, for this loader."""
 
     @staticmethod
     def find_spec(
         name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """The module of a name, None for those of others."""
-        # Of events itself the functions are left: nobody calls them.
+        """Return the spec of a module of the package, None for others."""
+        # The functions of events itself stay: they are never called.
         if not name.startswith("motionlang.") or name.endswith(("triggers.events", "record.log")):
             return None
         spec = PathFinder.find_spec(name, path, target)

@@ -1,4 +1,7 @@
-"""MCCL: commands a second without motion, polling for a shift, round trips of a host. Prints `name value unit`."""
+"""MCCL: commands per second, polling for a shift, round trips of a host.
+
+It prints `name value unit`.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,10 @@ ROUNDS = 5
 
 
 def commands() -> float:
-    """Commands a second, from the text of a file to its end; half of the texts are different from all others."""
+    """Return commands per second, from the text of a file to its end.
+
+    Half of the texts differ from all others.
+    """
     lines = [f"AL{k},AA2,AM3,AR10,IG{k},NO,NO,1SV{k % 9000 + 1},2SA5000,TR10" for k in range(4000)]
     text = "\n".join(lines)
     count = sum(line.count(",") + 1 for line in lines)
@@ -28,7 +34,7 @@ def commands() -> float:
 
 
 def looping() -> float:
-    """Commands a second in a loop of one macro that counts."""
+    """Return commands per second in a loop of one macro that counts."""
     text = "MD1,RA10,AA1,AR10,IB30000,MJ1,NO\nAL0,AR10,MC1"
     best = float("inf")
     for _ in range(ROUNDS):
@@ -39,7 +45,10 @@ def looping() -> float:
 
 
 def polling() -> float:
-    """Seconds for a macro that polls the status word for eight machine hours while another task moves an axis."""
+    """The seconds of a macro that polls the status word for eight machine hours.
+
+    Another task moves an axis meanwhile.
+    """
     text = 'MD1,1MR1000,1WS4,RP7000\nMD2,1LU"STATUS",1RL@0,IC25,JR-3,NO\n1MN\nGT1\nMC2'
     begin = process_time()
     result = run(Source("poll.mcl", text), dialect="mccl", until=SHIFT, cache=False)
@@ -49,7 +58,7 @@ def polling() -> float:
 
 
 def round_trips() -> float:
-    """Requests a second of one host, in process: characters in, machine time, characters out."""
+    """Return requests per second of one host, in process: characters and machine time."""
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
     port.take()

@@ -1,6 +1,7 @@
-"""What it costs to write a run down: the report of 20 000 moves, a trace as CSV and npz, a chart, a picture.
+"""The cost of a run's output: reports, traces as CSV and npz, a chart, a picture.
 
-Prints `name value unit`. Ratios are taken within one run, of the best of several interleaved rounds.
+The run has 20 000 moves. It prints `name value unit`. Ratios are taken within one run, of the best of several
+interleaved rounds.
 """
 
 from __future__ import annotations
@@ -37,13 +38,13 @@ SHIFT = 8 * 3600.0
 
 
 class Nameless(Dialect):
-    """The moves are loaded directly: what the language costs is measured elsewhere."""
+    """The moves are loaded directly: the cost of the language is measured elsewhere."""
 
     name = "mint"
 
 
 def shift() -> Run:
-    """20 000 moves of four axes in eight hours, no two alike."""
+    """Return 20 000 different moves of four axes in eight hours."""
     machine = Machine({"controller.axes": 4})
     run = Run(Source("shift.mnt", ""), Nameless(), machine)
     controller = run.controller
@@ -58,14 +59,14 @@ def shift() -> Run:
 
 
 def columns() -> list[np.ndarray]:
-    """Time, position, velocity, acceleration and noise, a row a millisecond."""
+    """Return time, position, velocity, acceleration and noise, a row per millisecond."""
     t = np.arange(ROWS) * 1e-3
     waves = [500 * np.sin(t * 0.7) + 3, 350 * np.cos(t * 0.7), -245 * np.sin(t * 0.7)]
     return [t, *waves, np.random.default_rng(0).normal(0.0, 1.0, ROWS)]
 
 
 def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
-    """Seconds of each job, the best of `rounds`, the jobs taking turns."""
+    """Return seconds of each job, the best of `rounds`, with the jobs alternating."""
     times = dict.fromkeys(jobs, float("inf"))
     for _ in range(rounds):
         for name, job in jobs.items():
@@ -77,7 +78,7 @@ def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]
 
 
 def measure_csv() -> None:
-    """The formatter against `np.savetxt`, both into memory, six decimals."""
+    """Measure the formatter against `np.savetxt`, both to memory, six decimals."""
     data = columns()
     table = np.stack(data, axis=1)
     part = table[: ROWS // 10]
@@ -96,14 +97,17 @@ def measure_csv() -> None:
 
 
 def measure_report(run: Run) -> None:
-    """The report of the shift, as JSON and as a table."""
+    """Measure the report of the shift, as JSON and as a table."""
     times = best(5, {"json": lambda: report.text(run), "table": lambda: render(run, charts=True)})
     print(f"output.report_json_20000_moves {times['json']:.3f} s")
     print(f"output.report_table_20000_moves {times['table']:.3f} s")
 
 
 def measure_trace(run: Run) -> None:
-    """The shift's motion into files: position, velocity and acceleration of four axes, sampled and written."""
+    """Measure the shift's motion to files: four axes, sampled and written.
+
+    The columns are position, velocity and acceleration.
+    """
     trace = run.trace
     for axis in trace.axes:
         trace.table(axis)
@@ -121,7 +125,10 @@ def measure_trace(run: Run) -> None:
 
 
 def measure_five_columns(run: Run) -> None:
-    """The first twenty minutes of the shift as CSV at 1 kHz: the time and four quantities, chosen as --columns does."""
+    """Measure twenty minutes of the shift as CSV at 1 kHz: time and four quantities.
+
+    They are chosen like those of --columns.
+    """
     trace = run.trace
     trace.end = 1200.0
     trace.choose(["position.0", "velocity.0", "position.1", "velocity.1"])
@@ -139,7 +146,7 @@ def _processor(job: Callable[[], object]) -> float:
 
 
 def measure_pictures(run: Run) -> None:
-    """A chart for the terminal, the outline of one axis, and the whole picture."""
+    """Measure a chart for the terminal, the outline of an axis, and the picture."""
     trace, axis = run.trace, run.controller.axes[0]
     trace.table(0)
     jobs: dict[str, Callable[[], object]] = {

@@ -1,13 +1,13 @@
-"""How fast both languages are parsed: `name value unit` lines, every ratio measured within this one run.
+"""Parsing speed of both languages: `name value unit` lines, ratios within one run.
 
     python benchmarks/parse.py [BYTES]
 
-The text is a program of about a megabyte, made twice with the same statements: in Mint and in Python, so that
-CPython's own `ast.parse` is a fair yardstick. Lark parses the same text with the same grammar, once as it is
+The text is a program of about a megabyte, made twice with equal statements: in Mint and in Python, so that
+CPython's own `ast.parse` is a fair comparison. Lark parses the same text with the same grammar, once as
 shipped (its contextual lexer, the collector on) and once with the collector off. Times are processor times.
 
-Of MCCL no two commands are the same text: each is cut out and taken to its parts, and then looked up and its number
-checked, too, which Lark does not do.
+The texts of MCCL commands are all different: each is split into its fields, then looked up and its number
+checked, which Lark does not do.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def main(arguments: list[str]) -> int:
 
 
 def mccl(count: int) -> None:
-    """The same of a file of `count` lines of MCCL with six commands each."""
+    """Measure a file of `count` lines of MCCL with six commands each."""
     lines = [
         f'{k % 8 + 1}MR{k},AL@{k % 256},1MA{k * 0.25:g},LU"STATUS{k}",2SV{k + 7},WA0.{k}'
         for k in range(count)

@@ -1,4 +1,7 @@
-"""A program of any size that compiles, in Mint and statement for statement in Python; the same for the same seed."""
+"""A compilable program of any size, in Mint and statement for statement in Python.
+
+It is equal for equal seeds.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +9,15 @@ from random import Random
 
 NAMES = ["x", "y", "count", "goal", "ref", "n", "gap", "most", "moment", "gain", "rate", "zHome"]
 SETTINGS = ["MOVEA", "MOVER", "POS", "ENCODER"]
-# Settings that take only some values: they are given a number, not a term whose value may lie outside.
+# Settings with a limited range: they are given a number, not a term that may exceed it.
 BOUNDED = ["SPEED", "ACCEL", "DECEL", "JOG"]
 READINGS = ["POS", "VEL", "FOLERROR", "IDLE", "AXISMODE", "ENCODER"]
 COMPARISONS = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", "<>": "!=", "=": "=="}
-Pair = tuple[str, str]  # the same text in Mint and in Python
+Pair = tuple[str, str]  # equal programs in Mint and in Python
 
 
 def program(size: int, seed: int = 1) -> Pair:
-    """A program of about `size` characters of Mint."""
+    """Return a program of about `size` characters of Mint."""
     writer = _Writer(Random(seed))
     number = 0
     writer.line(0, f"Dim {', '.join(NAMES)}", f"{' = '.join(NAMES)} = 0.0")

@@ -1,6 +1,6 @@
-"""What planning one move costs, beside ruckig called from Python in the same rounds.
+"""The cost of planning one move, compared with ruckig called from Python.
 
-Prints `name value unit`. Every figure is the best of many interleaved rounds with the collector off.
+It prints `name value unit`. Every figure is the best of many interleaved rounds with the collector off.
 """
 
 from __future__ import annotations
@@ -17,13 +17,16 @@ if TYPE_CHECKING:
 
 CALLS = 2000
 ROUNDS = 60
-# Random states beside a speed of 100, a rate of 500 and a jerk of 5000.
+# Random states for a speed of 100, a rate of 500 and a jerk of 5000.
 STATES = 2000
 SPEED, RATE, JERK = 100.0, 500.0, 5000.0
 
 
 def ruckig_call() -> Callable[[float, float], object] | None:
-    """`calculate` for one axis with the target set on each call, or None without ruckig."""
+    """Return `calculate` for one axis with the target set on each call, or None.
+
+    It is None without ruckig.
+    """
     try:
         import ruckig  # type: ignore[import-not-found, import-untyped, unused-ignore]
     except ImportError:
@@ -40,7 +43,7 @@ def ruckig_call() -> Callable[[float, float], object] | None:
 
 
 def jobs() -> dict[str, Callable[[float, float], object]]:
-    """Each planner as a function of start and target."""
+    """Return each planner as a function of start and target."""
     made: dict[str, Callable[[float, float], object]] = {
         "trapezoid": lambda start, target: plan_trapezoid(start, target, 100.0, 500.0, 500.0),
         "scurve": lambda start, target: plan_jerk(start, target, 100.0, 500.0, 500.0, 5000.0, 5000.0),
@@ -64,9 +67,10 @@ def jobs() -> dict[str, Callable[[float, float], object]]:
 
 
 def states(velocities: float, accelerations: float) -> list[tuple[float, float, float]]:
-    """Velocity, acceleration and target of random states, in all directions, up to a part of the limits.
+    """Return velocity, acceleration and target of random states, within the limits.
 
-    None has an acceleration that carries its velocity beyond the speed before it is gone.
+    They are in all directions, up to a fraction of the limits. None has an acceleration that carries its
+    velocity beyond the speed before it is gone.
     """
     choose, found = Random(1), list[tuple[float, float, float]]()
     while len(found) < STATES:
@@ -79,7 +83,7 @@ def states(velocities: float, accelerations: float) -> list[tuple[float, float, 
 
 
 def own_states(some: list[tuple[float, float, float]]) -> Callable[[], object]:
-    """All of them planned as S-curves."""
+    """Return a job that plans all of them as S-curves."""
 
     def call() -> None:
         for v0, a0, target in some:
@@ -89,7 +93,7 @@ def own_states(some: list[tuple[float, float, float]]) -> Callable[[], object]:
 
 
 def ruckig_states(some: list[tuple[float, float, float]]) -> Callable[[], object] | None:
-    """The same by ruckig, whose questions are put before; None without it."""
+    """Return a job that plans them by ruckig, from prepared input; None without it."""
     try:
         import ruckig  # type: ignore[import-not-found, import-untyped, unused-ignore]
     except ImportError:
@@ -110,7 +114,10 @@ def ruckig_states(some: list[tuple[float, float, float]]) -> Callable[[], object
 
 
 def random_states() -> None:
-    """S-curves from rest, from any velocity and from any velocity and acceleration, beside each other and ruckig."""
+    """Measure S-curves from rest, from velocity, and from velocity and acceleration.
+
+    They are compared with each other and with ruckig.
+    """
     kinds = {"rest": states(0.0, 0.0), "velocity": states(1.0, 0.0), "acceleration": states(1.0, 1.0)}
     work: dict[str, Callable[[], object]] = {name: own_states(some) for name, some in kinds.items()}
     for name, some in kinds.items():

@@ -1,8 +1,9 @@
-"""Loops that poll, over hours of machine time; loops that are never skipped against the same without a watch.
+"""Polling loops over hours of machine time, and loops that are never skipped.
 
-Prints `name value unit`. Speeds are those of the best of some runs from text to result, in processor time; the others
-are ratios, of two programs that run one after the other, the smallest of each side, or of one with and without a watch
-that run side by side. Source text is compiled every time.
+The latter are compared with unchecked ones. It prints `name value unit`. Speeds are those of the best of some
+runs from text to result, in processor time. The others are ratios: of two programs that run one after the
+other, the smallest of each side, or of one with and without checks that run side by side. Source text is
+compiled every time.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Dialect
 
 ROUNDS = 3
-# Of loops that are never skipped: how many stretches of their move are measured, and how long each is, s.
+# Of loops that are never skipped: how many stretches of their move are measured, and the duration of each, s.
 STRETCHES, STRETCH = 32, 0.1
 SHIFT = 8 * 3600.0
 _AXIS = "SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\n"
@@ -49,7 +50,7 @@ MD1,LU"AUXPOSITION",AR20,1RL@20,IB3000,JR-2,NO,MC2,RP
 MD2,AS3000,1WL@20,CN33,WA0.05,CF33
 1AH0,MC1
 """
-# What reads on and on what moves, and so is never skipped.
+# Repeated readings of a moving axis, which are never skipped.
 RECKONED = 'LU"POSITION",AR20\n1MN,1SV1000,1MR30000\n1RL@20,AA5,IB30000,JR-3,NO\n'
 _MOVING = "SPEED(0) = 10 : MOVER(0) = 30 : GO(0)\nWhile Not IDLE(0)\n  {}\nEnd While\n"
 LEFT_ALONE = {
@@ -64,7 +65,7 @@ LEFT_ALONE = {
 
 
 def tasks(count: int, body: str) -> str:
-    """A move of an hour and so many tasks that poll while it lasts; `#` is the number of the task."""
+    """Return a move of an hour and `count` polling tasks; `#` is a task's number."""
     loops = [f"Dim x{k} As Float\nLoop\n  {body.replace('#', str(k))}\nEnd Loop\n" for k in range(count)]
     starts = "".join(f"Run T{k}\n" for k in range(1, count))
     others = "".join(f"Task T{k}\n{loops[k]}End Task\n" for k in range(1, count))
@@ -72,7 +73,10 @@ def tasks(count: int, body: str) -> str:
 
 
 def panel(count: int) -> str:
-    """Moves that one task polls for, and others that poll an input each, all of which are skipped."""
+    """Return moves that one task polls for, and others that poll an input each.
+
+    All of them are skipped.
+    """
     starts = "".join(f"Run T{k}\n" for k in range(1, count))
     until_idle = "Repeat : Until IDLE(0)"
     others = (
@@ -82,21 +86,21 @@ def panel(count: int) -> str:
 
 
 def speed(source: Source, machine: dict[str, object]) -> float:
-    """Machine time over processor time, from the text to the result."""
+    """Return machine time over processor time, from the text to the result."""
     return SHIFT / min(
         seconds(lambda: run(source, machine=machine, cache=False, until=SHIFT)) for _ in range(ROUNDS)
     )
 
 
 class Unwatched(Poll):
-    """Loops of MCCL that nobody looks at."""
+    """Loops of MCCL without checks."""
 
     def again(self) -> None:
         return None
 
 
 def started(text: str, dialect: Dialect = MINT) -> Scheduler:
-    """A program that has been compiled and may run."""
+    """Return a program that has been compiled and may run."""
     machine = Machine(accelerators=accelerators())
     task = dialect.compile(Source("poll", text), {}, machine.accelerators.ranges).start(machine)
     machine.scheduler = (machine.accelerators.scheduler or Scheduler)(machine, task)
@@ -104,7 +108,7 @@ def started(text: str, dialect: Dialect = MINT) -> Scheduler:
 
 
 def plain(text: str, dialect: Dialect) -> Scheduler:
-    """The same without any watch on its loops."""
+    """Return it without any checks of its loops."""
     watched = polling.watched
     polling.watched = lambda *_: None
     scheduler = started(text, dialect)
@@ -115,16 +119,16 @@ def plain(text: str, dialect: Dialect) -> Scheduler:
 
 
 def cost(text: str, until: float) -> float:
-    """The processor time, s, of a run that has been compiled."""
+    """Return the processor time, s, of a run that has been compiled."""
     scheduler = started(text)
     return seconds(lambda: scheduler.run(until))
 
 
 def of_plain_simulation(text: str, dialect: Dialect = MINT) -> float:
-    """The cost of a program without watches over its cost with them, which run side by side.
+    """Return the ratio of a program's cost without checks to that with them.
 
-    Both go on by a tenth of a second in turn, and of each such stretch the quickest of some runs counts: what else the
-    computer does meanwhile makes a run of all of it slower or faster by more than what is asked for.
+    Both run side by side, alternating every tenth of a second, and of each such stretch the quickest of some
+    runs counts: the load of the computer changes a complete run by more than the measured difference.
     """
     quickest = [[float("inf")] * STRETCHES for _ in range(2)]
     for _ in range(2 * ROUNDS):

@@ -1,7 +1,7 @@
-"""What a proof costs as a run grows: S-ramp arcs that are blended every 19 ms, 41 of them and 84.
+"""The cost of a proof as a run grows: 41 and 84 S-ramp arcs, blended every 19 ms.
 
-The figures are CPU time, the best of several interleaved rounds. `proof_168_over_82` is the time for 168 entries of the
-log over that for 82: what is linear takes 2.05 times as long.
+The figures are CPU time, the best of several interleaved rounds. `proof_168_over_82` is the time for 168
+entries of the log over that for 82: linear cost gives 2.05.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ PAUSE IDLE(0)
 
 
 def ran(paths: int) -> Run:
-    """A run of so many paths, two entries of the log each."""
+    """Return a run of `paths` paths, two entries of the log each."""
     text = PROGRAM.format("\n".join(["CIRCLER(0, 1) = 0.05, 0, 57.29578"] * paths))
     return run(Source("blends.mnt", text), cache=False, prove=True)
 

@@ -1,6 +1,6 @@
-"""Fitting, encoding and streaming PVT moves: how fast, against virtual time.
+"""Fitting, encoding and streaming PVT moves: speed against virtual time.
 
-Prints `name value unit`. Every figure is the best of a few rounds in one process.
+It prints `name value unit`. Every figure is the best of a few rounds in one process.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ POINTS = 10_000
 
 
 def best(rounds: int, job: Callable[[], object]) -> float:
-    """Seconds of a job, the best of `rounds`."""
+    """Return seconds of a job, the best of `rounds`."""
     times = []
     for _ in range(rounds):
         begin = perf_counter()
@@ -41,7 +41,7 @@ def best(rounds: int, job: Callable[[], object]) -> float:
 
 
 def history(seconds: float) -> tuple[list[float], list[Profile], float]:
-    """Sinusoidal moves one after the other for about `seconds`, and when they end."""
+    """Return sinusoidal moves in sequence for about `seconds`, and their end time."""
     draw = np.random.default_rng(3)
     starts, profiles, time, place = list[float](), list[Profile](), 0.0, 0.0
     while time < seconds:
@@ -53,13 +53,13 @@ def history(seconds: float) -> tuple[list[float], list[Profile], float]:
 
 
 def winding() -> tuple[list[float], list[WirePoint]]:
-    """The positions and points of a move of `POINTS` points, 2 ms apart."""
+    """Return the positions and points of a move of `POINTS` points, 2 ms apart."""
     places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(POINTS)]
     return places, to_wire(points_from(places, smooth_velocities(places, 0.002), 0.002))
 
 
 def stream(points: list[WirePoint]) -> float:
-    """Stream to a simulated drive over the virtual bus; the virtual time it took."""
+    """Stream to a simulated drive over the virtual bus; return the virtual time."""
     drive = Drive()
     with LockstepBus(drive) as bus:
         Master(bus).stream(points)

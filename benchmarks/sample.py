@@ -1,6 +1,6 @@
-"""How many times np.fill it costs to sample one long profile, and a history of 2000 short moves.
+"""The cost of sampling a long profile, and 2000 short moves, in units of np.fill.
 
-Prints `name value unit`. Every figure is the best of many interleaved rounds in one process.
+It prints `name value unit`. Every figure is the best of many interleaved rounds in one process.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ POINTS = 1_000_000
 
 
 def history() -> tuple[list[float], list[Profile]]:
-    """2000 jerk-limited moves of about half a second, one after the other."""
+    """Return 2000 jerk-limited moves of about half a second, in sequence."""
     lengths = np.random.default_rng(3).uniform(5.0, 40.0, 2000)
     starts, profiles, time, place = [], [], 0.0, 0.0
     for length in lengths:
@@ -33,7 +33,7 @@ def history() -> tuple[list[float], list[Profile]]:
 
 
 def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
-    """Seconds of each job, the best of `rounds`, the jobs taking turns."""
+    """Return seconds of each job, the best of `rounds`, with the jobs alternating."""
     times = dict.fromkeys(jobs, float("inf"))
     for _ in range(rounds):
         for name, job in jobs.items():

@@ -1,7 +1,8 @@
-"""What a served board answers: round trips over loopback, by one host and by fifty at once, and by the client.
+"""The throughput of a served board: round trips of one host, of fifty, and more.
 
-Prints `name value unit`. The server is a process of its own, as it would be; hosts ask `1TP` and wait for the answer
-and the prompt. Rates are the best of several rounds, the least share is that of the host that was answered least.
+They go over loopback. It prints `name value unit`. The server is a process of its own; hosts send `1TP` and
+wait for the answer and the prompt. Rates are the best of several rounds, the least share is that of the
+slowest host.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ ANSWER = b"01 0\n>"
 
 
 def connect(port: int) -> socket.socket:
-    """A host past its first prompt."""
+    """Return a host after its first prompt."""
     host = socket.create_connection(("127.0.0.1", port), 20)
     host.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     assert host.recv(1) == b">"
@@ -32,7 +33,7 @@ def connect(port: int) -> socket.socket:
 
 
 def one_host(port: int) -> float:
-    """Round trips a second of one host with plain sockets."""
+    """Return round trips per second of one host with plain sockets."""
     best = 0.0
     with connect(port) as host:
         for _ in range(ROUNDS):
@@ -47,7 +48,10 @@ def one_host(port: int) -> float:
 
 
 def many_hosts(port: int) -> tuple[float, float, float]:
-    """Round trips a second of all hosts, the least host's share of the mean, and the longest wait in seconds."""
+    """Return round trips per second of all hosts, the least share, the longest wait.
+
+    The share is that of the slowest host relative to the mean, the wait in seconds.
+    """
     hosts = dict.fromkeys((connect(port) for _ in range(HOSTS)), b"")
     counts, asked = dict.fromkeys(hosts, 0), dict.fromkeys(hosts, 0.0)
     longest = 0.0
@@ -74,7 +78,7 @@ def many_hosts(port: int) -> tuple[float, float, float]:
 
 
 def beside_a_busy_program(port: int) -> float:
-    """Round trips a second of one host while another one's program never waits."""
+    """Return round trips per second of one host while another's program never waits."""
     with connect(port) as busy:
         busy.sendall(b"AA1,RP\r")
         rate = one_host(port)
@@ -84,7 +88,7 @@ def beside_a_busy_program(port: int) -> float:
 
 
 def client_rate(client: Client) -> float:
-    """Round trips a second through `motionlang.client`."""
+    """Return round trips per second through `motionlang.client`."""
     best = 0.0
     for _ in range(ROUNDS):
         begin = perf_counter()
@@ -95,10 +99,10 @@ def client_rate(client: Client) -> float:
 
 
 def measure(clock: str) -> None:
-    """Everything against one server."""
+    """Measure everything against one server."""
     command = [sys.executable, "-m", "motionlang", "serve", "--tcp", "0", "--clock", clock]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
-        # However it goes on, the server does not outlive its measurement.
+        # The server never outlives its measurement.
         guard = threading.Timer(120.0, server.kill)
         guard.start()
         assert server.stdout is not None

@@ -1,9 +1,9 @@
-"""The servo: its steps against a plain Python loop, and everything against real time.
+"""The servo: its steps against a plain Python loop, and all against real time.
 
-Prints `name value unit`. Ratios are taken within one run, of the best of several interleaved rounds; every engine is
-given the same trajectory points and gives the same columns, and the results are compared before they are timed.
-`in-a-run` is a program that moves eight axes with motors back and forth, from its text to its end, the suggestion of
-their gains included; `suggestion` is that alone, for one motor that is like no other.
+It prints `name value unit`. Ratios are taken within one run, of the best of several interleaved rounds; every
+engine gets the same trajectory points and gives the same columns, and the results are compared before they
+are timed. `in-a-run` is a program that moves eight axes with motors back and forth, from its text to its end,
+including the suggestion of their gains; `suggestion` is that alone, for a unique motor.
 """
 
 from __future__ import annotations
@@ -63,7 +63,10 @@ Next
 
 
 def points(kick: float = 0.0) -> Array:
-    """Smooth moves of 0.8 s back and forth, one a second; every ten seconds a jump of `kick` counts."""
+    """Return smooth moves of 0.8 s back and forth, one per second.
+
+    Every ten seconds there is a jump of `kick` counts.
+    """
     t = np.arange(SECONDS * 1000 + 1) / 1000.0
     x = np.minimum((t % 1.0) / 0.8, 1.0)
     s = x - np.sin(2.0 * np.pi * x) / (2.0 * np.pi)
@@ -72,7 +75,7 @@ def points(kick: float = 0.0) -> Array:
 
 
 def track() -> Track:
-    """The same kind of motion as profiles of the planner."""
+    """Return such motion as profiles of the planner."""
     starts, profiles, place = [0.0], [hold(0.0)], 0.0
     for k in range(SECONDS):
         target = 4000.0 if k % 2 == 0 else 0.0
@@ -84,7 +87,7 @@ def track() -> Track:
 
 
 def python_loop(demand: list[float], loop: Loop, motor: Motor) -> tuple[list[float], list[float]]:
-    """The loop and the motor as one writes them in Python when it matters: everything in locals, one pass."""
+    """Run the loop and the motor in plain, optimised Python: locals only, one pass."""
     regime = discretise(motor, loop.period).regimes[1, 1]
     (a00, a01, a02), (a10, a11, a12), (a20, a21, a22) = regime.a
     b0, b1, b2 = regime.b
@@ -119,27 +122,30 @@ def python_loop(demand: list[float], loop: Loop, motor: Motor) -> tuple[list[flo
 
 
 def stretch(at: Array, columns: tuple[str, ...]) -> list[Array]:
-    """The steps over trajectory points, of which the first is what was before."""
+    """Run the steps over trajectory points; the first one precedes the stretch."""
     state = initial_state(discretise(MOTOR, LOOP.period), float(at[1]))
     made, _ = run_stretch(LOOP, MOTOR, columns, at, 0, STEPS, state)
     return [np.asarray(column) for column in made.columns]
 
 
 def written_out(demand: list[float], loop: Loop, motor: Motor, columns: tuple[str, ...]) -> None:
-    """The step loop made for one loop and one motor."""
+    """Run the step loop generated for one loop and one motor."""
     run = stepper(loop, motor, columns)
     run(demand, (), initial_state(discretise(motor, loop.period), 0.0), empty_columns(columns))
 
 
 def interpolated(at: Array) -> list[float]:
-    """The demand at the servo rate."""
+    """Return the command at the servo rate."""
     time = np.arange(STEPS) / RATE
     made: list[float] = np.interp(time, np.arange(-1, len(at) - 1) / 1000.0, at).tolist()
     return made
 
 
 def timed(jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
-    """CPU seconds of each job, the best of interleaved rounds; a quick one is repeated until it takes a while."""
+    """Return CPU seconds of each job, the best of interleaved rounds.
+
+    A quick one is repeated.
+    """
     best: dict[str, float] = {}
     repeats: dict[str, int] = {}
     for name, job in jobs.items():
@@ -159,7 +165,7 @@ def timed(jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
 
 
 def check(at: Array) -> float:
-    """The largest difference between the two, as a share of the travel and of the output limit."""
+    """Return the largest difference of the two, relative to travel and output limit."""
     positions, outputs = python_loop(interpolated(at), LOOP, MOTOR)
     position, output = stretch(at, ASKED)
     worst = float(np.abs(position - positions).max()) / float(np.abs(at).max())
@@ -167,7 +173,7 @@ def check(at: Array) -> float:
 
 
 def in_a_run(quantised: bool) -> float:
-    """Machine time over CPU time of the program, every axis with the same motor."""
+    """Return machine time over CPU time of the program, with one motor for all axes."""
     plant = {"load_inertia": 4e-5, "quantised": quantised}
     machine = {f"axis.{axis}.plant.{name}": value for axis in range(8) for name, value in plant.items()}
     began = process_time()
@@ -177,7 +183,7 @@ def in_a_run(quantised: bool) -> float:
 
 
 def suggestion(number: int) -> float:
-    """CPU seconds to suggest gains for a motor that nobody has asked for."""
+    """Return CPU seconds to suggest gains for a new motor."""
     began = process_time()
     suggested_loop(Motor(load_inertia=4e-5 + 1e-6 * number), 40.0, Loop())
     return process_time() - began

@@ -1,7 +1,8 @@
-"""A shift: 20 000 moves on four axes over eight machine hours, from source text to the JSON report, and its parts.
+"""A shift of 20 000 moves on four axes in eight hours, from source to JSON report.
 
-Prints `name value unit`, the best of some rounds in CPU time: all of it; the run alone, of a compiled program; the same
-with travel limits in the machine file; a task for each axis; and what a wait and a move with its wait cost in a loop.
+It prints `name value unit`, the best of some rounds in CPU time: all of it; the run alone, of a compiled
+program; the same with travel limits in the machine file; a task for each axis; and the cost of a wait, and of
+a move with its wait, in a loop.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source
 
-# Of a whole run, and of its tasks alone, which take milliseconds: the least of a few is not the least yet.
+# Rounds of a complete run, and of its tasks alone, which take milliseconds and so need more rounds.
 ROUNDS, SHORT_ROUNDS = 5, 25
 SETTINGS = "SPEED(0, 1, 2, 3) = 100;\nACCEL(0, 1, 2, 3) = 500;\nDECEL(0, 1, 2, 3) = 500;\n"
 # 2 500 cycles of two moves on each of four axes, in 11.5 s each.
@@ -64,7 +65,7 @@ LOOP = f"Dim n As Integer\nSPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\nFor
 
 
 def core(program: str) -> float:
-    """Seconds in which the tasks of a program run, compiled before and with the cyclic collector off; the least."""
+    """Return the least time of a program's tasks, compiled, with the collector off, s."""
     fast = accelerators()
     compiled, best = DIALECT.compile(Source("core.mnt", program), {}, fast.ranges), float("inf")
     for _ in range(SHORT_ROUNDS):
@@ -75,11 +76,14 @@ def core(program: str) -> float:
 
 
 def whole(program: str, machine: dict[str, object] | None = None, report: bool = False) -> tuple[float, Run]:
-    """Seconds from source text to the end of the run, and to its report where that is asked for; the least."""
+    """Return the least time from source text to the end of the run, s.
+
+    With `report` it includes the report.
+    """
     source, best = Source("shift.mnt", program), float("inf")
     result: Run | None = None
     for _ in range(ROUNDS):
-        result = None  # what the round before has left behind goes before this one begins
+        result = None  # frees the result of the round before
         begin = time.process_time()
         result = run(source, machine=machine or {}, cache=False)
         if report:

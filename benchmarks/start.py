@@ -1,13 +1,14 @@
-"""Start-up of `motionlang run` against `python -c pass`: CPU time of whole processes, in one run.
+"""Start-up of `motionlang run` against `python -c pass`: CPU time of processes.
 
-The program is start.mnt, a hundred lines of an ordinary machine program. Cached takes what it was compiled to from the
-user's cache; at first sight its text is a new one each time, which is compiled and put there. Either without a report
-and with the table that a person sees.
+The program is start.mnt, a hundred lines of an ordinary machine program. With a cached program its code comes
+from the user's cache; at first sight its text is new each time, and is compiled and cached. Either runs
+without a report and with the table for a terminal.
 
-The command is the script that a current pip writes for it. An older one (up to 25.0) writes a script that imports `re`
-for itself, which takes half as long as an empty Python, is nothing that this package could do without, and would hide
-half of what is measured here: `start_installed` is the command as it is installed where this runs, and `start_re` that
-import alone. `start_hello` is a program of one line. Bytecode of the package is there before, as after an installation.
+The command is the script that a current pip writes for it. An older one (up to 25.0) writes a script that
+imports `re` for itself, which takes half as long as an empty Python. The package cannot avoid that, and it
+would hide half of the measured time: `start_installed` is the command as it is installed where this runs, and
+`start_re` that import alone. `start_hello` is a program of one line. Bytecode of the package exists before,
+as after an installation.
 """
 
 from __future__ import annotations
@@ -35,13 +36,13 @@ FIGURES = ("cached", "first_sight", "table", "first_sight_table", "hello", "inst
 
 
 def command() -> list[str]:
-    """The installed `motionlang`, or the module where none is installed."""
+    """Return the installed `motionlang`, or the module if none is installed."""
     found = shutil.which("motionlang", path=os.path.dirname(sys.executable))
     return [found] if found else [sys.executable, "-m", "motionlang"]
 
 
 def seconds(arguments: list[str], environment: dict[str, str], statuses: tuple[int, ...] = (0,)) -> float:
-    """CPU time of one process, which must end with one of `statuses`."""
+    """Return CPU time of one process, which must end with one of `statuses`."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     ended = subprocess.run(arguments, env=environment, stdout=subprocess.DEVNULL, check=False)
     assert ended.returncode in statuses, arguments

@@ -1,8 +1,8 @@
-"""One shift written 30 ways, for counting: each program moves axis 0 there and back as often as `CYCLES` says.
+"""One shift written in 30 styles, for counting work.
 
-A style is a spelling that machine builders use: how the program waits, what runs alongside, what it writes meanwhile.
-Most cycles take 3.4 s of machine time. The programs use nothing that commit 7b66ced does not understand, because they
-also run there.
+Each program moves axis 0 there and back as often as `CYCLES` states. A style is a spelling that machine
+builders use: how the program waits, what runs alongside, what it writes meanwhile. Most cycles take 3.4 s of
+machine time. The programs use only features of commit 7b66ced, because they also run there.
 """
 
 from __future__ import annotations
@@ -14,12 +14,15 @@ _AXES = "SPEED(0, 1) = 100;\nACCEL(0, 1) = 500;\nDECEL(0, 1) = 500;\nDim n As In
 _LOOP = "For n = 1 To {cycles}\n{there}{back}Next\nEnd\n"
 _THERE, _BACK = "  MOVEA(0) = 100 : GO(0)\n", "  MOVEA(0) = 0 : GO(0)\n"
 _PAUSE = "  PAUSE IDLE(0)\n"
-# For loops that cannot be skipped: 0.14 s of polling each way.
+# For loops that cannot be skipped: 0.14 s of polling in each direction.
 _SHORT = "  MOVEA(0) = 2.5 : GO(0)\n"
 
 
 class Style(NamedTuple):
-    """A program, its file name (the ending names the language), its machine file as settings, and its time limit, s."""
+    """A program, its file name, its machine file as settings, and its time limit, s.
+
+    The suffix of the name selects the language.
+    """
 
     file: str
     text: str
@@ -38,7 +41,10 @@ def _mint(
     machine: dict[str, object] | None = None,
     cycles: int = CYCLES,
 ) -> Style:
-    """A shift in Mint: `head` before the loop, `wait` after either move, `each` once a cycle, `blocks` at the end."""
+    """Return a shift in Mint.
+
+    `head` is before the loop, `wait` after either move, `each` once per cycle, `blocks` at the end.
+    """
     loop = _LOOP.format(cycles=cycles, there=there + wait, back=back + wait + each)
     return Style("shift.mnt", f"{_AXES}{head}{loop}{blocks}", machine or {})
 
@@ -51,7 +57,7 @@ _POLLING_TASK = "Task Lamp\nLoop\n  If VEL(0) > 0 Then OUTX(1) = 1 Else OUTX(1) 
 _BOTH = "VECTORA(0, 1) = {} : GO(0)\n"
 
 STYLES: dict[str, Style] = {
-    # Ways to wait until the axis is at rest.
+    # Waits until the axis is at rest.
     "pause": _mint(),
     "while": _mint("  While Not IDLE(0)\n  End While\n"),
     "repeat": _mint("  Repeat\n  Until IDLE(0)\n"),
@@ -86,7 +92,7 @@ STYLES: dict[str, Style] = {
         blocks="Event IN0\n  parts = parts + 1\nEnd Event\n",
         machine={"input": [{"channel": 0, "at": 0.7, "for": 0.3, "every": 0.7, "times": 150}]},
     ),
-    # What is written and shown.
+    # Output.
     "print": _mint(each='  WAIT(500)\n  PRINT "part ", n\n'),
     "display": _mint("  While Not IDLE(0)\n    LINE 1, POS(0)\n    WAIT(100)\n  End While\n"),
     "comms": _mint("  While Not IDLE(0)\n    COMMS(1) = POS(0)\n    WAIT(20)\n  End While\n"),

@@ -1,7 +1,7 @@
-"""A sweep: what a variant costs beside its bare run, a thousand of them beside a shell loop, memory, and Dask's share.
+"""A sweep: the cost of a variant against its bare run, a shell loop, and Dask.
 
-The program has 100 lines and 48 moves. Ratios are of one run of this file; `--many` adds 100 000 variants, `--dask` a
-cluster of two processes on this machine.
+Memory is measured, too. The program has 100 lines and 48 moves. Ratios are of one run of this file; `--many`
+adds 100 000 variants, `--dask` a cluster of two processes on this machine.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ PROGRAM = "\n".join([*HEAD, *MOVES, 'PRINT "done at ", TIME'])
 
 
 def sweep_of(count: int) -> Sweep:
-    """The sweep with so many variants."""
+    """Return the sweep with `count` variants."""
     grid = {"rate": f"500:5000:{count // 4}", "gain": [1, 2, 3, 4]}
     return Sweep(Source("sweep.mnt", PROGRAM), grid, keep=KEEP)
 
 
 def variant() -> None:
-    """A variant beside the run that it is: the same compiled program with the same values."""
+    """Measure a variant against its run: the same compiled program and values."""
     sweep = sweep_of(1000)
     worker = worker_of(sweep.job)
     variants = [(n, sweep.space[n]) for n in range(0, 1000, 1000 // RUNS)]
@@ -57,7 +57,7 @@ def variant() -> None:
 
 
 def thousand() -> None:
-    """A thousand variants on two processes, and on the shell's way: a process each."""
+    """Measure a thousand variants on two processes, and as a process each in a shell."""
     best = float("inf")
     for _ in range(ROUNDS):
         began = perf_counter()
@@ -77,7 +77,7 @@ def thousand() -> None:
 
 
 def many(count: int) -> None:
-    """The memory that grows with the number of variants: what is left of each is its row."""
+    """Measure the memory per variant, of which only the row is stored."""
     list(sweep_of(1000).results(jobs=2))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     rows = list(sweep_of(count).results(jobs=2))
@@ -87,7 +87,7 @@ def many(count: int) -> None:
 
 
 def dask() -> None:
-    """What Dask adds to a variant: the same sweep by its executor and by the local pool, both of two processes."""
+    """Measure the overhead of Dask against the local pool, both with two processes."""
     import logging
 
     distributed: Any = import_module("dask.distributed")

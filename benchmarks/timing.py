@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def seconds(work: Callable[[], object], collect: bool = False) -> float:
-    """The processor time of one call, s, with the cyclic collector on or off."""
+    """Return the processor time of one call, s, with the cyclic collector on or off."""
     gc.collect()
     if not collect:
         gc.disable()

@@ -1,7 +1,7 @@
-"""Moves of an axis with many watches that it does not pass, against the same with two.
+"""Moves of an axis with many watches that it does not pass, against two watches.
 
-Prints `name value unit`: the processor time of a move with 1 000 watches over that with 2, the smallest of each side of
-runs that take turns. The watches lie on both sides of where the axis moves.
+It prints `name value unit`: the processor time of a move with 1 000 watches over that with 2, the smallest of
+each side of alternating runs. The watches are on both sides of the axis's range.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ MANY = 1000
 
 
 def shuttle(count: int) -> Controller:
-    """An axis that goes to and fro between watches."""
+    """Return an axis that moves to and fro between watches."""
     c = Controller(1)
     for k in range(count // 2):
         c.watch(0, 1000.0 + 10.0 * k, lambda _: None, physical=k % 2 == 0)
@@ -25,7 +25,7 @@ def shuttle(count: int) -> Controller:
 
 
 def moves(c: Controller) -> None:
-    """Begin and end so many moves."""
+    """Begin and end `MOVES` moves."""
     for k in range(MOVES):
         c.move_to(0, 500.0 if k % 2 == 0 else -500.0)
         c.clock.advance(c.clock.now + 10.0)

@@ -1,6 +1,7 @@
-"""Every run of a Python that has this folder on its path is proved; one that fails ends it. Figures then say nothing.
+"""Proof of every run of a Python with this folder on its path; a failure ends it.
 
-`python -m benchmarks --prove` puts the folder there, for its benchmarks and for every process that they start.
+Figures are then meaningless. `python -m benchmarks --prove` adds the folder, for its benchmarks and for every
+process that they start.
 """
 
 from __future__ import annotations
