@@ -1,6 +1,6 @@
-"""motionlang: the motion-control languages MCCL and Mint, run offline on one virtual multi-axis controller.
+"""motionlang: MCCL and Mint programs, run offline on a virtual controller.
 
-`run` is the whole of it in one call; what it returns knows the report, the trace and the output.
+`run` is the complete interface; its result has the report, the trace and the output.
 """
 
 TYPE_CHECKING = False
@@ -14,7 +14,7 @@ __all__ = ["Run", "__version__", "run", "sweep"]
 
 
 def __getattr__(name: str) -> object:
-    """`run`, `Run` and `sweep` on first use, so that importing a part of the package does not import the whole."""
+    """`run`, `Run` or `sweep` on first use, to keep imports of the package small."""
     if name in ("run", "Run"):
         from importlib import import_module
 

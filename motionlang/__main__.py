@@ -1,7 +1,7 @@
-"""`python -m motionlang`, and where the command `motionlang` begins.
+"""`python -m motionlang`, and the entry point of the command `motionlang`.
 
-Until `main` listens to signals, Ctrl-C ends the process without a word, as it ends any other: there is nothing to
-report, and Python would show a traceback through its imports. After `main` it is so again.
+Until `main` handles signals, Ctrl-C ends the process silently, like any other: there is nothing to report,
+and Python would show a traceback through its imports. The same applies after `main`.
 """
 
 import signal
@@ -12,12 +12,12 @@ if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
 import os
 import sys
 
-# numpy's matrices are small here, and its other threads would only wait for them, which takes a core.
+# numpy's matrices are small here, and its other threads would only wait for them, using a core.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def main() -> int:
-    """Run one command and leave; the exit status where somebody waits for the end of the process."""
+    """Run one command and exit; return the status if the process must end normally."""
     from motionlang.cli import main as command
 
     status = command()
@@ -26,9 +26,9 @@ def main() -> int:
 
 
 def _leave(status: int) -> None:
-    """Leave without taking everything apart first, which takes a fifth of the time of an empty Python.
+    """Exit without finalisation, which takes a fifth of the time of an empty Python.
 
-    Not so where somebody has asked to be called at the end, looks on, or where threads are at work.
+    It is not skipped if there are exit handlers, a tracer or further threads.
     """
     import atexit
 
@@ -41,7 +41,7 @@ def _leave(status: int) -> None:
         sys.stdout.flush()
         sys.stderr.flush()
     except (OSError, ValueError):
-        return  # Python says so itself as it ends
+        return  # Python reports it itself as it ends
     os._exit(status)
 
 

@@ -1,6 +1,6 @@
-"""The build steps of the package: the grammars, which live beside it, into the wheel, and a description for an index.
+"""The build steps of the package: grammars in the wheel, and its description.
 
-A `package-dir` mapping would do the same, but makes editable installs start through an import hook; see
+A `package-dir` mapping for the grammars would make editable installs start through an import hook; see
 docs/decisions.md.
 """
 
@@ -18,7 +18,10 @@ class BuildWithGrammars(build_py):
     """`build_py`, then `grammars/*.lark` into `motionlang/grammars/`."""
 
     def run(self) -> None:
-        """Build, and copy the grammars into the package; an editable install reads those of the checkout."""
+        """Build, and copy the grammars to the package.
+
+        An editable install reads those of the checkout.
+        """
         super().run()
         if self.editable_mode:
             return
@@ -28,15 +31,15 @@ class BuildWithGrammars(build_py):
             shutil.copy(grammar, target)
 
     def get_source_files(self) -> list[str]:
-        """What an sdist needs beside the package."""
+        """Return the files that an sdist needs in addition to the package."""
         sources: list[str] = super().get_source_files()  # type: ignore[no-untyped-call,unused-ignore]
         return [*sources, *map(str, sorted(Path("grammars").glob("*.lark")))]
 
 
 class DescribeWithoutLinks(egg_info):
-    """`egg_info` whose description, the README, names files of the repository instead of linking to them.
+    """`egg_info` with a README that names repository files instead of linking to them.
 
-    An index shows the README where there is no such file, and the package knows no address of its repository.
+    A package index shows the README without these files, and the package has no address of its repository.
     """
 
     def run(self) -> None:
@@ -47,7 +50,7 @@ class DescribeWithoutLinks(egg_info):
 
 
 def without_links(text: str) -> str:
-    """Replace links to files of the repository by their text and path, and leave out pictures of it."""
+    """Replace links to repository files by text and path, and remove pictures of it."""
     text = re.sub(r"!\[[^\]]*\]\((?![a-z]+:)[^)]+\)\n*", "", text)
     text = re.sub(r"\[([\w/.-]+)\]\(\1\)", r"`\1`", text)
     return re.sub(r"\[([^\]]*)\]\((?![a-z]+:)([^)#]+)[^)]*\)", r"\1 (`\2`)", text)

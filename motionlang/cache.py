@@ -1,10 +1,10 @@
-"""The compile cache: compiled programs and parsed machine files, cached between runs in the user's cache folder.
+"""The compile cache: compiled programs and parsed machine files of earlier runs.
 
-An entry is one file, named after what it was made of: of a program its text, dialect, settings and the version of
-Python. It holds all of that, and the state of every file of the package that was loaded to make it. `get` ignores an
-entry that belongs to something else or to changed files, a damaged entry, and an entry that another user may write. No
-trouble with the cache is ever an error of a command. `files.replacing` writes an entry whole or not at all, and once
-there are more than `ENTRIES` the older half is removed.
+It is in the user's cache folder. An entry is one file, named after its input: of a program its text, dialect,
+settings and the version of Python. It contains all of that, and the state of every file of the package that
+was loaded to make it. `get` ignores an entry for another input or changed files, a damaged entry, and an
+entry that another user may write. A failure of the cache is never an error of a command. `files.replacing`
+writes an entry completely or not, and once there are more than `ENTRIES` the older half is removed.
 """
 
 from __future__ import annotations
@@ -16,14 +16,15 @@ from zlib import crc32
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    # Size, time of the text and time of the last change of a file.
+    # Size, time of the content and time of the last status change of a file.
     State = tuple[int, int, int]
 
 OFF = "MOTIONLANG_NO_CACHE"
 # How many files the folder may hold.
 ENTRIES = 512
-# What compiling takes besides a language's own package; a test holds it to what a compilation imports. The files of
-# keywords import the controller, but only for what the keywords do in a run.
+# The files that compiling uses in addition to a language's own package; a test compares it with the imports
+# of a compilation. The files of keywords import the controller, but only for the keywords' functions in a
+# run.
 SHARED = (
     "lang" + os.sep,
     "fast" + os.sep,
@@ -32,7 +33,7 @@ SHARED = (
     "source.py",
     os.path.join("controller", "faults.py"),
 )
-# What of that package no compilation takes: what looks programs over, what rows rest on.
+# Folders of that package that no compilation uses: linters, and evidence.
 ASIDE = ("lint", "evidence")
 # Bytes of the checksum at the beginning of an entry.
 CHECKSUM = 4
@@ -44,17 +45,20 @@ class Entry:
     __slots__ = ("_makers", "_name", "_states", "_whose")
 
     def __init__(self, kind: str, makers: tuple[str, ...], *parts: str) -> None:
-        """`makers` are folders, which end with a separator, and files: those that are loaded count."""
+        """Take the makers and the inputs.
+
+        `makers` are folders, which end with a separator, and files: the loaded ones count.
+        """
         self._makers = makers
         self._whose = (sys.version, *makers, *parts)
         text = "\0".join(self._whose).encode("utf-8", "surrogatepass")
-        # Two inputs of one name take the file in turns: `get` compares the whole of what it belongs to.
+        # Two inputs with one name replace each other's file: `get` compares the complete input.
         self._name = f"{kind}-{crc32(text):08x}-{len(text):x}"
-        # The files that made what is cached already.
+        # The files that made the cached result.
         self._states: dict[str, State] = {}
 
     def get(self) -> bytes | None:
-        """What was put; None if there is nothing that the files of the package would still make."""
+        """Return the stored payload; None if none is valid for the package's files."""
         data = _read(self._name)
         if data is None or checksum(data[CHECKSUM:]) != data[:CHECKSUM]:
             return None
@@ -66,7 +70,7 @@ class Entry:
         return found
 
     def put(self, payload: bytes) -> None:
-        """Cache what has just been made, or more of what was cached.
+        """Cache a new result, or an extended one.
 
         Nothing is cached if the package has no files to compare, as in a zip archive.
         """
@@ -76,38 +80,39 @@ class Entry:
             return
         states = {**self._states, **loaded}
         if any(states[path] != state for path, state in self._states.items()):
-            return  # what was cached is of other files than what has been added
+            return  # the cached result is of other files than the extension
         self._states = states
         data = dumps((self._whose, [*states.items()], payload))
         _write(self._name, checksum(data) + data)
 
 
 def program_entry(package: str, *parts: str) -> Entry:
-    """The entry of a program, compiled by the language whose folder is `package`."""
+    """Return the entry of a program, compiled by the language in the folder `package`."""
     root = os.path.dirname(package) + os.sep
     return Entry("program", (package + os.sep, *(root + name for name in SHARED)), *parts)
 
 
 def machine_entry(text: str) -> Entry:
-    """The entry of the settings of a machine file, which any loaded file may have checked."""
+    """The entry of a machine file's settings; any loaded file may have checked them."""
     return Entry("machine", (os.path.dirname(__file__) + os.sep,), text)
 
 
 def wanted() -> bool:
-    """Whether the environment leaves the cache on."""
+    """True unless the environment disables the cache."""
     return not os.environ.get(OFF)
 
 
 def folder() -> str | None:
-    """The user's cache folder for motionlang; `MOTIONLANG_CACHE` names another one. None without a home."""
+    """The user's cache folder; `MOTIONLANG_CACHE` overrides it. None without a home."""
     return os.environ.get("MOTIONLANG_CACHE") or own_folder("Caches", "XDG_CACHE_HOME", ".cache")
 
 
 def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str | None:
-    """The user's folder for motionlang of one kind: in ~/Library, in the folder that `variable` names, or in the home.
+    """Return the user's motionlang folder of one kind.
 
-    None where that would be relative to the working folder: a user without an entry in the password file and without
-    HOME, as in a container, has no home, and a relative `variable` is ignored, as the XDG specification demands.
+    It is in ~/Library, in the folder that `variable` names, or in the home. None if that would be relative to
+    the working folder. A user without an entry in the password file and without HOME, as in a container, has
+    no home, and a relative `variable` is ignored, as the XDG specification demands.
     """
     home = os.path.expanduser("~")
     if sys.platform == "win32":
@@ -122,9 +127,10 @@ def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str | None:
 
 
 def state(path: str) -> State | None:
-    """What tells a file from an edited one; None if there is no file.
+    """Return a file's state, which an edit changes; None if there is no file.
 
-    Nobody can set the time of the last change: an installer may give all files the same time, of all versions.
+    It includes the time of the last status change, which cannot be set: an installer may give all files one
+    modification time, in all versions.
     """
     try:
         status = os.stat(path)
@@ -134,7 +140,7 @@ def state(path: str) -> State | None:
 
 
 def checksum(data: bytes) -> bytes:
-    """The checksum of an entry, which finds damage."""
+    """Return the checksum of an entry, which detects damage."""
     return crc32(data).to_bytes(CHECKSUM, "little")
 
 
@@ -151,7 +157,7 @@ def _unchanged(states: list[tuple[str, State]]) -> bool:
 
 
 def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
-    """The files of the package that made something, and their state; OSError if one is missing."""
+    """The state of the package files that made a result; OSError if one is missing."""
     paths = [
         path
         for module in [*sys.modules.values()]
@@ -175,7 +181,7 @@ def _raise(error: OSError) -> None:
 
 
 def _read(name: str) -> bytes | None:
-    """The content of a file of the cache; None if there is none that can be trusted."""
+    """Return the content of a cache file; None if there is none to be trusted."""
     place = folder() if wanted() else None
     if place is None:
         return None
@@ -189,7 +195,7 @@ def _read(name: str) -> bytes | None:
 
 
 def _write(name: str, data: bytes) -> None:
-    """Write a file of the cache; the oldest ones make room."""
+    """Write a cache file, and remove the oldest ones if there are too many."""
     place = folder() if wanted() else None
     if place is None:
         return
@@ -219,7 +225,10 @@ def _remove_oldest(place: str) -> None:
 
 
 def _is_private(status: os.stat_result) -> bool:
-    """Whether a file or folder is this user's own and closed to writers; Windows folders are per user already."""
+    """True if a file is this user's and not writable by others.
+
+    Windows folders are per user already.
+    """
     if not hasattr(os, "getuid"):
         return True
     return status.st_uid == os.getuid() and not status.st_mode & 0o022

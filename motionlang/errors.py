@@ -1,8 +1,8 @@
-"""Mistakes in a user's program: what went wrong, where, and what to do about it.
+"""Errors in a user's program: the message, its location, and a hint.
 
-A `Diagnostic` is one mistake; a `ProgramError` carries all of a file's mistakes at once. How they look is
-the business of `motionlang.views.diagnostics`; what the *machine* suffers is state on the axis, not this.
-A `MissingExtra` is for a feature whose library is not installed.
+A `Diagnostic` is one error; a `ProgramError` has all errors of a file at once. Their display is in
+`motionlang.views.diagnostics`; faults of the *machine* are state of an axis, not errors. A `MissingExtra` is
+for a feature whose library is not installed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-# One vocabulary of diagnostics: the code, and what it means. `docs/diagnostics.md` is written from it.
+# The codes of diagnostics and their meanings, from which `docs/diagnostics.md` is written.
 CODES: dict[str, str] = {
     "syntax": "The text does not follow the grammar of the language.",
     "language": "The file is written in the other language.",
@@ -106,11 +106,11 @@ CODES: dict[str, str] = {
 
 
 class Diagnostic:
-    """One mistake: `line` and `column` count from 1, `length` is the width of the caret line.
+    """One error: `line` and `column` count from 1, `length` is the width of carets.
 
-    `column` 0 means that only the line is known, `line` 0 that the whole file is meant. `count` is how often a run
-    has met it, from the machine time `first` to `last`. `fix` is what can stand in the place of the marked text, where
-    nothing else can have been meant; "" where that is not certain.
+    `column` 0 means that only the line is known, `line` 0 that the complete file is meant. `count` is how
+    often a run has met it, from the machine time `first` to `last`. `fix` is the correction of the marked
+    text if it is unambiguous, or "".
     """
 
     __slots__ = (
@@ -139,16 +139,16 @@ class Diagnostic:
 
     @property
     def key(self) -> tuple[object, ...]:
-        """What equal diagnostics have in common."""
+        """The identity of equal diagnostics."""
         return self.code, self.message, self.line, self.column, self.severity
 
     def again(self, time: float) -> None:
-        """The same was met once more."""
+        """Count another occurrence."""
         self.count += 1
         self.last = time
 
     def as_dict(self) -> dict[str, object]:
-        """The diagnostic as the JSON report shows it; how often and when, where that was more than once."""
+        """Return the fields of the JSON report, with count and times if there are several."""
         times: dict[str, object] = {}
         if self.count > 1:
             times = {"count": self.count, "first_time": self.first, "last_time": self.last}
@@ -163,12 +163,12 @@ class Diagnostic:
         }
 
 
-# Characters of a value in a message.
+# Maximum characters of a value in a message.
 _LONGEST = 60
 
 
 class ProgramError(Exception):
-    """A program that cannot be run, or that went wrong; carries every diagnostic, in the order of the text."""
+    """An invalid or failed program, with every diagnostic in the order of the text."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
@@ -176,7 +176,7 @@ class ProgramError(Exception):
 
 
 class Terminated(SystemExit):
-    """A signal such as SIGTERM asks for the end; `code` is the exit status that shells give it."""
+    """A signal such as SIGTERM has ended the command; `code` is its exit status."""
 
     def __init__(self, number: int) -> None:
         self.number = number
@@ -184,7 +184,7 @@ class Terminated(SystemExit):
 
 
 def shown(value: object) -> str:
-    """A value that somebody has written, as a message shows it: on one line, and no longer than one."""
+    """Return a user's value for a message, on one line of limited length."""
     try:
         text = repr(value)
     except (ValueError, RecursionError):  # Python writes no number of more than 4300 digits
@@ -193,7 +193,7 @@ def shown(value: object) -> str:
 
 
 def clipped(text: str) -> str:
-    """A text as a message quotes it, no longer than a line."""
+    """Return a quoted text of at most one line."""
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
@@ -218,17 +218,17 @@ def renamed(old: str, new: str, where: str) -> None:
 
 
 def nearest(word: str, words: Iterable[str]) -> str | None:
-    """The word of `words` most like `word`, for "did you mean …?"; None where nothing is near."""
-    from difflib import get_close_matches  # only a mistake pays for this import
+    """Return the most similar word of `words`, for "did you mean …?", or None."""
+    from difflib import get_close_matches  # only an error pays for this import
 
     spelt = {each.lower(): each for each in words}
     found = get_close_matches(word.lower(), spelt, n=1, cutoff=0.6)
     return spelt[found[0]] if found else None
 
 
-# Libraries that may be missing, by the name that each is imported by: the extra of `pyproject.toml` and the name of the
-# distribution. numpy belongs to no extra, because the package depends on it. Some Pythons, such as a browser's, lack
-# it, and most runs do without.
+# Libraries that may be missing, by their import name: the extra of `pyproject.toml` and the name of the
+# distribution. numpy belongs to no extra, because the package depends on it. Some Pythons, such as a
+# browser's, lack it, and most runs do without.
 LIBRARIES = {
     "matplotlib": ("plot", "matplotlib"),
     "pyarrow": ("parquet", "pyarrow"),
@@ -243,9 +243,10 @@ REQUIRED = ("numpy",)
 
 
 class MissingExtra(ImportError):
-    """`user`, a feature or an option, needs libraries of an extra that are not installed.
+    """`user`, a feature or an option, needs libraries of an extra that are missing.
 
-    `message` names them and `hint` is the command that installs them, in double quotes, which every shell takes.
+    `message` names them and `hint` is the command that installs them, in double quotes, which every shell
+    accepts.
     """
 
     def __init__(self, user: str, libraries: Sequence[str]) -> None:
@@ -255,13 +256,13 @@ class MissingExtra(ImportError):
             self.hint = f"python -m pip install {names}"
         else:
             self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
-        # An option can be left out; without a feature the command is of no use.
+        # An option can be omitted; without a feature the command is useless.
         self.is_option = user.startswith("--")
         super().__init__(f"{self.message}: {self.hint}")
 
 
 def need(user: str, *libraries: str) -> None:
-    """Raise MissingExtra if one of the `libraries`, all of one extra, is not installed."""
+    """Raise MissingExtra if one of the `libraries`, all of one extra, is missing."""
     from importlib.util import find_spec
 
     missing = [library for library in libraries if find_spec(library) is None]
@@ -270,7 +271,7 @@ def need(user: str, *libraries: str) -> None:
 
 
 def missing(error: BaseException, user: str) -> MissingExtra | None:
-    """The error that says what `user` lacks, if `error` came of a library that is not installed; otherwise None."""
+    """Return the MissingExtra for an error caused by a missing library, or None."""
     if isinstance(error, MissingExtra):
         return error
     if isinstance(error, ImportError) and error.name in REQUIRED:

@@ -1,4 +1,4 @@
-"""One program, one machine, one run: the way of the data from a source to a `Run`."""
+"""One program, one machine, one run: from a source to a `Run`."""
 
 from __future__ import annotations
 
@@ -35,24 +35,24 @@ if TYPE_CHECKING:
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
 
-# A machine program has no end of its own: this is where a run ends when nothing else says so.
+# The default end of a run, because a machine program has none of its own.
 ONE_SHIFT = 8 * 3600.0
-# New objects between two looks of the garbage collector.
+# New objects between two passes of the garbage collector.
 GARBAGE = 200_000
-# In the environment "0" runs the engine without any accelerator.
+# "0" in this environment variable disables all accelerators.
 FAST = "MOTIONLANG_FAST"
-# What follows a program's name, without its suffix, in the name of the machine file beside it.
+# The suffix of the machine file next to a program, after its name without suffix.
 MACHINE_SUFFIX = ".machine.toml"
 
 
 class Checked(dict[str, object]):
-    """Settings that have been held to what a machine file may say, and are not looked at again."""
+    """Settings that have been checked against the machine file's keys."""
 
     __slots__ = ()
 
 
 def dialect_of(file: str) -> Dialect | None:
-    """The dialect that owns a file's suffix, None where no dialect does."""
+    """Return the dialect of a file's suffix, or None."""
     suffix = os.path.splitext(file)[1].lower()
     for name in dialects():
         if suffix in dialect(name).suffixes:
@@ -61,9 +61,10 @@ def dialect_of(file: str) -> Dialect | None:
 
 
 def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
-    """The machine file of a program: the one that is given, or `pick.machine.toml` beside `pick.mnt`; None for none.
+    """Return the machine file of a program: the given one, or the one next to it.
 
-    Standard input and a `Source` lie nowhere, and so nothing lies beside them.
+    This is `pick.machine.toml` for `pick.mnt`; None if there is none. Standard input and a `Source` have no
+    folder, and so no machine file.
     """
     if given is not None or program is None or isinstance(program, Source) or program == STDIN:
         return given
@@ -72,7 +73,7 @@ def machine_of(program: str | os.PathLike[str] | Source | None, given: str | Non
 
 
 def accelerators(fast: bool | None = None) -> Accelerators:
-    """The accelerators of a machine: all of them, or none with `fast=False` or `MOTIONLANG_FAST=0`."""
+    """Return all accelerators, or none with `fast=False` or `MOTIONLANG_FAST=0`."""
     if not (os.environ.get(FAST) != "0" if fast is None else fast):
         return NO_ACCELERATORS
     from motionlang.fast import everything
@@ -105,21 +106,20 @@ def run(
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
-    `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine file
-    beside the program, if it has one (ProgramError where that is wrong). `until` is the machine time at which the run
-    ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
-    names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
-    `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
-    with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
-    data outlives the run. With `prove` what `Run.proof` needs is kept. `log_size` is how many gigabytes the log may
-    take on the disk. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all that
-    was computed before it. `compiled` is what the dialect has made of the source before, for a machine that is as this
-    one wherever `Dialect.compiled_in` says that it matters. With `fast=False` the engine runs without
-    accelerators, as with `MOTIONLANG_FAST=0` in the environment: the result is the same, only later.
-    `inputs`, `analog`, `answers` and `keys` are what the options of `motionlang run` are, as texts or by channel, name
-    or prompt: `inputs={2: "1@0.5"}, answers={"Turns": 200}`. They are laid over the machine file.
-    Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
-    where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
+    `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine
+    file next to the program, if there is one (ProgramError if it is invalid). `until` is the machine time at
+    which the run ends at the latest; the default is the file's `run.until`, or one shift. `overrides` are
+    values for the program's own names. `show` is called with all printed text, `pace` with the machine time
+    about to be reached. `outside` is a world that acts by itself, such as a host: it then decides how machine
+    time advances. `begun` is called with the machine when the program begins, for an observer. `nv` is the
+    file in which the program's nv data outlive the run. With `prove` the records that `Run.proof` needs are
+    stored. `log_size` is how many gigabytes the log may take on the disk. An internal error is raised, or
+    with `keep_crash` stored in `Run.crash`, with all results before it. `compiled` is an earlier compilation
+    of the source, for a machine that is equal where `Dialect.compiled_in` requires it. With `fast=False` the
+    engine runs without accelerators, like with `MOTIONLANG_FAST=0` in the environment: the result is equal,
+    only later. Errors in the program are `Run.diagnostics`, never exceptions. Raises OSError if the file
+    cannot be read, and ValueError if its name has no dialect's suffix or `machine` has an invalid key or
+    value.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
@@ -200,14 +200,14 @@ def _perform(
 
 
 def end_of(settings: Mapping[str, object]) -> float:
-    """The machine time at which a run on this machine ends when nothing else says so."""
+    """Return the machine time at which a run on this machine ends by default."""
     until = settings.get("run.until", ONE_SHIFT)
     assert isinstance(until, (int, float))
     return until
 
 
 def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, object]:
-    """The settings of the machine file beside a program that is named by its path."""
+    """Return the settings of the machine file next to a program with a path."""
     path = machine_of(program)
     if path is None:
         return {}
@@ -217,7 +217,7 @@ def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, objec
 
 
 def _checked(machine: Mapping[str, object]) -> dict[str, object]:
-    """The settings that a caller gives, held to what a machine file may say."""
+    """Return a caller's settings, checked against the machine file's keys."""
     if machine and not isinstance(machine, Checked):
         from motionlang.lang.machine.file import current_key, first_mistake
 
@@ -229,7 +229,7 @@ def _checked(machine: Mapping[str, object]) -> dict[str, object]:
 
 
 def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
-    """The dialect that is wanted, or else the one that owns the suffix; ValueError where none does."""
+    """The requested dialect, or that of the suffix; ValueError if there is none."""
     if wanted is not None:
         return dialect(wanted) if isinstance(wanted, str) else wanted
     found = dialect_of(source.name)
@@ -239,7 +239,7 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
 
 
 def _entry(source: Source, language: Dialect, machine: Machine) -> compile_cache.Entry | None:
-    """The place of a compiled program in the cache; None where none is kept."""
+    """Return the cache entry of a program; None if it is not cached."""
     if not language.cached or not compile_cache.wanted():
         return None
     package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
@@ -262,7 +262,7 @@ def _compile(
     result: Run,
     entry: compile_cache.Entry | None,
 ) -> Program | None:
-    """The compiled program, from the cache where that has it."""
+    """Return the compiled program, from the cache if it has it."""
     payload = entry.get() if entry is not None else None
     if payload is not None:
         return language.load(payload)
@@ -290,7 +290,7 @@ def _compile(
 
 
 def _keep(compiled: Program, entry: compile_cache.Entry | None) -> None:
-    """Put a program into the cache; again when more of it has been compiled."""
+    """Put a program into the cache; again if more of it has been compiled."""
     payload = compiled.payload() if entry is not None else None
     if entry is not None and payload is not None:
         entry.put(payload)
@@ -303,9 +303,9 @@ def _execute(
     pace: Callable[[float], None] | None,
     outside: Outside | None,
 ) -> None:
-    """Run to the end, or to what ends it; whatever happened before stays in the result."""
+    """Run to the end, or to an error; earlier results stay in the result."""
     scheduler: Scheduler | None = None
-    # The log of a run lives as long as the run: looking through it over and over finds nothing to collect.
+    # The log of a run lives as long as the run: repeated collections would find nothing.
     thresholds, collecting = _thresholds(), gc.isenabled()
     if thresholds:
         gc.set_threshold(GARBAGE, *thresholds[1:])
@@ -350,7 +350,7 @@ def _execute(
 
 
 def _thresholds() -> tuple[int, ...]:
-    """When the collector looks; () for one that goes by something else, as that of PyPy does."""
+    """Return the collector's thresholds; () for one without them, like PyPy's."""
     return gc.get_threshold() if hasattr(gc, "get_threshold") and hasattr(gc, "set_threshold") else ()
 
 

@@ -1,4 +1,4 @@
-"""The one writer of files: each is written whole or not at all, and by one program at a time where that matters."""
+"""The only writer of files: complete replacement, and locks where necessary."""
 
 from __future__ import annotations
 
@@ -10,30 +10,33 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import IO
 
-# Who reads and writes what is nobody else's business.
+# The permissions of a private file.
 PRIVATE = 0o600
 
 
 def replacing(path: str, *, only_copy: bool = False, private: bool = False) -> Replacement:
-    """A new content for a file, to be written in a `with`: aside, and renamed at its end.
+    """Return a context manager that atomically replaces a file; the last writer wins.
 
-    Whatever goes wrong, the old file stays and no half of a new one does. However many write at the same time, the file
-    is that of the last one. A link is followed, the permissions of the old file stay, and a device or a pipe is written
-    to directly. `only_copy` waits until the disk has it, for what nobody could make again; `private` keeps others out.
-    Raises OSError with the name of the file.
+    The new content is written to another file, which is renamed at the end. After an error the old file
+    stays. A link is followed, the permissions of the old file stay, and a device or a pipe is written to
+    directly. `only_copy` waits until it is on the disk, for data that cannot be made again; `private`
+    excludes other users. Raises OSError with the name of the file.
     """
     return Replacement(path, only_copy, PRIVATE if private else 0o666)
 
 
 def scratch() -> IO[bytes]:
-    """A file without a name for what is too much for memory; it is gone when it is closed, or the process ends."""
+    """Return an unnamed file for data too large for memory.
+
+    It is gone when it is closed, or the process ends.
+    """
     from tempfile import TemporaryFile
 
     return TemporaryFile(prefix="motionlang-")
 
 
 class Replacement:
-    """What `replacing` answers; its own context manager, because contextlib costs more to import than a short run."""
+    """The context manager of `replacing`, without the expensive import of contextlib."""
 
     __slots__ = ("_aside", "_file", "_mode", "_only_copy", "_path", "_target")
 
@@ -75,16 +78,17 @@ class Replacement:
             self._named(error)
 
     def _named(self, error: OSError) -> OSError:
-        """The error with the name that somebody knows: nobody has asked for the file aside."""
+        """Return the error with the name of the file that the caller knows."""
         if error.filename in (None, self._aside):
             error.filename, error.filename2 = self._path, None
         return error
 
 
 def _aside(target: str, mode: int) -> tuple[IO[bytes], str]:
-    """A new file beside another one, which nobody else writes to: not even a process of the same number elsewhere.
+    """Return a new file next to another one, exclusively.
 
-    It is never one that is there already, so that a link put in its way is not followed.
+    Even a process of the same number elsewhere does not write to it. It never exists already, so that a link
+    planted there is not followed.
     """
     folder, name = os.path.split(target)
     number = 0
@@ -101,23 +105,23 @@ def _aside(target: str, mode: int) -> tuple[IO[bytes], str]:
             return os.fdopen(handle, "wb"), path
 
 
-# Seconds between two looks at a file that another program holds.
+# Seconds between two attempts to lock a file that another program holds.
 _MOMENT = 0.02
 
 
 class InUse(Exception):
-    """Another program holds the file."""
+    """Another program holds the lock."""
 
 
 class Lock:
-    """A file held against others from its reading to its writing; the system lets go of it when the process dies."""
+    """A lock on a file from its reading to its writing, which ends with the process."""
 
     __slots__ = ("_file", "_path")
 
     def __init__(self, path: str, patience: float = 0.0) -> None:
-        """Hold the file, `patience` seconds from now at the latest.
+        """Lock the file within `patience` seconds.
 
-        InUse where somebody holds it all that time, OSError where nothing can be written beside it.
+        Raises InUse if another program holds it all that time, OSError if nothing can be written next to it.
         """
         folder, name = os.path.split(os.path.realpath(path))
         self._path = os.path.join(folder, f".{name}.lock")
@@ -127,7 +131,7 @@ class Lock:
             self._file = os.open(self._path, flags, PRIVATE)
             try:
                 _hold(self._file)
-                # Who held it before may have taken the file away between our opening and our holding it.
+                # The previous holder may have deleted the file between our opening and our locking it.
                 if os.path.exists(self._path) and os.path.samestat(os.stat(self._path), os.fstat(self._file)):
                     return
                 os.close(self._file)
@@ -141,11 +145,11 @@ class Lock:
                 raise
 
     def release(self) -> None:
-        """Let go of the file; the second time is nothing."""
+        """Release the lock; a second time is a no-op."""
         if self._file < 0:
             return
         if os.name == "posix":
-            _remove(self._path)  # while it is held: nobody else can have it
+            _remove(self._path)  # while it is locked: no other program can have it
             os.close(self._file)
         else:
             os.close(self._file)
@@ -168,7 +172,7 @@ def _hold(file: int) -> None:
 
 
 def unwritable(path: str) -> str | None:
-    """Why `path` cannot be written, as far as can be told beforehand; None when nothing speaks against it."""
+    """Return why `path` cannot be written, as far as known beforehand, or None."""
     folder = os.path.dirname(os.path.realpath(path))
     if os.path.isdir(path):
         return f"{path} is a folder"
@@ -180,7 +184,7 @@ def unwritable(path: str) -> str | None:
 
 
 def same_file(one: str, other: str) -> bool:
-    """Whether two paths lead to one file, by whatever links."""
+    """True if two paths lead to one file, by any links."""
     try:
         return os.path.samefile(one, other)
     except OSError:
@@ -188,7 +192,7 @@ def same_file(one: str, other: str) -> bool:
 
 
 def reason(error: OSError) -> str:
-    """What the system says about an error, in its own words and without Python's number."""
+    """Return the system's text of an error, without Python's number."""
     return (error.strerror or str(error)).lower()
 
 
@@ -207,8 +211,9 @@ def _remove(path: str) -> None:
 
 
 def appending(path: str, *, new: bool) -> IO[bytes]:
-    """A file that grows line by line while long work goes on, each line on the disk's side of this process at once.
+    """Return a file for appending lines during long work, each line flushed at once.
 
-    `new`: without what is in it. For what is read again after the work was cut off; OSError names the file.
+    With `new` it is emptied first. It is for data that are read again after an interruption; OSError names
+    the file.
     """
     return open(path, "wb" if new else "ab", buffering=0)

@@ -1,4 +1,4 @@
-"""`@record`: a class of plain fields with `__slots__` and the `__init__` that assigns them.
+"""`@record`: a class of plain fields with `__slots__` and an `__init__`.
 
     @record
     class Slope:
@@ -7,9 +7,9 @@
 
 A subclass of a record has the fields of its base before its own.
 
-`dataclasses` takes longer to import than an empty Python to start, and half a millisecond a class. Here a class costs
-8 µs more than one written by hand, because `__init__` is compiled once for each number of fields and each class gets a
-copy with its own names. Creating an object costs no more.
+`dataclasses` takes longer to import than starting an empty Python, and half a millisecond per class. Here a
+class costs 8 µs more than one written by hand, because `__init__` is compiled once for each number of fields
+and each class gets a copy with its own names. Creating an object costs no more.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _codes: dict[int, CodeType] = {}
 
 
 def _code(count: int) -> CodeType:
-    """The code of an `__init__` of `count` fields, under names that stand in for theirs."""
+    """Return the code of an `__init__` of `count` fields, with placeholder names."""
     if count not in _codes:
         names = [f"field{number}" for number in range(count)]
         body = "".join(f"\n    self.{name} = {name}" for name in names)
@@ -44,7 +44,10 @@ def _code(count: int) -> CodeType:
 
 @dataclass_transform(eq_default=False)
 def record(cls: type[T]) -> type[T]:
-    """Make a class of annotated fields, with default values that cannot change, one with slots and an `__init__`."""
+    """Make a class of annotated fields, with immutable defaults, one with slots.
+
+    It gets an `__init__`.
+    """
     members = dict(cls.__dict__)
     own = tuple(cls.__annotations__)
     fields: tuple[str, ...] = (*getattr(cls, "_fields", ()), *own)
@@ -54,7 +57,7 @@ def record(cls: type[T]) -> type[T]:
     for name in ("__dict__", "__weakref__"):
         members.pop(name, None)
     members["__init__"] = FunctionType(code, {}, "__init__", defaults)
-    # In the order in which slots are written by hand; traversals of the syntax tree go by it.
+    # In the order of slots written by hand; traversals of the syntax tree depend on it.
     members["__slots__"] = tuple(sorted(own))
     members["_fields"] = fields
     made: type[T] = type(cls.__name__, cls.__bases__, members)
@@ -62,5 +65,5 @@ def record(cls: type[T]) -> type[T]:
 
 
 def as_dict(of: object) -> dict[str, Any]:
-    """The fields of a record, without those of its base, in alphabetical order."""
+    """Return the fields of a record, without those of its base, in alphabetical order."""
     return {name: getattr(of, name) for name in type(of).__slots__}  # type: ignore[attr-defined]

@@ -1,7 +1,8 @@
-"""A run as data, schema `motionlang.report/2`: what `--report json` prints.
+"""A run as data, schema `motionlang.report/2`: the output of `--report json`.
 
-Lengths are user units, times seconds, speeds user units a second, all in full precision. The figures of a move are
-those in force when it started. Only axes that the program touched are listed: the others are as at power-up.
+Lengths are user units, times seconds, speeds user units per second, all in full precision. The figures of a
+move are those in force when it started. Only axes that the program touched are listed: the others are as at
+power-up.
 """
 
 from __future__ import annotations
@@ -28,22 +29,22 @@ if TYPE_CHECKING:
 
     Row = dict[str, object]
 
-SCHEMA = "motionlang.report/2"
-# What "ended" says of a move that was under way when the run came to its end.
+SCHEMA = "motionlang.report/1"
+# The value of "ended" for a move in progress at the end of the run.
 END_OF_RUN = "end-of-run"
-# What an axis's position comes from: without a simulated motor feedback equals demand.
+# The sources of an axis's position: without a simulated motor feedback equals demand.
 DEMAND, MOTOR = "demand", "simulated motor"
 # The fields before the moves and the events, and these.
 _FIRST = ("schema", "program", "dialect", "status", "time", "output")
 _LISTS = ("moves", "events")
-# Moves that are written in one piece.
+# Moves that are written at once.
 AT_ONCE = 1000
-# Moves that are kept written out, for those that are alike.
+# Formatted moves that are cached, for equal ones.
 MOST_ALIKE = 4096
 
 
 def build(run: Run) -> Row:
-    """The whole report as plain dicts, lists, texts and numbers."""
+    """Return the complete report as plain dicts, lists, texts and numbers."""
     report = _head(run)
     report["moves"] = list(moves(run))
     report["events"] = list(events(run))
@@ -53,15 +54,15 @@ def build(run: Run) -> Row:
 
 
 def text(run: Run, *, whole: bool = True) -> str:
-    """The report as one JSON document, a line a move; it reads back as `build` gives it, in ASCII.
+    """Return the report as one JSON document, one line per move, in ASCII.
 
-    Where it is not to be `whole` it is what the program does, without the assumptions that this rests on.
+    If `whole` is false, it has the program's results without the assumptions that they depend on.
     """
     return "".join(pieces(run, whole=whole))
 
 
 def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
-    """The same document in pieces, so that a million moves need not be held at once."""
+    """The document in chunks, so that a million moves need not be stored at once."""
     tail = _tail(run)
     if whole:
         tail["assumptions"] = assumptions(run)
@@ -69,7 +70,7 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
 
 
 def rendered(document: Row) -> str:
-    """A report that is there as data, in the same form."""
+    """Return a report given as data, in the same form."""
     head = {name: value for name, value in document.items() if name in _FIRST}
     lists: dict[str, Iterator[str]] = {
         name: map(_encoder(), document.get(name, ()))  # type: ignore[call-overload]
@@ -81,7 +82,10 @@ def rendered(document: Row) -> str:
 
 
 def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:
-    """The JSON document of a run that never began, because a file or a setting was wrong or somebody ended it."""
+    """Return the JSON document of a run that never began.
+
+    The cause is an invalid file or setting, or an interrupt.
+    """
     head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": status}
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "notes": []}
@@ -90,9 +94,10 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
 
 
 def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
-    """Every move that was started, in the order of its start, what is still under way cut at the end of the run.
+    """Yield every move that was started, in order; those in progress end with the run.
 
-    With `in_full` only so many rows are whole, and those of moves of a simulated motor; the others are `_brief`.
+    With `in_full` only that many rows are complete, and those of moves of a simulated motor; the others are
+    `_brief`.
     """
     running = _running(run)
     figures = _motor_figures(run.controller)
@@ -105,7 +110,7 @@ def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
 
 
 def _brief(run: Run, move: Move | PlainRow, running: dict[int, float | None]) -> Row:
-    """What the row of a move has that adds up with others."""
+    """Return the summable fields of a move's row."""
     if isinstance(move, tuple):
         axis, _, start, end, duration, recipe, _, scale, _, (_, _, command, line, _, _) = move
         distance, peak = end - start, max(map(abs, recipe[::3]))
@@ -125,7 +130,7 @@ def _brief(run: Run, move: Move | PlainRow, running: dict[int, float | None]) ->
 
 
 def _move_lines(run: Run) -> Iterator[str]:
-    """The same as lines of the document: of moves that differ in their start time alone one is written out."""
+    """Yield the lines of the moves; moves with only other start times share a format."""
     line = _encoder()
     figures = _motor_figures(run.controller)
     running = _running(run)
@@ -151,15 +156,21 @@ def _move_lines(run: Run) -> Iterator[str]:
 
 
 def _key(move: PlainRow) -> object:
-    """All that the line of a plain move tells but its start time; zeros are told apart by their text."""
+    """Return the identity of a plain move's line without its start time.
+
+    Zeros are distinguished by their text.
+    """
     axis, _, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
-    ramps = recipe[1], recipe[3], recipe[4], recipe[7]  # the rest of a recipe is the same for all
+    ramps = recipe[1], recipe[3], recipe[4], recipe[7]  # the rest of a recipe is equal for all
     places = start or repr(start), end or repr(end), zero or repr(zero)
     return axis, command, at, places, duration, ramps, asked, scale
 
 
 def _long_key(move: Move) -> object:
-    """The same of any move that is over, to the last bit; None of one whose profile is no row of ramps."""
+    """Return that identity for any completed move, to the last bit.
+
+    None for one whose profile is no sequence of ramps.
+    """
     assert move.profile is not None
     profile: Any = packed(move.profile)
     if len(profile) != RAMPS:
@@ -169,9 +180,9 @@ def _long_key(move: Move) -> object:
 
 
 def _running(run: Run) -> dict[int, float | None]:
-    """The moves under way by identity, and where each begins if the end of the run has changed that.
+    """Return the moves in progress by identity, with a changed begin, if any.
 
-    A path that is blended into the one before it begins where that ends, which is now where that has come to.
+    A path that is blended into the one before it begins where that ends, which is now its present position.
     """
     found: dict[int, float | None] = {}
     for axis in run.controller.axes.values():
@@ -222,12 +233,15 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
 
 
 def _peak(profile: Profile) -> float:
-    """The highest speed, counts/s; what has taken no time has had none, at whatever speed it was to begin."""
+    """Return the highest speed, counts/s; 0 for a profile without duration.
+
+    This does not depend on its initial speed.
+    """
     return profile.peak_speed if profile.duration else 0.0
 
 
 def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[Profile, str]:
-    """The profile of a move up to the end of the run, and what cut it short."""
+    """Return the profile of a move up to the end of the run, and the cause of its end."""
     profile = move.profile
     assert profile is not None
     begin, is_running = running.get(id(move)), id(move) in running
@@ -241,7 +255,7 @@ def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[
 
 
 def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
-    """What simulated motors made of the moves; nothing, and no time spent, where there are none."""
+    """Return the motor figures of the moves; empty, at no cost, without motors."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}
     from motionlang.log.history import figures
@@ -250,7 +264,7 @@ def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
 
 
 def events(run: Run) -> Iterator[Row]:
-    """What happened, in the order of time: limits, faults, clamps, stops; `docs/events.md` has the kinds."""
+    """Yield the events in order of time; `docs/events.md` has the kinds."""
     lines: dict[int, int] = {}
     for event in run.machine.log.events:
         if event.at not in lines:
@@ -268,7 +282,7 @@ def events(run: Run) -> Iterator[Row]:
 
 
 def axes(run: Run) -> list[Row]:
-    """The state at the end of the run of every axis that the program touched."""
+    """Return the final state of every axis that the program touched."""
     moved = run.controller.log.moves.moved()
     return [
         _axis(axis, run.time)
@@ -285,7 +299,7 @@ def assumptions(run: Run) -> list[str]:
 
 
 def device_writes(run: Run) -> list[Row]:
-    """What the program has left in other devices: each value once, as it stands at the end of the run."""
+    """Return the values that the program left in other devices, each once, at the end."""
     return [row for rows in run.machine.written for row in rows()]
 
 
@@ -346,9 +360,10 @@ def _tail(run: Run) -> Row:
 
 
 def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator[str]:
-    """A field a line, and a move or an event a line: those of `lists` are lines already.
+    """Yield the document: one line per field, and per move or event.
 
-    json's own indenting is written in Python and takes three times as long.
+    Those of `lists` are lines already. json's own indenting is written in Python and takes three times as
+    long.
     """
     line = _encoder()
     fields = [f'"{name}": {line(value)}' for name, value in head.items()]
@@ -364,7 +379,7 @@ def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator
 
 
 def _encoder() -> Callable[[object], str]:
-    """What makes a line of JSON of a value."""
+    """Return the function that makes a line of JSON of a value."""
     from json import JSONEncoder
 
     encode = JSONEncoder(allow_nan=False).encode
@@ -379,7 +394,7 @@ def _encoder() -> Callable[[object], str]:
 
 
 def finite(value: object) -> object:
-    """The same with null for what JSON has no number for: a figure that overflowed."""
+    """Return the value with null for overflowed figures, which JSON cannot represent."""
     if isinstance(value, dict):
         return {name: finite(each) for name, each in value.items()}
     if isinstance(value, list):

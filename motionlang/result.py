@@ -1,7 +1,7 @@
-"""What a run left behind: its status, its diagnostics, the machine as it was at the end, and remarks on the run.
+"""The result of a run: status, diagnostics, final machine state, and remarks.
 
-A remark says what was not counted, which tasks waited at the end, or what became of nonvolatile data. The figures are
-in `motionlang.report`, which most runs of a script do not import.
+A remark states what was not counted, which tasks waited at the end, or the fate of nonvolatile data. The
+figures are in `motionlang.report`, which most runs of a script do not import.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 
 class Run:
-    """What a run left behind.
+    """The result of a run.
 
-    `status` is "ended", "until" (virtual time was up), "fault" (the program is wrong or went wrong) or
-    "interrupted" (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
+    `status` is "ended", "until" (the time limit), "fault" (the program is invalid or failed) or "interrupted"
+    (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
     """
 
     __slots__ = (
@@ -54,11 +54,11 @@ class Run:
         self.time: float = 0.0
         self.diagnostics: list[Diagnostic] = []
         self.notes: list[str] = []
-        # An error of motionlang's own, which ended the run.
+        # An internal error, which ended the run.
         self.crash: Exception | None = None
-        self.program: Program | None = None  # what the source was compiled to
-        self.orders: Orders | None = None  # of a run that is to be proved
-        self.certificate: list[Limit] | None = None  # of one whose limits are certified
+        self.program: Program | None = None  # the compiled source
+        self.orders: Orders | None = None  # of a run to be proved
+        self.certificate: list[Limit] | None = None  # of a run with certified limits
 
     @property
     def controller(self) -> Controller:
@@ -76,13 +76,13 @@ class Run:
 
     @property
     def trace(self) -> Trace:
-        """The motion, to be sampled at any rate."""
+        """The motion, for sampling at any rate."""
         return self.controller.trace
 
     def proof(self, views: bool = True) -> Proof:
-        """The motion held against what the program ordered; ValueError for a run without `prove`.
+        """Return the proof of the motion against the commands; ValueError without `prove`.
 
-        With `views` its report and its trace are held against it, too.
+        With `views` its report and its trace are checked, too.
         """
         from motionlang.analysis.proof.outputs import ROWS
         from motionlang.analysis.proof.prove import prove
@@ -98,7 +98,7 @@ class Run:
         return prove(Recorded(self.controller), self.orders, self.time, moves(self), samples)
 
     def _repr_html_(self) -> str:
-        # Asked for by a notebook, which has the views; nothing below them may import them.
+        # Requested by a notebook, which has the views; no layer below may import them.
         from importlib import import_module
 
         shown: str = import_module("motionlang.views.notebook").html(self)
@@ -112,12 +112,12 @@ class Run:
         return build(self)
 
 
-# Of a word that changes nothing, so many lines are named.
+# Maximum lines that are named for a keyword without effect.
 MOST_LINES = 5
 
 
 def tell_words(result: Run) -> None:
-    """Name words of the program that count for less than they say, with the lines where it came to them."""
+    """Report keywords without full effect, with the lines that used them."""
     _tell(result, "words that have no effect here", result.machine.without_effect)
     _tell(result, "values that nobody knows, 0 or empty here", result.machine.assumed)
 
@@ -138,7 +138,7 @@ def _in_lines(lines: list[int]) -> str:
 
 
 def open_kept(result: Run, path: str) -> bool:
-    """Hold and read the file of nv data; false where that cannot be done, and the program is not run."""
+    """Lock and read the file of nv data; on failure return false and do not run."""
     from motionlang.files import InUse
     from motionlang.lang.machine.nonvolatile import NonVolatile
 
@@ -155,7 +155,7 @@ def open_kept(result: Run, path: str) -> bool:
 
 
 def save_kept(result: Run) -> None:
-    """Write the file of nv data, or say which data last no longer than the run."""
+    """Write the file of nv data, or report which data do not outlive the run."""
     kept = result.machine.kept
     if kept.path is None:
         if kept.names:
@@ -178,7 +178,10 @@ def _no_kept(result: Run, message: str, hint: str = "") -> None:
 
 
 def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
-    """A wait that only an event could have ended, and none did, is no figure of this run."""
+    """Report waits that only an event could have ended, and none did.
+
+    They are not part of the run's figures.
+    """
     if result.machine.moving():
         _tell_lost(result, scheduler)
         return
@@ -196,12 +199,12 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
 
 
 def _note_wait(result: Run, at: int, why: str) -> None:
-    """A wait that has run out is an event, at the place of its task."""
+    """Log a wait that has run out as an event, at the source position of its task."""
     result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
 
 
 def _tell_lost(result: Run, scheduler: Scheduler) -> None:
-    """A homing that meets nothing is a mistake where no task can do anything about it any more."""
+    """Report a homing that finds nothing, if no task can act on it any more."""
     if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
         result.diagnostics += _lost(result)
 
@@ -212,7 +215,7 @@ def _is_hopeless(task: Task) -> bool:
 
 
 def _lost(result: Run) -> list[Diagnostic]:
-    """The homings that go on for ever, each at its line."""
+    """Return the diagnostics of endless homings, each at its line."""
     found = []
     for axis, homing in result.controller.homings.items():
         if homing.in_vain:
@@ -239,7 +242,7 @@ def tell_unasked(result: Run) -> None:
 
 
 def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
-    """Warn of moves that the program has loaded and, at its end, has not started: the first of each line."""
+    """Warn of moves that were loaded and not started: the first of each line."""
     for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
         text = result.source.line(move.line)
         column = len(text) - len(text.lstrip()) + 1 if text else 0
@@ -260,7 +263,7 @@ def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
 
 
 def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
-    """A wait that nothing can end is a mistake, unless the machine file says how long its scenario goes on."""
+    """Report a wait that nothing can end, unless the machine file sets the run's end."""
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
     lost = _lost(result)
     if lost:
@@ -292,7 +295,7 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
 
 
 def _others(result: Run, task: Task) -> list[Task]:
-    """The other tasks that wait."""
+    """Return the other tasks that wait."""
     scheduler = result.machine.scheduler
     assert scheduler is not None
     return [each for each in scheduler.tasks if each is not task and each.wait is not None]
@@ -303,7 +306,7 @@ def _why(task: Task) -> str:
 
 
 def who_ended(error: BaseException) -> str:
-    """What ended a run from outside, in words."""
+    """Return the outside cause of a run's end, as text."""
     if isinstance(error, Terminated):
         import signal
 
@@ -312,11 +315,11 @@ def who_ended(error: BaseException) -> str:
 
 
 def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
-    """Ctrl-C, or another signal, as a diagnostic, at the place that the current task had come to."""
+    """The diagnostic of Ctrl-C or another signal, at the current task's position."""
     message = f"the run was ended {who_ended(error)}"
     if scheduler is None:
         return Diagnostic("interrupted", message)
-    # Until the next event a program runs ahead of the clock, which nothing but an end like this one can show.
+    # Until the next event a program runs ahead of the clock, which only an end like this one can show.
     clock, reached = result.machine.clock, scheduler.current.time_at_error(error)
     if reached < clock.next_time():
         clock.advance(reached)

@@ -8,19 +8,19 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import BinaryIO
 
-# How a command line names standard input, and how everybody else does.
+# The name of standard input on a command line, and elsewhere.
 STDIN, STDIN_NAME = "-", "<stdin>"
-# Bytes of the largest program; a device may have no end. What is no longer than a piece is read in one.
+# Bytes of the largest program, since a device may have no end; smaller ones than a chunk are read at once.
 LARGEST, _PIECE = 1 << 26, 1 << 16
 
 
 def name_of(file: str) -> str:
-    """The name of a program in messages and reports: its file's, without the folder."""
+    """The name of a program in messages and reports: its file's, without folder."""
     return STDIN_NAME if file == STDIN else os.path.basename(file)
 
 
 def contents(file: BinaryIO) -> bytes:
-    """All bytes of a file; OSError where there are more than `LARGEST`."""
+    """Return all bytes of a file; OSError if there are more than `LARGEST`."""
     data = file.read(_PIECE)
     if len(data) == _PIECE:
         data += file.read(LARGEST)
@@ -32,7 +32,10 @@ def contents(file: BinaryIO) -> bytes:
 
 
 def _utf16(data: bytes) -> str:
-    """The name of the UTF-16 that bytes are in, "" for none: it has a mark, or every other byte is NUL, mostly."""
+    """Return the name of the UTF-16 encoding of bytes, or "".
+
+    They have a mark, or every other byte is mostly NUL.
+    """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "utf-16-le" if data[0] == 0xFF else "utf-16-be"
     if b"\0" not in data or len(data) % 2:
@@ -44,16 +47,17 @@ def _utf16(data: bytes) -> str:
 
 
 def _with_blanks(text: str) -> str:
-    """The text with a blank for each form feed and end-of-file mark of DOS that is in no string."""
+    """The text with form feeds and DOS end-of-file marks outside strings blanked."""
     import re
 
     return re.sub(r'"[^"\n]*"|[\f\x1a]', lambda found: found[0] if found[0][0] == '"' else " ", text)
 
 
 class Source:
-    """`name` for messages and `text` with `\\n` line ends; nothing else of the file is kept.
+    """`name` for messages and `text` with `\\n` line ends; nothing else of the file.
 
-    A form feed between two pages of a listing, and the end-of-file mark of DOS (0x1A), are blanks outside of strings.
+    A form feed between two pages of a listing, and the end-of-file mark of DOS (0x1A), become blanks outside
+    strings.
     """
 
     __slots__ = ("_ends", "_lines", "name", "text")
@@ -70,7 +74,7 @@ class Source:
 
     @classmethod
     def from_bytes(cls, name: str, data: bytes) -> Source:
-        """Decode as UTF-8, or as UTF-16 where the bytes look like it, else as Latin-1, which any bytes are."""
+        """Decode as UTF-8, as UTF-16 if the bytes look like it, or as Latin-1."""
         wide = _utf16(data)
         try:
             text = data.decode(wide, "replace") if wide else data.decode("utf-8")
@@ -80,22 +84,22 @@ class Source:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Source:
-        """Read a file; OSError as `open` raises it."""
+        """Read a file; OSError like that of `open`."""
         with open(path, "rb") as file:
             return cls.from_bytes(os.path.basename(os.fspath(path)), contents(file))
 
     def line(self, number: int) -> str:
-        """The text of line `number` (from 1), empty where there is none."""
+        """Return the text of line `number` (from 1), empty if there is none."""
         if self._lines is None:
             self._lines = self.text.split("\n")
         return self._lines[number - 1] if 1 <= number <= len(self._lines) else ""
 
     def place(self, offset: int) -> tuple[int, int]:
-        """Line and column, both from 1, of a character offset."""
+        """Return line and column, both from 1, of a character offset."""
         from bisect import bisect_left
 
         if self._ends is None:
-            # Found once: a file may have a mistake on each of its lines.
+            # Computed once: a file may have an error on each of its lines.
             self._ends, end = [-1], self.text.find("\n")
             while end >= 0:
                 self._ends.append(end)
