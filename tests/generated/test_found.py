@@ -684,3 +684,12 @@ def test_a_path_away_from_zero_is_resumed_before_it_rests() -> None:
     result = proved(f"{RATES}POS(0) = 500\nVECTORR(0, 1) = 6, 8 : GO(0)\n{suspend}")
     assert places(result, 0, 1) == [506.0, 8.0]
     assert result.time == pytest.approx(0.7 + 0.25 / 20.0)
+
+
+@pytest.mark.parametrize("wait", [66, 79, 92])
+def test_a_run_that_ends_as_a_master_comes_to_its_reference(wait: int) -> None:
+    """The slave, at rest then, is twice as far on the other side; the clock rounds each of these times differently."""
+    tie = "MASTERSOURCE(2) = _msPOS : MASTERCHANNEL(2) = 0\nFOLLOW(2) = -2\n"
+    move = f"SPEED(0) = 15\nMOVER(0) = 40 : GO(0)\nWAIT = {wait}\nPOSREF(0) = -29\n"
+    result = proved(tie + move, statement=1e-5)
+    assert places(result, 0, 2) == pytest.approx([-29.0, 58.0])
