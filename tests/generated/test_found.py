@@ -693,3 +693,14 @@ def test_a_run_that_ends_as_a_master_comes_to_its_reference(wait: int) -> None:
     move = f"SPEED(0) = 15\nMOVER(0) = 40 : GO(0)\nWAIT = {wait}\nPOSREF(0) = -29\n"
     result = proved(tie + move, statement=1e-5)
     assert places(result, 0, 2) == pytest.approx([-29.0, 58.0])
+
+
+BLENDS = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 1\n"
+
+
+def test_a_path_that_begins_suspended_is_not_late_for_a_blend() -> None:
+    """The first path, 0.05 s before its end, can stop no sooner; the next takes 0.1 + 0.35 + 0.2 s once resumed."""
+    suspend = "WAIT = 2050\nDECEL(0) = 50 : SUSPEND(0) = 1\nWAIT = 500\nSUSPEND(0) = 0\n"
+    paths = "VECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = 0, 5\nGO(0)\n"
+    result = proved(f"{BLENDS}BLENDDISTANCE(0) = 0.05\n{paths}{suspend}PAUSE IDLE(0)\n")
+    assert result.time == pytest.approx(2.55 + 0.65, abs=1e-6)

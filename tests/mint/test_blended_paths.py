@@ -166,6 +166,12 @@ def test_random_blends_are_consistent() -> None:
         consistent(seed)
 
 
+@pytest.mark.parametrize("seed", [787, 829, 1132, 1515])
+def test_a_path_waits_for_the_longest_of_those_that_are_blended(seed: int) -> None:
+    """The path before it is over while the one before that is still run, and its end rounds to just behind."""
+    consistent(seed)
+
+
 @pytest.mark.long
 def test_many_random_blends_are_consistent() -> None:
     for seed in range(60, 5000):

@@ -67,7 +67,12 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     assert path is not None
     while i > 0 and master.starts[i] == begin:  # a path that has ended takes no time at its end
         i -= 1
-    earlier = path.tails[-1].path if path.tails else run.orders.of[master.index][i].path
+    in_progress = path.tails[-1].path if path.tails else run.orders.of[master.index][i].path
+    before = next(map(run.path_before, run.members(path)), None)
+    if in_progress is None or before is None:
+        return
+    # The one before it may be over while the one before that is still run.
+    earlier = run.order_of(before).path
     if earlier is None or earlier.members != path.members or earlier.rests or earlier.entry == path.entry:
         return
     moves, late = run.members(earlier), ROUNDED * (1.0 + begin)
@@ -95,8 +100,10 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
         if all(word != "blend" for _, word in prompts):
             words = f"it begins {left:g} before the end of the one before it, ordered are {due:g} at the most"
             proof.breaks(order.line, f"{where}: {words}")
-    elif left < due - slack and not any(
-        abs(time - begin) <= late for time in _causes(run, moves[0], prompts, begin)
+    elif (
+        left < due - slack
+        and not path.rests  # what is suspended blends into nothing
+        and all(abs(time - begin) > late for time in _causes(run, moves[0], prompts, begin))
     ):
         words = f"it begins {left:g} before the end of the one before it, ordered are {due:g}"
         proof.breaks(order.line, f"{where}: {words}")
