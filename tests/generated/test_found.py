@@ -704,3 +704,16 @@ def test_a_path_that_begins_suspended_is_not_late_for_a_blend() -> None:
     paths = "VECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = 0, 5\nGO(0)\n"
     result = proved(f"{BLENDS}BLENDDISTANCE(0) = 0.05\n{paths}{suspend}PAUSE IDLE(0)\n")
     assert result.time == pytest.approx(2.55 + 0.65, abs=1e-6)
+
+
+def test_a_path_near_its_peak_keeps_its_speed_when_that_of_an_axis_is_lowered() -> None:
+    """A jerk of 1000 leads to its peak v over a half of 2.1, within v / 100 + 0.1 s: there is no room to brake before.
+
+    So (v / 100 + 0.1) * v is 2.1. The lower speed would be 3 / 0.6.
+    """
+    settings = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100 : PROFILEMODE(0) = 1\n"
+    jerks = "ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
+    move = "VECTORR(0, 1) = 1.26, 1.68 : GO(0)\nWAIT = 130\nMAXSPEED(0) = 3\nPAUSE IDLE(0)\n"
+    peak = 50.0 * (sqrt(0.094) - 0.1)
+    result = proved(settings + jerks + move)
+    assert result.time == pytest.approx(2.0 * (peak / 100.0 + 0.1), abs=1e-6)

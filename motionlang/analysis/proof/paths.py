@@ -315,9 +315,10 @@ def _judge_along(
     gone, v0, a0, _ = along[0].at(0.0)
     slow = _slowing(order, way, v0, a0, way.length - gone + beyond)
     speed, rates = order.speed, order.rates
+    least, by = _least(order, way)
     if way.unit is None:
-        speed, by = _least(order, way)
-        rates = by.rates
+        speed, rates = least, by.rates
+    held = slow.speed if slow.speed > least and not fresh else 0.0  # without room to brake twice
     if fresh:
         slow = slow._replace(speed=speed, came=0.0, until=0.0, eased=0.0, stretches=())
     uses = Uses(proof)
@@ -332,7 +333,7 @@ def _judge_along(
         # A path that begins too fast, because a limit was lowered, is excused until it has slowed down.
         middle = span.begin + 0.5 * span.length
         excused = middle < max(slow.until, slow.eased)
-        came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
+        came, bent = (max(slow.came, held), abs(a0) if smooth else 0.0) if excused else (held, 0.0)
         eased = bent if middle < slow.eased else 0.0
         fastest, peak = 0.0 if path.rests else max(speed, slow.speed), span.peak(1)
         if peak > SLACK or not path.rests:  # at rest within rounding
