@@ -1,6 +1,11 @@
-"""Typographic quotes, dashes and blanks that a word processor puts into a program."""
+"""Quotes, dashes and blanks that a word processor puts in the place of the plain ones of a program.
+
+`typographic` names the plain character, and `plain` replaces the typographic one for `check --fix`.
+"""
 
 from __future__ import annotations
+
+import re
 
 _PLAIN = {
     '"': ("quote", "“”„‟«»″"),
@@ -12,6 +17,10 @@ _PLAIN = {
 TYPOGRAPHIC = {
     character: (kind, plain) for plain, (kind, characters) in _PLAIN.items() for character in characters
 }
+# The closing quote of a text.
+_CLOSING = re.compile(f'["{_PLAIN[chr(34)][1]}]')
+# An apostrophe inside a word is no quote.
+_INSIDE = re.compile(f"(?<=[^\\W\\d_])[{_PLAIN[chr(39)][1]}](?=[^\\W\\d_])")
 
 
 def typographic(text: str) -> tuple[str, str] | None:
@@ -28,3 +37,27 @@ def typographic(text: str) -> tuple[str, str] | None:
     if kind == "blank":
         return "a blank that does not break a line stands here, not a plain one", "type a plain blank"
     return f"{character} is a typographic {kind}, not the plain {plain}", f"type {plain}"
+
+
+def unclosed(text: str) -> tuple[str, str] | None:
+    """Message and hint for a text that begins with a plain quote and has a typographic one; None for others."""
+    closing = _CLOSING.search(text, 1) if text[:1] == '"' else None
+    return typographic(closing[0]) if closing else None
+
+
+def plain(line: str) -> tuple[int, str]:
+    """Return the length of the beginning of `line` to replace, and its plain text; (0, "") if that is not certain.
+
+    The text begins at a typographic character, or at the plain quote of a text that a typographic one closes.
+    Of a text in quotes both quotes are replaced. A single quote begins a comment, unless there is a second one.
+    """
+    kind, wanted = TYPOGRAPHIC.get(line[:1], ("", ""))
+    if wanted == '"' or line[:1] == '"':
+        closing = _CLOSING.search(line, 1)
+        if closing is None:
+            return (1, '"') if kind else (0, "")
+        return closing.end(), f'"{line[1 : closing.start()]}"'
+    if wanted == "'":
+        others = _INSIDE.sub("", line[1:])
+        return (0, "") if any(TYPOGRAPHIC.get(each, ("", ""))[1] == "'" for each in others) else (1, "'")
+    return (1, " " if kind == "blank" else wanted) if kind else (0, "")

@@ -9,6 +9,7 @@ import pytest
 
 from motionlang.execution import run
 from motionlang.source import Source
+from tests.cases import cases
 from tests.cli.programs import Cell
 
 ROOT = Path(__file__).parents[2]
@@ -140,3 +141,35 @@ def test_a_file_that_cannot_be_written_says_so(cell: Cell, monkeypatch: pytest.M
     ran = cell("check", "a.mnt", "--fix")
     assert "a.mnt cannot be written: no space left on device" in ran.err
     assert "fixed" not in ran.out + ran.err
+
+
+# Texts as a word processor leaves them, and what `--fix` writes.
+TYPOGRAPHIC = {
+    "a.mnt": (
+        'PRINT “it’s here”, POS(0)\nPRINT "open”\nMOVER(0) = –5 ‘ the user’s way back\nGO(0)\u00a0: PRINT „x"\n',
+        'PRINT "it’s here", POS(0)\nPRINT "open"\nMOVER(0) = -5 \' the user’s way back\nGO(0) : PRINT "x"\n',
+    ),
+    "a.mcl": (
+        '1MN,1MR–100\nOT“in a row”,1WS\nOT"open”\n1MN,\u00a01TP\n',
+        '1MN,1MR-100\nOT"in a row",1WS\nOT"open"\n1MN, 1TP\n',
+    ),
+}
+
+
+@cases("name", TYPOGRAPHIC)
+def test_typographic_characters_become_plain_ones(name: str, cell: Cell) -> None:
+    before, after = TYPOGRAPHIC[name]
+    cell.write(name, before)
+    ran = cell("check", name, "--fix")
+    assert (cell.folder / name).read_text(encoding="utf-8") == after
+    assert ran.out.startswith(f"{name}: {4 if name == 'a.mcl' else 6} fixed")
+
+
+def test_a_message_names_the_plain_character(cell: Cell) -> None:
+    """A pair of single quotes may be a text or a comment: it is named, not replaced."""
+    cell.write("a.mnt", 'PRINT "open”\nPRINT ‘x’\n')
+    ran = cell("check", "a.mnt")
+    assert '” is a typographic quote, not the plain "' in ran.err
+    assert "‘ is a typographic quote, not the plain '" in ran.err
+    cell("check", "a.mnt", "--fix")
+    assert (cell.folder / "a.mnt").read_text(encoding="utf-8") == 'PRINT "open"\nPRINT ‘x’\n'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import DEFAULT_AXES
+from motionlang.lang.typography import plain
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
@@ -13,6 +14,7 @@ from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.program import locate
+from motionlang.mccl.syntax.mistakes import stuck
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -163,6 +165,20 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
 def _diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") -> Diagnostic:
     line, column, length = locate(source, at)
     code = f" (?{fault.code}: {codes.MEANINGS[fault.code]})" if fault.code else ""
+    fix = ""
+    if fault.kind == "syntax":
+        text = source.line(line)[column - 1 :]
+        end = stuck(text[:length])[0]
+        replaced, fix = plain(text[end:])
+        if replaced:
+            length, fix = end + replaced, text[:end] + fix
     return Diagnostic(
-        fault.kind, fault.message + code, line, column, length=length, hint=fault.hint, severity=severity
+        fault.kind,
+        fault.message + code,
+        line,
+        column,
+        length=length,
+        hint=fault.hint,
+        severity=severity,
+        fix=fix,
     )

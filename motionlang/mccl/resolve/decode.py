@@ -130,11 +130,11 @@ def _wrong(text: str, word: Word, fault: Fault) -> Command:
 
 def _no_command(text: str) -> Command:
     """Return the command of a text that does not have the form of one."""
-    from motionlang.lang.typography import typographic
+    from motionlang.lang.typography import typographic, unclosed
     from motionlang.mccl.syntax.mistakes import stuck
 
     end, expected = stuck(text)
-    misprint = typographic(text[end:].lstrip(" \t"))
+    misprint = typographic(text[end:].lstrip(" \t")) or unclosed(text[end:])
     if misprint is not None:
         name = text[:end].lstrip(_DIGITS)[:2].upper()
         return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)

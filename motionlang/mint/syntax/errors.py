@@ -10,8 +10,9 @@ dropped.
 from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang import typography
 from motionlang.lang.parsing.linked_stack import empty, expected, feed, feed_all
-from motionlang.lang.parsing.parser import END
+from motionlang.lang.parsing.parser import BAD, END
 from motionlang.lang.parsing.places import Places
 from motionlang.mint.syntax import expectations
 from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_lines
@@ -104,7 +105,11 @@ class _Reader:
             end = self.places.span(last)[1]
         length = 1 if self.kinds[at] in ("_NL", END) else max(1, end - start)
         line, column = self.places.line(at), self.places.column(at)
-        self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint))
+        fix = ""
+        if self.kinds[at] == BAD:
+            replaced, fix = typography.plain(self.places.source.line(line)[column - 1 :])
+            length = replaced or length
+        self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix))
 
     def _after(self, at: int) -> int:
         """Accept the token `at` and record where lines and statements begin."""

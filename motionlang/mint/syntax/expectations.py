@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.parsing.parser import BAD, END
-from motionlang.lang.typography import typographic
+from motionlang.lang.typography import typographic, unclosed
 from motionlang.mint.syntax.tables import SPELLINGS
 
 VALUE = {"NUMBER", "STRING"}  # if both are valid, any value is
@@ -44,7 +44,8 @@ def message(kinds: set[str], kind: str, text: str) -> str:
 def hint(kinds: set[str], before: str, text: str) -> str:
     """Return a suggested fix, "" if none is likely."""
     if text[:1] == '"' and not text.endswith('"', 1):
-        return 'add the closing "'
+        misprint = unclosed(text)
+        return misprint[1] if misprint else 'add the closing "'
     if found_typographic := typographic(text):
         return found_typographic[1]
     if text == "!":
@@ -81,7 +82,8 @@ def found(kind: str, text: str) -> str:
 
 def _bad(text: str) -> str:
     if text[0] == '"':
-        return "the string is not closed"
+        misprint = unclosed(text)
+        return misprint[0] if misprint else "the string is not closed"
     if text[0].isdigit():
         return f"{found('', text)} is not a number"
     if text[0] == "`":
