@@ -50,6 +50,7 @@ WARNINGS: dict[str, str] = {
     "unknown-word": "MCCL",
     "silenced": "Mint, MCCL",
 }
+_HOST = re.compile(r"lint:\s*host\b", re.IGNORECASE)
 _IGNORE = re.compile(r"lint:\s*ignore\b[ \t]*([\w ,-]*)", re.IGNORECASE)
 
 
@@ -62,6 +63,14 @@ def driven_inputs(settings: Mapping[str, object]) -> set[int] | None:
         return None
     found: set[int] = {entry["channel"] for entry in settings.get("input", ())}  # type: ignore[attr-defined]
     return found | {value for key, value in settings.items() if key.endswith("_input")}  # type: ignore[misc]
+
+
+def has_host(source: Source, comment: re.Pattern[str]) -> bool:
+    """True if a comment says `lint: host`: a host reads and writes the global variables of the program."""
+    if "lint:" not in source.text.lower():
+        return False
+    found = ((line, comment.search(line)) for line in source.text.split("\n") if "lint:" in line.lower())
+    return any(begin is not None and _HOST.search(line, begin.end()) for line, begin in found)
 
 
 def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str]) -> list[Diagnostic]:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping
 
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.lang.lint import silence
+from motionlang.lang.lint import has_host, silence
 from motionlang.lang.nesting import Room
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.compile.error_recovery import with_other_lines
@@ -72,7 +72,7 @@ def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
 
 def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[Diagnostic]:
     """Return the warnings of a program that compiles, in no particular order."""
-    facts = Facts(names, table())
+    facts = Facts(names, table(), has_host(module.places.source, COMMENT))
     found: dict[tuple[str, int, str], Diagnostic] = {}
 
     def add(code: str, message: str, at: int, hint: str = "") -> None:

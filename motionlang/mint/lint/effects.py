@@ -69,9 +69,12 @@ class Act:
 
 
 class Facts:
-    """The facts about a module that all checks share."""
+    """The facts about a module that all checks share.
 
-    def __init__(self, names: Names, table: Table) -> None:
+    If it `has_host`, a host reads and writes its declared global variables.
+    """
+
+    def __init__(self, names: Names, table: Table, has_host: bool = False) -> None:
         self.names, self.table = names, table
         self.functions = names.functions
         self.graphs: dict[Function, Graph] = {}
@@ -82,6 +85,11 @@ class Facts:
         self.writers = self._writers()
         self.roots = self._roots()
         self.kept, self.begun = self._kept()
+        variables = [
+            each for each in names.module.names.values() if each.kind == "variable" and each.declared
+        ]
+        self.hosted = set(variables) if has_host else set()
+        self.kept |= self.hosted
         for function in self.functions:
             graph = self.graphs[function] = function.graph
             for step in graph.steps:

@@ -177,6 +177,8 @@ class Ways:
             return False
         if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
             return True
+        if symbol in self.facts.hosted:
+            return True
         mine = self.facts.roots[function]
         if len(mine) != 1:
             return True
@@ -230,8 +232,8 @@ class Ways:
         return is_input and not self._input_may_change(name)
 
     def _shared(self, symbol: Symbol) -> bool:
-        """True if another task or an event may change the variable in the meantime."""
-        if symbol.type.name == TIME or symbol.by_ref:
+        """True if another task, an event or a host may change the variable in the meantime."""
+        if symbol.type.name == TIME or symbol.by_ref or symbol in self.facts.hosted:
             return True
         roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}
         return bool(roots - self.facts.roots[symbol.home]) or len(roots) > 1
