@@ -1,11 +1,12 @@
-"""`python -m tests.generated [COUNT] [--seed N] [--jobs N] [--into FOLDER]`: run generated programs with their checks.
+"""`python -m tests.generated [COUNT] [--seed N] [--jobs N] [--into FOLDER]`.
 
-Takes the seeds N, N + 1 and so on, and prints each finding with its seed. `--family words` runs programs of every word
-of both languages instead of those of motion. `--into` writes the programs that led to a finding to a folder, each with
-its machine file.
+It runs generated programs with their checks. It takes the seeds N, N + 1 and so on, and prints each finding
+with its seed. `--family words` runs programs of every keyword of both languages instead of those of motion.
+`--into` writes the programs with a finding to a folder, each with its machine file.
 
-`--show SEED` prints one program and its machine file instead, `--shrink SEED` the smallest one that still has its
-finding, and `--words` how often the programs of the seeds have each simulated word, and why some have not.
+`--show SEED` prints one program and its machine file instead, `--shrink SEED` the smallest one that still has
+its finding, and `--words` how often the programs of the seeds have each simulated keyword, and why some have
+not.
 """
 
 from __future__ import annotations
@@ -31,7 +32,10 @@ def _checked(seeds: range, family: str) -> list[tuple[int, list[str]]]:
 
 
 def tell_words(seeds: range, family: str) -> int:
-    """Print how many programs have each simulated word; 1 if none has a word and no reason is given."""
+    """Print how many programs have each simulated keyword; 1 if one is missing.
+
+    A given reason excuses it.
+    """
     drawn: dict[str, Counter[str]] = {language: Counter() for language in NEVER}
     for seed in seeds:
         program = generate(seed, family)

@@ -1,7 +1,7 @@
-"""What every generated program must satisfy, whatever it does.
+"""The checks of every generated program, whatever it does.
 
-Each program is run once and checked by what holds of any run. Then it is run another way that must not change
-anything, or only to an earlier time; which one goes by the seed, as each costs another run.
+Each program is run once and checked for general properties of runs. Then it is run in a second manner that
+must not change anything, or only to an earlier time; the seed selects it, as each costs another run.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from tests.generated.invariants import (
 from tests.generated.motion import UNTIL, Generated
 from tests.generated.prefix import differences
 
-# Seconds of the processor that one program may take.
+# Processor seconds that one program may take.
 LONGEST = 10.0
 
 
 def findings(program: Generated) -> list[str]:
-    """What is wrong with the runs of a program; empty if nothing is."""
+    """Return the violations in the runs of a program; empty if there are none."""
     try:
         with bounded(LONGEST):
             return list(_findings(program))
@@ -48,7 +48,7 @@ def findings(program: Generated) -> list[str]:
 
 def _findings(program: Generated) -> Iterator[str]:
     first = _run(program)
-    if first.program is None:  # the generator discards nothing: what it writes is grammatical
+    if first.program is None:  # the generator discards nothing: its programs are grammatical
         yield from (f"grammar: {each.line}: {each.message}" for each in first.diagnostics)
     text = _report(first)
     report = json.loads(text)
@@ -75,23 +75,26 @@ def _report(result: Run) -> str:
 
 
 def _again(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """Nothing of an earlier run is left."""
+    """Check that an earlier run leaves no state."""
     if report != _report(_run(program)):
         yield "again: a second run has another report"
 
 
 def _cached(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """A program that comes from the cache, with all that the first run has compiled of it."""
+    """Check a program from the cache, with everything that the first run has compiled."""
     compiled = first.program
     payload = compiled.payload() if compiled is not None else None
     if payload is None:
-        yield from _again(program, first, report)  # of this language no compiled programs are kept
+        yield from _again(program, first, report)  # programs of this language are not cached
     elif report != _report(_run(program, compiled=first.dialect.load(payload))):
         yield "cached: a run from the cache has another report"
 
 
 def _cut(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """Runs to an earlier time: to any, or into the middle of a move; every eighth time to several."""
+    """Check runs to an earlier time: to any, or the middle of a move.
+
+    Every eighth program has several.
+    """
     draw = Draw(program.seed)
     moves = [move for move in first.controller.log.moves if move.profile is not None]
     for _ in range(3 if program.seed % 16 == 1 else 1):
@@ -104,7 +107,7 @@ def _cut(program: Generated, first: Run, report: str) -> Iterator[str]:
 
 
 def _plain(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """A run without accelerators."""
+    """Check a run without accelerators."""
     if report != _report(_run(program, fast=False)):
         yield "fast: without accelerators a run has another report"
 

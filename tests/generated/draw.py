@@ -1,4 +1,4 @@
-"""Random choices that both languages share: settings by their keyword rows, and values by unit."""
+"""Random choices for both languages: settings by their rows, and values by unit."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _UNITS = {
     "ms": (5.0, 400.0),
     "%": (0.0, 150.0),
 }
-# Plausible values of settings whose unit does not say enough.
+# Plausible values of settings whose unit does not suffice.
 _NAMED: dict[str, tuple[float, ...]] = {
     "SCALEFACTOR": (1, 2.5, 4, 10, 100, 400),
     "POSSCALEFACTOR": (1, 2.5, 10),
@@ -58,13 +58,13 @@ _NAMED: dict[str, tuple[float, ...]] = {
 
 @cache
 def table(language: str) -> dict[str, Keyword]:
-    """The rows of a language by name."""
+    """Return the rows of a language by name."""
     return {row.name: row for row in dialect(language).table()}
 
 
 @cache
 def axis_settings(language: str) -> tuple[Keyword, ...]:
-    """Every simulated setting of one axis that a program may write."""
+    """Return every simulated setting of one axis that a program may write."""
     return tuple(
         row
         for row in table(language).values()
@@ -73,19 +73,19 @@ def axis_settings(language: str) -> tuple[Keyword, ...]:
 
 
 class Draw(Random):
-    """A `Random` with the choices that generators of motion make."""
+    """A `Random` with the choices of motion generators."""
 
     def real(self, low: float, high: float) -> float:
-        """A value in a range: mostly a round one, as people write them."""
+        """Return a value in a range, mostly a round one, as people write them."""
         value = self.uniform(low, high)
         return round(value) if self.random() < 0.6 and high - low >= 10.0 else round(value, 3)
 
     def chance(self, share: float) -> bool:
-        """True in this share of cases."""
+        """Return True with this probability."""
         return self.random() < share
 
     def value(self, row: Keyword) -> str:
-        """A value that the row accepts, and that moves things by plausible amounts."""
+        """Return a value that the row accepts, and that causes plausible motion."""
         if row.name in _NAMED:
             value = float(self.choice(_NAMED[row.name]))
         elif row.unit in _UNITS:
@@ -98,5 +98,5 @@ class Draw(Random):
         return f"{low if row.high is None else min(float(row.high), low):.10g}"
 
     def pick(self, weighted: dict[str, int]) -> str:
-        """A key, as often as its weight says."""
+        """Return a key with the probability of its weight."""
         return self.choices(tuple(weighted), tuple(weighted.values()))[0]

@@ -1,4 +1,4 @@
-"""What holds of every run, whatever its program does: each check returns sentences about what does not."""
+"""Properties of every run: each check returns sentences about violations."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ from motionlang.result import Run
 from motionlang.views.table import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
-# Seconds by which the time of an end may be rounded, and parts of a position.
+# Seconds by which the time of an end may be rounded, and the relative error of a position.
 ROUNDED, SLACK = 1e-9, 1e-6
-# More characters than any table is wide, so that no column is dropped.
+# A width beyond any table, so that no column is dropped.
 WIDE = 1000
-# Cells of a row are two blanks apart or more.
+# Cells of a row are at least two blanks apart.
 _GAP = re.compile(" {2,}")
 _FIGURES = ("start_time", "duration", "start", "end", "distance", "peak_speed")
 
 
 def proved(result: Run) -> Iterator[str]:
-    """The motion is within what the program ordered."""
+    """Check that the motion is within the commands of the program."""
     for each in result.proof().violations:
         yield f"proof: {each.line}: {each.message}"
 
 
 def in_order(result: Run) -> Iterator[str]:
-    """Time never decreases, and nothing is later than the end of the run."""
+    """Check that time never decreases, and nothing is later than the end of the run."""
     log = result.controller.log
     streams: dict[str, Iterable[float]] = {
         "events": (each.time for each in log.events),
@@ -61,7 +61,7 @@ def in_order(result: Run) -> Iterator[str]:
 
 
 def entries_end(result: Run) -> Iterator[str]:
-    """Entries that are over ended within the run, and the last one of an axis where the axis is."""
+    """Check that completed entries ended within the run, the last at its axis's end."""
     assert result.orders is not None
     axes, data = result.controller.axes, result.orders.data
     last: dict[int, Move] = {}
@@ -74,7 +74,7 @@ def entries_end(result: Run) -> Iterator[str]:
             yield f"log: {where}: a figure is not a number"
         end = move.start_time + profile.duration
         late = end > result.time + ROUNDED * (1.0 + result.time)
-        under_way = any(move is each for each in axis.entries)  # several while paths are blended
+        under_way = any(move is each for each in axis.entries)  # several during a blend
         if late and isfinite(end) and not under_way and (move.ended or result.status == "ended"):
             yield f"log: {where}: it ends at {end:.6f} s, the run at {result.time:.6f} s"
         if not move.overlaid and not move.offset:
@@ -92,7 +92,7 @@ def entries_end(result: Run) -> Iterator[str]:
 
 
 def phases_add_up(report: dict[str, Any]) -> Iterator[str]:
-    """The phases of a move take its whole duration and go its whole distance."""
+    """Check that the phases of a move add up to its duration and distance."""
     for move in report["moves"]:
         for name in ("duration", "distance"):
             figures = [phase[name] for phase in move["phases"]]
@@ -104,13 +104,16 @@ def phases_add_up(report: dict[str, Any]) -> Iterator[str]:
 
 
 def keeps_to_the_schema(report: dict[str, Any]) -> Iterator[str]:
-    """The report is as `docs/report.schema.json` says."""
+    """Check the report against `docs/report.schema.json`."""
     for error in jsonschema.Draft202012Validator(SCHEMA).iter_errors(report):
         yield f"schema: {error.json_path}: {error.message[:100]}"
 
 
 def table_agrees(result: Run, report: dict[str, Any]) -> Iterator[str]:
-    """The table that is printed has the moves, events and axes of the report, each figure to its last digit."""
+    """Check that the printed table has the report's moves, events, axes and figures.
+
+    Each figure must agree to its last digit.
+    """
     blocks = render(result, width=WIDE, everything=True).rstrip().split("\n\n")
     moves = [row for row in _rows(blocks, "axis  command") if "├" not in row and "└" not in row]
     rows: dict[str, list[tuple[list[str], list[object]]]] = {"moves": [], "events": [], "axes": []}
@@ -133,7 +136,7 @@ def table_agrees(result: Run, report: dict[str, Any]) -> Iterator[str]:
 
 
 def _rows(blocks: list[str], head: str) -> list[str]:
-    """The lines below the rule of the table whose head begins so."""
+    """Return the lines below the rule of the table with this heading."""
     block = next((each for each in blocks if re.sub(" {2,}", "  ", each).lstrip().startswith(head)), "")
     lines = block.split("\n")
     rule = next((k for k, line in enumerate(lines) if line.startswith("─")), len(lines))

@@ -1,7 +1,8 @@
-"""Random loops of Mint over Integers near their ends, and the same loops compiled without range analysis.
+"""Random loops of Mint over Integers near their ends, with and without analysis.
 
-The compiler leaves out the check for overflow where range analysis proves that a result fits an Integer. A wrong proof
-prints a number that no Integer holds, so the limits, steps and factors drawn here bring many results near 2³¹.
+The compiler omits the check for overflow if range analysis proves that a result fits an Integer. A wrong
+proof prints a number that no Integer holds, so the limits, steps and factors drawn here bring many results
+near 2³¹.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ NEAR = (
     0, 1, 2, 3, 5, 7, 10, 100, 46_340, 46_341, 65_535, 65_536, 900_000_000, 1_073_741_823, 1_073_741_824,
     2_147_483_646, 2_147_483_647,
 )  # fmt: skip
-# Iterations that a program may take: more than any drawn loop needs, unless it never ends.
+# The time limit of a program: more than any drawn loop needs, unless it never ends.
 MAX_TIME = 0.02
 DEPTH = 3
 
@@ -27,11 +28,11 @@ class Draw:
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
-        # Variables of the For loops around a statement, which it leaves alone, so that loops end.
+        # Variables of the For loops around a statement, which it must not change, so that loops end.
         self.counters: list[str] = []
 
     def program(self) -> str:
-        """The text of a program that prints every variable at its end."""
+        """Return a program that prints every variable at its end."""
         starts = [f"{name} = {self.number()}" for name in (*INTEGERS, *FLOATS) if self.random.random() < 0.4]
         body = [line for _ in range(self.random.randint(1, 3)) for line in self.statement(0)]
         names = (*INTEGERS, *FLOATS)
@@ -46,7 +47,7 @@ class Draw:
         return "\n".join(lines) + "\n"
 
     def statement(self, depth: int) -> list[str]:
-        """One statement, with what is below it."""
+        """Return one statement, including nested ones."""
         kind = self.random.random()
         if depth < DEPTH and kind < 0.25:
             return self.loop(depth)
@@ -62,11 +63,11 @@ class Draw:
         return [f"{self.target()} = {self.value(2)}"]
 
     def block(self, depth: int) -> list[str]:
-        """Some statements, indented."""
+        """Return some statements, indented."""
         return [f"  {line}" for _ in range(self.random.randint(1, 3)) for line in self.statement(depth + 1)]
 
     def loop(self, depth: int) -> list[str]:
-        """A For with few iterations, or a While or Repeat that counts."""
+        """Return a For with few iterations, or a While or Repeat that counts."""
         free = [name for name in INTEGERS if name not in self.counters]
         if len(free) < 2:
             return [f"{self.target()} = {self.value(2)}"]
@@ -90,17 +91,17 @@ class Draw:
         return [f"{name} = 0", "Repeat", *body, f"  {name} = {name} + 1", f"Until {name} >= {limit}"]
 
     def target(self) -> str:
-        """A variable that may be written here."""
+        """Return a variable that may be written here."""
         free = [name for name in (*INTEGERS, *FLOATS) if name not in self.counters]
         return self.random.choice(free)
 
     def number(self) -> int:
-        """A whole number, often near an end of Integer or of what its square fits."""
+        """Return an integer, often near an end of Integer or of the range of its square."""
         sign = -1 if self.random.random() < 0.3 else 1
         return sign * (self.random.choice(NEAR) if self.random.random() < 0.7 else self.random.randint(0, 20))
 
     def value(self, depth: int) -> str:
-        """An expression."""
+        """Return an expression."""
         kind = self.random.random()
         if depth == 0 or kind < 0.25:
             if self.random.random() < 0.6:
@@ -111,24 +112,24 @@ class Draw:
         operator = self.random.choice(("+", "+", "-", "-", "*", "*", "\\", "Mod", "&", "|", "/"))
         left, right = self.value(depth - 1), self.value(depth - 1)
         if operator in ("\\", "Mod", "/") and self.random.random() < 0.9:
-            right = str(self.number() or 3)  # most programs shall not end by a division by zero
+            right = str(self.number() or 3)  # most programs should not end by a division by zero
         return f"({left} {operator} {right})"
 
     def condition(self) -> str:
-        """A comparison, or two."""
+        """Return a comparison, or two."""
         first = self.comparison()
         if self.random.random() < 0.25:
             return f"{first} {self.random.choice(('And', 'Or'))} {self.comparison()}"
         return f"Not ({first})" if self.random.random() < 0.1 else first
 
     def comparison(self) -> str:
-        """A variable compared with a number, or two variables."""
+        """Return a comparison of a variable with a number, or of two variables."""
         operator = self.random.choice(("=", "<>", "<", ">", "<=", ">="))
         return f"{self.random.choice(INTEGERS)} {operator} {self.value(self.random.choice((0, 0, 1)))}"
 
 
 def outcome(text: str, analysed: bool = True) -> dict[str, Any]:
-    """What a program prints, and how and where it ends."""
+    """Return a program's output, and how and where it ends."""
     result = run(Source("loop.mnt", text), machine={}, until=MAX_TIME, cache=False, fast=analysed)
     return {
         "output": result.output,

@@ -1,11 +1,11 @@
-"""MCCL programs: moves, velocity mode, contours, slaves, macros and tasks, and what changes motion under way."""
+"""MCCL programs: moves, velocity mode, contours, slaves, macros and tasks."""
 
 from __future__ import annotations
 
 from tests.generated.draw import Draw
 
 AXES = (1, 2, 3)
-# What a program does, by how often; each is a method of `McclProgram`.
+# The actions of a program, by frequency; each is a method of `McclProgram`.
 ACTIONS = {
     "move": 16, "velocity": 8, "contour": 6, "slave": 5, "stop": 10, "speed": 16, "shape": 8, "wait": 20, "rest": 10,
     "limit": 5, "zero": 4, "jog": 2, "switch": 2, "points": 2, "backlash": 3, "units": 1, "override": 4, "search": 2,
@@ -36,7 +36,7 @@ class McclProgram:
 
     @property
     def text(self) -> str:
-        """The whole program."""
+        """The complete program."""
         return "\n".join(self.lines) + "\n"
 
     def _action(self) -> list[str]:
@@ -150,7 +150,7 @@ class McclProgram:
         return [f"{self._axis()}{self._shape_of()}"]
 
     def _one_line(self) -> list[str]:
-        """Several changes and a start of motion within one line."""
+        """Return several changes and a start of motion within one line."""
         parts = [self._of("speed", "shape", "move", "velocity", "stop", "override") for _ in range(3)]
         return [command for part in parts for command in part]
 
@@ -220,5 +220,5 @@ class McclProgram:
 
 
 def draw_slave(draw: Draw) -> int:
-    """An axis that has others before it."""
+    """Return an axis that has others before it."""
     return draw.choice((2, 2, 3))

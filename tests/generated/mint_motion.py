@@ -1,4 +1,4 @@
-"""Mint programs: moves, paths, slaves, tables and references, and what changes them while they run."""
+"""Mint programs: moves, paths, slaves, tables, references, and changes of them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Dim small(4) As Float = 3, 5, -5, 8
 Dim speeds(5) As Float = 4, 100, 60, 0, 0
 Dim spans(5) As Float = 4, 200, 100, 200, 100
 Dim k As Integer, faults As Integer"""
-# What a program does, by how often; each is a method of `MintProgram`.
+# The actions of a program, by frequency; each is a method of `MintProgram`.
 ACTIONS = {
     "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "blended": 4, "retarget": 4, "jog": 5, "follow": 6,
     "cam": 5, "fly": 3, "spline": 5, "offset": 3, "home": 2, "reference": 3, "stop": 8, "suspend": 5, "speed": 10,
@@ -40,7 +40,7 @@ class MintProgram:
 
     @property
     def text(self) -> str:
-        """The whole program."""
+        """The complete program."""
         return "\n".join(self.lines) + "\n"
 
     # ------------------------------------------------------------------------------------------------ frame
@@ -92,7 +92,10 @@ class MintProgram:
             self.lines += ["Event TIMER", *self._indented(self._speed()), "End Event"]
 
     def _handled(self) -> list[str]:
-        """An action of ONERROR, which may raise the next error at once: the program ends that by itself."""
+        """Return an action of ONERROR, which may raise the next error at once.
+
+        The program ends that by itself.
+        """
         action = ["faults = faults + 1", *self._action()]
         return ["  If faults < 20 Then", *self._indented(self._indented(action)), "  End If"]
 

@@ -1,7 +1,7 @@
 """Programs of both languages that move, each from one number.
 
-`generate(seed)` draws the language, the program and the machine that it runs on. What it writes follows the grammar
-and the keyword rows, but a statement may still be rejected by the axis at run time, as in any program.
+`generate(seed)` draws the language, the program and its machine. The program follows the grammar and the
+keyword rows, but an axis may still reject a statement at run time, as in any program.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from tests.generated.words import McclWords, MintWords, surroundings
 
 # Machine seconds after which a program that has not ended is cut off.
 UNTIL = 20.0
-# What programs are made of, and what makes them, by language: motion alone, or every word of a language.
+# The contents of programs, and their generators, by language: motion alone, or every keyword of a language.
 FAMILIES: dict[str, dict[str, type[MintProgram | McclProgram]]] = {
     "motion": {"mint": MintProgram, "mccl": McclProgram},
     "words": {"mint": MintWords, "mccl": McclWords},
@@ -52,7 +52,7 @@ def _toml(value: object) -> str:
 
 
 def generate(seed: int, family: str = "motion") -> Generated:
-    """The program of a seed, of one of `FAMILIES`: two in three are Mint."""
+    """Return the program of a seed, of one of `FAMILIES`: two in three are Mint."""
     draw = Draw(seed)
     language = "mccl" if draw.chance(1 / 3) else "mint"
     machine: dict[str, object] = {}

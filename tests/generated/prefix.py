@@ -1,4 +1,4 @@
-"""A run to a time is the beginning of a run to a later one."""
+"""A run to a time equals the beginning of a run to a later one."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from collections.abc import Iterator
 from motionlang.log.track import WholeTrack
 from motionlang.result import Run
 
-# Seconds before the end of the shorter run within which what happens may belong to its last moment.
+# Seconds before the end of the shorter run within which events may belong to its last instant.
 LAST = 1e-6
-# Statements that are carried out once the end has come: those that touch only variables do not look at the clock.
+# Statements that are executed after the end: those that touch only variables do not read the clock.
 STATEMENTS = 4
-# Moments up to the end of the shorter run at which positions are compared.
+# Times up to the end of the shorter run at which positions are compared.
 LOOKS = 8
 
 
 def differences(whole: Run, part: Run, until: float) -> Iterator[str]:
-    """What a run to `until` does otherwise than the whole one."""
+    """Yield the differences between a run to `until` and the complete one."""
     end = max(until - LAST, 0.0)
     if whole.time > until and not until <= part.time <= until + STATEMENTS * part.machine.instruction_time:
         yield f"prefix: to {until!r} s: it ends at {part.time!r} s"
@@ -58,9 +58,10 @@ def _waits(result: Run, end: float) -> Iterator[object]:
 
 
 def _moves(result: Run, end: float) -> Iterator[object]:
-    """The entries as they began, to a millionth of a count: a path that goes on writes its own anew.
+    """Yield the entries as they began, to a millionth of a count.
 
-    One that is blended into the entry before it begins where that ends, which may come sooner than planned.
+    A path that continues rewrites its own. One that is blended into the entry before it begins where that
+    ends, which may come sooner than planned.
     """
     over: dict[int, float] = {}
     for move in result.controller.log.moves:

@@ -1,4 +1,4 @@
-"""The smallest program that still has a finding: statements are left out as long as the same one is found."""
+"""Reduction of a program with a finding, by removing statements."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from functools import partial
 from tests.generated.checks import findings
 from tests.generated.motion import Generated
 
-# What stands between statements of a line.
+# The separator of statements on a line.
 _BETWEEN = {"mint": " : ", "mccl": ","}
 _FIGURE = re.compile(r"-?\d[\d.e+-]*")
 
 
 def kind_of(finding: str) -> str:
-    """A finding without its figures: what stays the same as the program becomes smaller."""
+    """Return a finding without its figures, which change as the program shrinks."""
     return _FIGURE.sub("", finding)
 
 
 def shrunk(program: Generated) -> Generated:
-    """The program with lines, settings of the machine and statements of a line left out, one after the other.
+    """Return the program with lines, settings and statements removed, one by one.
 
-    The program itself if nothing is found in it.
+    The settings are those of the machine. It is the program itself if it has no finding.
     """
     kinds = {kind_of(each) for each in findings(program)}
     if not kinds:
@@ -52,7 +52,7 @@ def shrunk(program: Generated) -> Generated:
 
 
 def _least(parts: list[str], is_enough: Callable[[list[str]], bool]) -> list[str]:
-    """Parts of which none can be left out: halves are tried first, then quarters and so on."""
+    """Return a minimal list: halves are removed first, then quarters and so on."""
     size = len(parts)
     while size := size // 2:
         first = 0

@@ -1,10 +1,11 @@
-"""Random programs of two to four tasks that poll, wait and hand variables to each other, with a machine for each.
+"""Random programs of two to four tasks that poll, wait and exchange variables.
 
-Each is run twice, with its loops skipped and with every iteration carried out, and the reports must be equal byte for
-byte. A program ends by itself or at `UNTIL`. The machine's last input comes after that, so that neither run can know
-that nothing would happen any more.
+Each has a machine. Each is run twice, with its loops skipped and with every iteration executed, and the
+reports must be equal byte for byte. A program ends by itself or at `UNTIL`. The machine's last input comes
+after that, so that neither run can know that no further event would come.
 
-`python -m tests.generated.tasks 2000 --seed 1` compares so many programs and prints the seeds of those that differ.
+`python -m tests.generated.tasks 2000 --seed 1` compares that many programs and prints the seeds of those that
+differ.
 """
 
 from __future__ import annotations
@@ -19,9 +20,9 @@ from motionlang import report, run
 from motionlang.mint.compile import polling
 from motionlang.source import Source
 
-# When a run ends at the latest, machine seconds.
+# The latest end of a run, machine seconds.
 UNTIL = 1.5
-# Of a statement: one whose multiples meet whole milliseconds, and one whose multiples never do.
+# Durations of a statement: one with multiples at whole milliseconds, and one without.
 COSTS = (1e-5, 0.7310585e-5)
 
 _HEAD = """\
@@ -58,13 +59,13 @@ _CONDITIONS = (
 
 
 class _Task:
-    """The statements of one task; `k` is its number, which its own variables bear."""
+    """The statements of one task; `k` is its number, which is in its variables' names."""
 
     def __init__(self, random: Random, k: int) -> None:
         self._random, self._k = random, k
 
     def loop(self) -> list[str]:
-        """The body of the task: an endless loop, or one that ends some time after the first half second."""
+        """Return the body of the task: an endless loop, or one that ends after 0.5 s."""
         body = self._statements(0)
         end = self._random.choice(
             (f"n{self._k} > {self._random.randint(2, 30)}", "TIME > 900", "INX(3)", "0")
@@ -76,7 +77,7 @@ class _Task:
         ]
 
     def exchange(self, role: int, flags: list[str]) -> list[str]:
-        """The body of a task that takes what others give, or gives it, a number of times; counters tell how often."""
+        """Return the body of a task that takes or gives values; counters count them."""
         random, k = self._random, self._k
         flag, other = random.choice(flags), random.choice(flags)
         wait = f"WAIT({random.choice((1, 5, 10, 50, 100, random.randint(1, 70)))})"
@@ -170,7 +171,7 @@ class _Task:
 
 
 def program(seed: int) -> tuple[str, dict[str, object]]:
-    """A program and its machine."""
+    """Return a program and its machine."""
     random = Random(seed)
     tasks = random.randint(2, 4)
     names = range(tasks)
@@ -205,13 +206,13 @@ def _indented(lines: list[str]) -> list[str]:
 
 
 def document(text: str, machine: dict[str, object]) -> str:
-    """The report of a run."""
+    """Return the report of a run."""
     return report.text(run(Source("a.mnt", text), machine=machine, cache=False, until=UNTIL))
 
 
 @contextmanager
 def every_iteration() -> Iterator[None]:
-    """Meanwhile programs are compiled without what their loops are skipped by."""
+    """Compile programs without loop skipping in a block."""
     found = polling.left_behind
     polling.left_behind = lambda *_: None
     try:
@@ -221,7 +222,7 @@ def every_iteration() -> Iterator[None]:
 
 
 def is_equal(seed: int) -> bool:
-    """Whether a program does the same with its loops skipped and without."""
+    """True if a program runs equally with its loops skipped and without."""
     skipped = document(*program(seed))
     with every_iteration():
         return document(*program(seed)) == skipped

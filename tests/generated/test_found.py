@@ -1,4 +1,7 @@
-"""What generated programs found: the smallest program of each kind, proved, with figures worked out by hand."""
+"""Findings of generated programs: the smallest of each kind, with hand arithmetic.
+
+Each is proved.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,10 @@ RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 
 
 def proved(program: str, suffix: str = "mnt", until: float = 20.0, statement: float = 1e-9) -> Run:
-    """A run without a diagnostic, whose proof holds; a `statement` takes that many seconds."""
+    """Return a run without a diagnostic, whose proof passes.
+
+    A `statement` takes that many seconds.
+    """
     machine = {"controller.instruction_time": statement}
     result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=until)
     assert [each.message for each in result.diagnostics] == []
@@ -39,13 +45,13 @@ SPLINE = "Dim way(5) As Float = 4, 10, 20, 10, 0\nSPLINETABLE(0, way, NULL, NULL
 
 
 def test_a_spline_goes_on_by_the_same_distances_from_a_position_that_is_written() -> None:
-    """After 100 ms it is at 10, which becomes 5: 30 of its 40 are left."""
+    """After 100 ms it is at 10, which becomes 5: 30 of its 40 remain."""
     result = proved(f"{SPLINE}SPLINE(0) = 0 : GO(0)\nWAIT = 100\nPOS(0) = 5\nPAUSE IDLE(0)\n")
     assert places(result, 0) == pytest.approx([35.0])
 
 
 def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_again() -> None:
-    """It comes to rest 20 of its 40 further on than the position that is written."""
+    """It comes to rest 20 of its 40 after the written position."""
     suspend = "SPLINESUSPENDTIME(0) = 40\nSPLINE(0) = 0 : GO(0)\nWAIT = 200\nSUSPEND(0) = 1\nWAIT = 20\n"
     twice = (
         "k = POS(0)\nPOS(0) = 0\nSUSPEND(0) = 0\nSUSPEND(0) = 1\nWAIT = 100\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
@@ -55,7 +61,10 @@ def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_agai
 
 
 def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
-    """At 0.6 s the slave stands at 10 and the 0.5 of its offset; from 0.7 s on it follows for 0.3 s at 20."""
+    """At 0.6 s the slave is at 10 and the 0.5 of its offset.
+
+    From 0.7 s on it follows for 0.3 s at 20.
+    """
     program = (
         f"{RATES}MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
     )
@@ -67,9 +76,10 @@ def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
 
 
 def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> None:
-    """At 40 on a radius of 20 it turns at 80; a MAXDECEL of 30 has sqrt(1/2) of it for each of turning and braking.
+    """At 40 on a radius of 20 the centripetal acceleration is 80.
 
-    So it brakes at 21.21 to a speed of sqrt(21.21 * 20), and both add up to at most sqrt(80² + 21.21²) until then.
+    A MAXDECEL of 30 has sqrt(1/2) of it each for the centripetal and the tangential one. So it brakes at
+    21.21 to a speed of sqrt(21.21 * 20), and both add up to at most sqrt(80² + 21.21²) until then.
     """
     arc = "CIRCLER(0, 1) = 20, 0, 360 : GO(0)\nWAIT = 1000\nMAXDECEL(1) = 30\nWAIT = 1000\nPRINT VELDEMANDPATH(0)\n"
     result = proved(f"SPEED(0) = 40 : ACCEL(0) = 100 : DECEL(0) = 100\n{arc}PAUSE IDLE(0)\n")
@@ -82,7 +92,7 @@ def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> N
 
 
 def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> None:
-    """The rest of the first segment takes the suspend time, 100 ms, and so do the three others."""
+    """The rest of the first segment takes the suspend time, 100 ms, like the others."""
     suspend = "SPLINE(0) = 0 : GO(0)\nWAIT = 40\nSUSPEND(0) = 1\nWAIT = 200\nSUSPEND(0) = 0\n"
     result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
     assert places(result, 0) == [40.0]
@@ -90,9 +100,10 @@ def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> 
 
 
 def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
-    """After 1 s, 18 of its 50, the speed becomes 0.1 of a new unit of 100 counts, which is 10 of the old ones.
+    """After 1 s, 18 of its 50, the speed becomes 0.1 of a new unit of 100 counts.
 
-    Braking to that takes 0.1 s and 1.5, the last ramp 0.1 s and 0.5, and the 30 between them 3 s.
+    That is 10 of the old ones. Braking to that takes 0.1 s and 1.5, the last ramp 0.1 s and 0.5, and the 30
+    between them 3 s.
     """
     line = (
         "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 1000\nSCALEFACTOR(0) = 100 : SPEED(0) = 0.1\nPAUSE IDLE(0)\n"
@@ -103,7 +114,7 @@ def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
 
 
 def stop_of(program: str) -> tuple[float, float]:
-    """Start time and duration of the profile of the stop of axis 1, and that its proof holds."""
+    """Return start and duration of the stop of axis 1, in a proved run."""
     result = proved(program, "mcl")
     axis = result.controller.axes[1]
     place = max(
@@ -113,10 +124,11 @@ def stop_of(program: str) -> tuple[float, float]:
 
 
 def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_own_ramp() -> None:
-    """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that: the acceleration grows by 1000 in 2/3 s.
+    """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that.
 
-    After 0.3 s it is 450 and falls in another 0.3 s, to twice the 67.5 counts/s of that moment. From 135 the axis stops
-    in 135/(5000 * 0.6) s. An SV written together with the ST changes nothing of that.
+    So the acceleration grows by 1000 in 2/3 s. After 0.3 s it is 450 and falls in another 0.3 s, to twice the
+    67.5 counts/s of that time. From 135 the axis stops in 135/(5000 * 0.6) s. An SV written together with the
+    ST changes nothing of that.
     """
     program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1SV100,1ST\n1WS\n"
     begin, duration = stop_of(program)
@@ -125,7 +137,7 @@ def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_ow
 
 
 def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
-    """DH as soon as ST: the flank of the stop, and all that follows it, are the rest of what was planned."""
+    """DH directly after ST: the flank of the stop and the rest are as planned."""
     program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST,WA0.1,1DH0\n1WS\n"
     begin, duration = stop_of(program)
     assert begin == pytest.approx(0.4, abs=1e-6)
@@ -133,7 +145,10 @@ def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
 
 
 def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
-    """It ends 300 from where it began, which is 1000 higher from then on; the other one of the path is at 400."""
+    """It ends 300 from its start, which is 1000 higher from then on.
+
+    The other is at 400.
+    """
     program = "MN,1CM1,2CM1,1PS0.3,1VV100,1VA100,1VD100\n1CP1,1MA300,2MA400,WA0.5,1TP,1DH1000,1WS\n"
     result = proved(program, "mcl")
     shift = 1000.0 - float(result.output[0].split()[1])
@@ -150,15 +165,19 @@ def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_fir
 
 
 def test_an_s_curve_takes_over_from_a_parabola_at_the_speed_that_it_leads_to() -> None:
-    """The parabola to 2000 takes 2 * 2000/500 = 8 s; left at 0.3 s, its flank still ends at 2000 and leaves no ramp."""
+    """The parabola to 2000 takes 2 * 2000/500 = 8 s.
+
+    Left at 0.3 s, its flank still ends at 2000 and leaves no ramp.
+    """
     result = proved("1MN,1SV2000,1SA500,1DS500,1PP\n1VM,1GO,WA0.313,1PS0.45,1GO,WA8,1TV\n1AB\n", "mcl")
     assert result.output == ["01 2000"]
 
 
 def test_a_cyclic_cam_goes_into_the_cycle_before_at_its_beginning() -> None:
-    """Backwards from the beginning the last segment goes 40 in 10 of the master, the one before it 15 in the other 5.
+    """Backwards from the beginning the last segment covers 40 in 10 of the master.
 
-    The slope changes from 2 to 4 there, which made a step of it when the master was a part of a cycle farther back.
+    The one before it covers 15 in the other 5. The slope changes from 2 to 4 there, which became a step if
+    the master was a fraction of a cycle farther back.
     """
     cam = "SCALEFACTOR(1) = 100 : MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\n"
     table = "Dim rise(4) As Float = 3, 20, 30, 40\nCAMTABLE(1, rise, NULL) : MASTERDISTANCE(1) = 10\n"
@@ -170,10 +189,11 @@ S_RAMPS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
 
 
 def test_a_jog_takes_over_from_a_spline_at_no_more_than_the_rate_of_the_axis() -> None:
-    """The cubic of 10 in 20 ms from rest to rest has an acceleration of 6 * 10/0.02² * (1 - 2 * 0.1) at 2 ms.
+    """The cubic of 10 in 20 ms from rest to rest has a high acceleration at 2 ms.
 
-    That is 120 000, which a jerk of 1000 takes back in two minutes, on the way to a velocity of 7 million. The jog
-    takes over the 100 of ACCEL, which take 0.1 s and add 5 to the velocity.
+    It is 6 * 10/0.02² * (1 - 2 * 0.1) = 120 000, which a jerk of 1000 reduces to zero in two minutes, on the
+    way to a velocity of 7 million. The jog takes over the 100 of ACCEL, which take 0.1 s and add 5 to the
+    velocity.
     """
     table = "Dim way(2) As Float = 1, 10\nDim slow(2) As Float = 1, 0\n"
     table += "SPLINETABLE(0, way, slow, NULL) : SPLINETIME(0) = 20\n"
@@ -184,19 +204,25 @@ def test_a_jog_takes_over_from_a_spline_at_no_more_than_the_rate_of_the_axis() -
 
 
 def test_a_jog_the_other_way_slows_down_by_an_s_ramp_at_once() -> None:
-    """It decelerates at 1215 all the way to rest: the speed of the jog holds from 12 on, not from the first moment."""
+    """It decelerates at 1215 all the way to rest: the jog's speed applies from 12 on."""
     move = "DECEL(0) = 1215\nMOVER(0) = 50 : GO(0)\nWAIT = 500\nINCA(0) = 0\nPROFILEMODE(0) = 1\n"
     proved(f"{RATES}{move}WAIT = 1\nJOG(0) = -12\nWAIT = 900\nCANCEL(0)\n")
 
 
 def test_a_move_with_the_room_of_a_stop_may_have_the_time_of_the_rounding_of_its_positions() -> None:
-    """5e-6 at another zero of 491: their difference is known to 6e-14, which takes 1.5e-8 s from rest at 1000."""
+    """5e-6 at another zero of 491: their difference is known to 6e-14.
+
+    That takes 1.5e-8 s from rest at 1000.
+    """
     learn = "1MN,1SV500,1SA10000,1DS1000,1PT\n1LP1,1MR-3,1MP1\n1DH491\n1WS0.05\n"
     proved(learn, "mcl")
 
 
 def test_a_stop_as_soon_as_a_ramp_of_pmc_has_begun_has_pieces_of_no_time() -> None:
-    """After 3 ns the velocity is 3e-12, and the flanks of the ramp to rest take less than the clock can tell."""
+    """After 3 ns the velocity is 3e-12.
+
+    The flanks of the ramp to rest take less than the resolution of the clock.
+    """
     result = proved("1MN,1SV500,1SA5000,1DS1000,1PS0.2\nWA4\n1VM,1DI0,1GO\n1VM,1GO,1IA20,1ST\n1WS0\n", "mcl")
     assert places(result, 1) == pytest.approx([0.0], abs=1e-9)
 
@@ -213,7 +239,8 @@ def test_paths_that_were_planned_into_each_other_stay_so_beside_a_lower_contoura
 def test_a_jog_goes_on_where_the_end_of_a_stop_leads_the_other_way() -> None:
     """A stop at a jerk of 1000 ends with 1 to go at an acceleration of sqrt(2 * 1000).
 
-    At a jerk of 500 that is taken back in twice the time, and leads to 1 the other way, from where the jog goes on.
+    At a jerk of 500 that takes twice the time to zero, and leads to 1 the other way, from where the jog
+    continues.
     """
     stop = "DECELJERK(0) = 1000\nJOG(0) = -20\nWAIT = 600\nJOG(0) = 0\nWAIT = 255\nDECELJERK(0) = 500\nJOG(0) = 20\n"
     result = proved(f"{RATES}{S_RAMPS}{stop}WAIT = 900\nCANCEL(0)\n")
@@ -225,9 +252,10 @@ def test_a_jog_goes_on_where_the_end_of_a_stop_leads_the_other_way() -> None:
 
 
 def test_a_cam_whose_table_was_rewritten_goes_back_by_the_cycle_that_it_is_in() -> None:
-    """A cycle of 20 by the first table, half of one of 30 by the second one; back by 15, and 15 of another 30.
+    """A cycle of 20 by the first table, half of one of 30 by the second one.
 
-    The master is then at 10 + 5 - 10; the slave is 20 + 15 - 30 from where it began.
+    Then it goes back by 15, and 15 of another 30. The master is then at 10 + 5 - 10; the slave is 20 + 15 -
+    30 from its start.
     """
     cam = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 10\n"
     tables = "Dim low(2) As Float = 1, 20\nDim high(2) As Float = 1, 30\nCAMTABLE(1, low, NULL)\n"
@@ -237,7 +265,10 @@ def test_a_cam_whose_table_was_rewritten_goes_back_by_the_cycle_that_it_is_in() 
 
 
 def test_a_blended_path_does_not_go_on_into_itself_once_contours_are_switched_on() -> None:
-    """CONTOURMODE is set while the first path runs: the second one is still 100 long, not 200 with itself ahead."""
+    """CONTOURMODE is set while the first path runs: the second one is still 100 long.
+
+    It is not 200 with itself ahead.
+    """
     modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\n"
     result = proved(
@@ -247,7 +278,7 @@ def test_a_blended_path_does_not_go_on_into_itself_once_contours_are_switched_on
 
 
 def test_a_position_that_is_written_and_taken_back_leaves_the_log_where_it_was() -> None:
-    """The shifts of 43 and -43 add up to none; between them the track counts from another zero than the log."""
+    """The shifts of 43 and -43 cancel; in between the zeros of track and log differ."""
     shear = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 40\nFLY(1) = 20 : GO(1)\n"
     result = proved(f"{RATES}{shear}POS(1) = 43\nWAIT = 20\nPOS(1) = 0\nWAIT = 20\n")
     assert places(result, 1) == [0.0]
@@ -257,7 +288,10 @@ CONTOUR = "MOVEBUFFERSIZE(0, 1) = 9; : CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 18
 
 
 def test_a_path_that_was_planned_ahead_keeps_the_shape_that_it_was_planned_with() -> None:
-    """Two lines of 50 at 20 with 100, as one: 100/20 + 20/100 s, though S-ramps are asked for after 0.5 s."""
+    """Two lines of 50 at 20 with 100, as one: 100/20 + 20/100 s.
+
+    S-ramps that are set after 0.5 s have no effect.
+    """
     lines = "VECTORR(0, 1) = 30, 40\nVECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 500\nPROFILEMODE(0) = 1\n"
     result = proved(f"{RATES}{CONTOUR}{lines}PAUSE IDLE(0)\n")
     assert places(result, 0, 1) == pytest.approx([60.0, 80.0])
@@ -265,7 +299,10 @@ def test_a_path_that_was_planned_ahead_keeps_the_shape_that_it_was_planned_with(
 
 
 def test_a_deceleration_that_comes_too_late_for_a_path_acts_on_those_ahead_of_it_no_more() -> None:
-    """At 20 and 100 it needs the last 2; with 2.5 left, 50 would need 4: it ends after 52/20 + 20/100 s."""
+    """At 20 and 100 it needs the last 2; with 2.5 left, 50 would need 4.
+
+    It ends after 52/20 + 20/100 s.
+    """
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nPAUSE POS(0) > 49.5\nDECEL(0) = 50\n"
     result = proved(f"{RATES}{CONTOUR}{lines}PAUSE IDLE(0)\n")
     assert places(result, 0) == [52.0]
@@ -273,7 +310,7 @@ def test_a_deceleration_that_comes_too_late_for_a_path_acts_on_those_ahead_of_it
 
 
 def test_a_stop_may_be_that_of_the_entry_before_one_that_begins_at_that_moment() -> None:
-    """FOLLOW 0 ends the following at rest, and the move that waited begins at once: 23/20 + 20/100 s."""
+    """FOLLOW 0 ends the following at rest, and the next move begins: 23/20 + 20/100 s."""
     program = "FOLLOW(1) = 3\nMOVEA(1) = -23\nGO(1)\nFOLLOW(1) = 0\nPAUSE IDLE(1)\n"
     result = proved(f"{RATES}{program}")
     assert [each.ended for each in result.controller.log.moves] == ["stop", ""]
@@ -281,7 +318,10 @@ def test_a_stop_may_be_that_of_the_entry_before_one_that_begins_at_that_moment()
 
 
 def test_a_fault_may_be_that_of_the_entry_after_one_that_ends_at_that_moment() -> None:
-    """The second segment of the shear leads over the limit of 0 when the master is at 3, after 0.2 + 1/20 s."""
+    """The second segment of the shear exceeds the limit of 0 with the master at 3.
+
+    That is after 0.2 + 1/20 s.
+    """
     shear = "MASTERDISTANCE(1) = 3 : FLY(1) = 0\nFLY(1) = 10 : GO(1)\n"
     drive = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nMOVER(0) = 30 : GO(0)\n"
     limit = "SOFTLIMITFORWARD(1) = 0 : SOFTLIMITREVERSE(1) = -5\nPAUSE IDLE(0)\nEnd\n"
@@ -292,9 +332,10 @@ def test_a_fault_may_be_that_of_the_entry_after_one_that_ends_at_that_moment() -
 
 
 def test_a_ramp_whose_acceleration_peaks_in_its_middle_begins_without_one() -> None:
-    """SRAMP 100: the acceleration grows for 8/586.683 s to 586.683 and falls as long, so the ramps take 4 of these.
+    """SRAMP 100: the acceleration grows for 8/586.683 s to 586.683 and falls as long.
 
-    Rounding had the peak a last digit behind the middle, and a constant acceleration of half of it came instead.
+    So the ramps take 4 of these. Rounding put the peak a last digit after the middle, which gave a constant
+    acceleration of half of it.
     """
     ramps = "SPEED(0) = 8 : ACCEL(0) = 586.683 : DECEL(0) = 586.683 : SRAMP(0) = 100\n"
     result = proved(f"{ramps}MOVEA(0) = -12 : GO(0)\nPAUSE IDLE(0)\n")
@@ -307,9 +348,10 @@ def test_a_ramp_whose_acceleration_peaks_in_its_middle_begins_without_one() -> N
 
 
 def test_a_corner_of_a_contour_may_be_taken_while_the_path_before_it_is_blended() -> None:
-    """The first 50 have 5 left after 0.2 + 43/20 s; the 2 and 10 behind them, as one, take 12/20 + 20/100 s.
+    """The first 50 have 5 left after 0.2 + 43/20 s; the others take 12/20 + 20/100 s.
 
-    The corner comes after 0.2 s, when the first path has 0.15 s to go: the velocities of both add up there.
+    They are 2 and 10, as one. The corner comes after 0.2 s, when the first path has 0.15 s to go: the
+    velocities of both add up there.
     """
     modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 2\nVECTORR(0, 1) = 10, 0\nGO(0)\n"
@@ -321,9 +363,9 @@ def test_a_corner_of_a_contour_may_be_taken_while_the_path_before_it_is_blended(
 
 
 def test_a_flank_that_leads_to_the_speed_is_followed_by_no_ramp() -> None:
-    """The parabola to 100 at 10 000 takes 20 ms, so 9500 are left after 1 ms; its flank ends at 100 but for rounding.
+    """The parabola to 100 at 10 000 takes 20 ms, so 9500 are left after 1 ms.
 
-    A sinusoidal ramp over that rounding had the whole 10 000.
+    Its flank ends at 100 within rounding. A sinusoidal ramp over that rounding had the complete 10 000.
     """
     result = proved("1MN,1SV100,1SA10000,1DS5000,1PP\n1VM,1GO,WA0.001,1PS0,1GO,WA1,1TV\n1AB\n", "mcl")
     assert result.output == ["01 100"]
@@ -333,9 +375,9 @@ def test_a_flank_that_leads_to_the_speed_is_followed_by_no_ramp() -> None:
 
 
 def test_a_slave_that_ramps_to_its_ratio_goes_on_so_at_another_zero() -> None:
-    """It ramps to 60 at 100. At 2, after 0.2 s, it is given the position 3; an ACCEL written just before has no effect.
+    """It ramps to 60 at 100. At 2, after 0.2 s, it is given the position 3.
 
-    One second after FOLLOW it has gone 60²/200 and 60 * 0.4.
+    An ACCEL written just before has no effect. One second after FOLLOW it has covered 60²/200 and 60 * 0.4.
     """
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOWMODE(1) = 1\nJOG(0) = 20\nWAIT = 500\n"
     shift = "FOLLOW(1) = 3\nWAIT = 200\nACCEL(1) = 50\nPOS(1) = 3\nWAIT = 800\nPRINT POS(1)\nCANCEL(0)\n"
@@ -343,9 +385,10 @@ def test_a_slave_that_ramps_to_its_ratio_goes_on_so_at_another_zero() -> None:
 
 
 def test_a_jog_may_be_faster_the_other_way_before_its_acceleration_is_taken_back() -> None:
-    """45 ms before its end a stop at a jerk of 1000 has 1.0125 to go and decelerates at 45.
+    """45 ms before its end a stop at a jerk of 1000 has 1.0125 to go.
 
-    At a jerk of 100 that is taken back in 0.45 s, and leads to 10.125 less: 9.1125 the other way, for a jog at 1.
+    It decelerates at 45. At a jerk of 100 that takes 0.45 s to zero, and leads to 10.125 less: 9.1125 the
+    other way, for a jog at 1.
     """
     stop = "DECELJERK(0) = 1000\nJOG(0) = 20\nWAIT = 600\nJOG(0) = 0\nWAIT = 255\nDECELJERK(0) = 100\nJOG(0) = 1\n"
     result = proved(f"{RATES}{S_RAMPS}{stop}WAIT = 1900\nPRINT VELDEMAND(0)\nCANCEL(0)\n")
@@ -355,9 +398,10 @@ def test_a_jog_may_be_faster_the_other_way_before_its_acceleration_is_taken_back
 
 
 def test_a_move_goes_on_from_where_an_acceleration_that_is_taken_back_turns_it_round() -> None:
-    """45 ms before its end a stop at a jerk of 1000 has -1.0125 to go; at a jerk of 100 it comes to 9.1125 in 0.45 s.
+    """45 ms before its end a stop at a jerk of 1000 has -1.0125 to go.
 
-    The move, at -12 + 45³/6e6 then, goes on from that velocity: it does not stop in between.
+    At a jerk of 100 it comes to 9.1125 in 0.45 s. The move, at -12 + 45³/6e6 then, continues from that
+    velocity: it does not stop in between.
     """
     there = "MOVER(0) = -50 : GO(0)\nWAIT = 600\nINCA(0) = 30\nWAIT = 255\nDECELJERK(0) = 100\nINCA(0) = 31\n"
     result = proved(f"{RATES}{S_RAMPS}{there}PAUSE IDLE(0)\n")
@@ -370,7 +414,7 @@ def test_a_move_goes_on_from_where_an_acceleration_that_is_taken_back_turns_it_r
 
 
 def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> None:
-    """It speeds up for 100 ms, comes to rest as long and 1 in all, and still waits as the run ends."""
+    """It speeds up for 100 ms, stops in as long, 1 in all, and still waits at the end."""
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 1\n"
     result = proved(
         f"{RATES}{tie}OFFSET(1) = 29 : GO(1)\nWAIT = 100\nSUSPEND(1) = 1\nWAIT = 500\n", until=0.7
@@ -382,7 +426,10 @@ def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> Non
 
 
 def test_a_path_that_a_change_comes_too_late_for_ends_as_it_was_planned() -> None:
-    """51 at 20 with 100; with 2.5 left a stop at 50 would need 4, and at S-ramps with a jerk of 1000 it needs 3."""
+    """51 at 20 with 100; with 2.5 left a stop at 50 would need 4.
+
+    S-ramps with a jerk of 1000 would need 3.
+    """
     lines = "VECTORR(0, 1) = 51, 0\nGO(0)\nPAUSE POS(0) > 48.5\n"
     for late in (
         "DECEL(0) = 50 : STOP(0)",
@@ -396,7 +443,10 @@ def test_a_path_that_a_change_comes_too_late_for_ends_as_it_was_planned() -> Non
 
 
 def test_a_hard_stop_of_a_path_keeps_the_limits_of_its_axes_unless_it_is_a_fault() -> None:
-    """From 20 at a MAXDECEL of 200 for 4/5 of the path it takes 20/250 s; a fault stops at ERRORDECEL in 20²/2000."""
+    """From 20 at a MAXDECEL of 200 for 4/5 of the path it takes 20/250 s.
+
+    A fault stops at ERRORDECEL in 20²/2000.
+    """
     path = "ERRORDECEL(0) = 1000 : MAXDECEL(1) = 200 : STOPMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\n"
     stopped = proved(f"{RATES}{path}WAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n")
     assert stopped.time == pytest.approx(1.0 + 20.0 / 250.0, abs=1e-6)
@@ -407,7 +457,10 @@ def test_a_hard_stop_of_a_path_keeps_the_limits_of_its_axes_unless_it_is_a_fault
 
 
 def test_two_blended_paths_may_both_stop_at_a_deceleration_that_was_just_lowered() -> None:
-    """The first 50 have 5 left after 0.2 + 43/20 s; 10 ms later it stops from 20 at 50, which takes 4 of the 4.8."""
+    """The first 50 have 5 left after 0.2 + 43/20 s.
+
+    10 ms later it stops from 20 at 50, which takes 4 of the 4.8.
+    """
     modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 2360\nDECEL(0) = 50\nSTOP(0)\n"
     result = proved(f"{RATES}{modes}{paths}PAUSE IDLE(0)\n")
@@ -416,7 +469,10 @@ def test_two_blended_paths_may_both_stop_at_a_deceleration_that_was_just_lowered
 
 
 def test_a_stop_that_takes_less_than_the_clock_can_tell_has_ended_at_once() -> None:
-    """After 10 µs of a jerk the master is at 1e-13 of the 4 of the shear: its slave stops from 4e-20 in 4e-23 s."""
+    """After 10 µs of a jerk the master is at 1e-13 of the 4 of the shear.
+
+    Its slave stops from 4e-20 in 4e-23 s.
+    """
     master = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 434\nMASTERDISTANCE(1) = 4 : FLY(1) = 8\n"
     result = proved(f"{master}JOG(0) = 40\nGO(1)\nVELREF(1) = 0\nWAIT = 100\nCANCEL(0)\n", statement=1e-5)
     stop = result.controller.log.moves[-1].profile
@@ -425,9 +481,9 @@ def test_a_stop_that_takes_less_than_the_clock_can_tell_has_ended_at_once() -> N
 
 
 def test_a_jog_may_take_over_a_last_digit_before_a_move_ends() -> None:
-    """MR leads to -5e-8 in 10 µs; MP takes it back in another 10 and from there to 0 in 20, when GO takes over.
+    """MR leads to -5e-8 in 10 µs; MP reverses it in another 10 and reaches 0 in 20.
 
-    The jog begins with what the rounding of the clock leaves of that move.
+    GO takes over then. The jog begins with the clock's rounding of the rest of that move.
     """
     program = "WA0.1\n1MN\n1SA1000,1DS1000\nWA0.1\nNO\n1LP1,1MR-1,1MP1\n1VM,1DI1,1GO,WA1\n1AB\n"
     _, back, jog, *_ = proved(program, "mcl", statement=1e-5).controller.log.moves
@@ -436,7 +492,7 @@ def test_a_jog_may_take_over_a_last_digit_before_a_move_ends() -> None:
 
 
 def test_a_path_of_no_length_is_under_way_for_as_long_as_it_is_suspended() -> None:
-    """The ABORT ends it after 50 ms; its entries were said to have taken no time."""
+    """The ABORT ends it after 50 ms; its entries were reported without a duration."""
     result = proved("SUSPEND(0) = 1\nVECTORR(0, 1) = 0, 0 : GO(0)\nWAIT = 50\nABORT\n")
     for entry in result.controller.log.moves:
         assert entry.ended == "fault"
@@ -445,7 +501,10 @@ def test_a_path_of_no_length_is_under_way_for_as_long_as_it_is_suspended() -> No
 
 
 def test_a_stop_goes_on_as_it_was_planned_after_a_suspension_and_a_new_speed() -> None:
-    """DECELTIME 200 at a SPEED of 20 is a rate of 100: the stop from 20 takes 0.2 s, whatever SPEED comes to be."""
+    """DECELTIME 200 at a SPEED of 20 is a rate of 100: the stop from 20 takes 0.2 s.
+
+    A later SPEED has no effect.
+    """
     stop = "DECELTIME(0) = 200\nJOG(0) = 20\nWAIT = 500\nSTOP(0)\nWAIT = 100\nSPEED(0) = 73\n"
     result = proved(f"{RATES}{stop}SUSPEND(0) = 1\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n")
     assert result.time == pytest.approx(0.5 + 0.2, abs=1e-6)
@@ -453,7 +512,7 @@ def test_a_stop_goes_on_as_it_was_planned_after_a_suspension_and_a_new_speed() -
 
 
 def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> None:
-    """A tie has no end of its own: the MA of the other task takes over when the master stands, after 1 + 1 s."""
+    """A tie is endless: the other task's MA takes over at the master's rest, 1 + 1 s."""
     rates = "1MN,2MN,1SV1000,1SA1000,1DS1000,2SV1000,2SA1000,2DS1000\n"
     result = proved(f"MD1,WA0.2,2MA-4\n{rates}1MR1000,GT1,2MR100,WA0.25,2SS-1,2SM1\n", "mcl")
     _, _, slave, _ = result.controller.log.moves
@@ -464,9 +523,10 @@ def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> N
 
 
 def test_an_offset_goes_on_from_the_velocity_at_which_a_suspension_ends() -> None:
-    """It speeds up to 10 in 100 ms and slows down to 5 in 50: 0.5 and 0.375, of 29. The rest goes on from 5 at once.
+    """It speeds up to 10 in 100 ms and slows down to 5 in 50: 0.5 and 0.375, of 29.
 
-    It takes 0.15 s and 1.875 up to 20, 0.2 s and 2 to rest, and between them the rest of the way at 20.
+    The rest continues from 5 at once. It takes 0.15 s and 1.875 up to 20, 0.2 s and 2 to rest, and between
+    them the remaining distance at 20.
     """
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 1\n"
     pause = "OFFSET(1) = 29 : GO(1)\nWAIT = 100\nSUSPEND(1) = 1\nWAIT = 50\nSUSPEND(1) = 0\nWAIT = 2000\n"
@@ -479,7 +539,7 @@ def test_an_offset_goes_on_from_the_velocity_at_which_a_suspension_ends() -> Non
 
 
 def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A controller that goes by the DECEL of the beginning stops at 100 where 50 are ordered, 41 before the end."""
+    """A controller with the first DECEL stops at 100 instead of 50, 41 before the end."""
     monkeypatch.setattr(feedrate, "_new_rates", lambda controller, axis: None)
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
@@ -488,7 +548,10 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
 
 
 def test_the_play_of_an_axis_is_looked_up_once_for_a_rest(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A jog at 1 is suspended and stands after 10 µs; a second later that is three stretches, not one a nanosecond."""
+    """A jog at 1 is suspended and rests after 10 µs.
+
+    A second later that is three stretches, not one every nanosecond.
+    """
     stretches, find = list[float](), Takeup._stretch
 
     def noted(play: Takeup, now: float) -> tuple[float, int]:
@@ -506,7 +569,7 @@ BUFFERS = "MOVEBUFFERSIZE(0, 1) = 9; :\n"
 
 
 def test_a_move_behind_a_refused_path_starts() -> None:
-    """The path is refused for the SPEED of axis 1; the 8 of axis 0 take 8/20 + 20/100 s."""
+    """The path is rejected for the SPEED of axis 1; axis 0 takes 8/20 + 20/100 s."""
     entries = "VECTORR(1, 0) = 5, 5 : MOVER(0) = 8 : SPEED(1) = 0\nGO(0, 1)\nPAUSE IDLE(0)\n"
     result = proved(f"{RATES}{entries}{HANDLER}")
     assert places(result, 0, 1) == [8.0, 0.0]
@@ -514,7 +577,10 @@ def test_a_move_behind_a_refused_path_starts() -> None:
 
 
 def test_a_move_that_is_refused_as_a_path_ends_calls_onerror() -> None:
-    """The path takes hypot(30, 40)/20 + 0.2 s; axis 0 stays there, axis 1 goes on by 8 in 8/20 + 20/100 s."""
+    """The path takes hypot(30, 40)/20 + 0.2 s.
+
+    Axis 0 stays there, axis 1 continues by 8 in 8/20 + 20/100 s.
+    """
     entries = "VECTORR(0, 1) = 30, 40 : MOVER(0) = 1 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 100\nSPEED(0) = 0\n"
     result = proved(f"{RATES}{BUFFERS}{entries}PAUSE IDLE(0) And IDLE(1)\n{HANDLER}")
     assert places(result, 0, 1) == [30.0, 48.0]
@@ -523,7 +589,10 @@ def test_a_move_that_is_refused_as_a_path_ends_calls_onerror() -> None:
 
 
 def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> None:
-    """The one before it takes 30/20 + 0.2 s; the blend would begin at 25, after 0.1 + 25/20 s. Axis 1 goes on by 8."""
+    """The one before it takes 30/20 + 0.2 s; the blend would begin at 25.
+
+    That is after 0.1 + 25/20 s. Axis 1 continues by 8.
+    """
     blend = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     entries = (
         "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 500\nSPEED(0) = 0\n"
@@ -535,7 +604,10 @@ def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> N
 
 
 def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
-    """SPEED 0 is refused in motion, whatever is written then: 60 at 20 with 100 take 60/20 + 20/100 s."""
+    """SPEED 0 is rejected in motion, like any later value.
+
+    60 at 20 with 100 take 60/20 + 20/100 s.
+    """
     paths = "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : GO(0)\nWAIT = 500\nSPEED(0) = 0\n"
     program = f"{RATES}{CONTOUR}{paths}FEEDRATEOVERRIDE(0) = 50\nPAUSE IDLE(0)\n{HANDLER}"
     result = proved(program)
@@ -544,7 +616,7 @@ def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
 
 
 def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None:
-    """Nothing moves, and the proof takes the second move for one that the end has come before."""
+    """Nothing moves, and for the proof the end has come before the second move."""
     program = "SPEED(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
     result = run(Source("found.mnt", program), machine={}, cache=False, prove=True)
     assert [each.code for each in result.diagnostics] == ["zero-speed"]
@@ -556,7 +628,7 @@ BLEND = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
 
 @pytest.mark.parametrize("between", ["MOVER(1) = 0", "VECTORR(1, 2) = 0, 0"])
 def test_paths_are_not_blended_over_an_entry_of_one_of_their_axes(between: str) -> None:
-    """Each 30 at 20 with 100: 30/20 + 20/100 s, and what is between them takes no time."""
+    """Each is 30 at 20 with 100: 30/20 + 20/100 s; the entry between takes no time."""
     paths = f"VECTORR(0, 1) = 30, 0\n{between}\nVECTORR(0, 1) = 0, 30\nGO(0, 1)\nPAUSE IDLE(0)\n"
     result = proved(RATES + BLEND + paths)
     assert places(result, 0, 1) == [30.0, 30.0]
@@ -573,7 +645,7 @@ def test_paths_that_are_joined_are_not_blended_if_blendmode_is_switched_on_meanw
 
 
 def test_a_path_that_keeps_its_speed_keeps_its_rates() -> None:
-    """Bit 0 of FEEDRATEMODE: DECELTIME counts for moves that are loaded later; 50 at 20 with 100."""
+    """Bit 0 of FEEDRATEMODE: DECELTIME applies to later moves; 50 at 20 with 100."""
     path = "FEEDRATEMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 100\nDECELTIME(0) = 2000\nPAUSE IDLE(0)\n"
     result = proved(RATES + path)
     assert result.time == pytest.approx(50.0 / 20.0 + 0.2)
@@ -581,9 +653,10 @@ def test_a_path_that_keeps_its_speed_keeps_its_rates() -> None:
 
 @pytest.mark.parametrize("ways", [(1.0,), (0.95, 0.05)])
 def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: tuple[float, ...]) -> None:
-    """At a jerk of 400 a ramp from 20 to 16 takes 0.2 s and 3.6, one from 16 to rest 0.4 s and 3.2, one to 20 4.4721.
+    """At a jerk of 400 a ramp from 20 to 16 takes 0.2 s and 3.6.
 
-    With 6.8 left at 20, after 2.4 s, SPEED 15 would need 3.913 and 2.905. One path or two that are joined: 3 s.
+    One from 16 to rest takes 0.4 s and 3.2, one from 20 4.4721. With 6.8 left at 20, after 2.4 s, SPEED 15
+    would need 3.913 and 2.905. One path or two that are joined: 3 s.
     """
     length = 20.0 * 2.4 - 20.0 * sqrt(20.0 / 400.0) + 6.8
     smooth = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
@@ -596,7 +669,7 @@ def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: 
 
 
 def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_suspension() -> None:
-    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2; a DECEL of 50 would need 4.
+    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2; a DECEL of 50 needs 4.
 
     The other 0.6 from rest, with 100 and 50, reach v² / 200 + v² / 100 = 0.6, and take v / 100 + v / 50.
     """
@@ -607,9 +680,10 @@ def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_susp
 
 
 def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_time() -> None:
-    """1000 at 20 with a jerk of 400 take 1000/20 + 2 * sqrt(20/400) s: 0.2 ms and 6e-10 are left after 50.447 s.
+    """1000 at 20 with a jerk of 400 take 1000/20 + 2 * sqrt(20/400) s.
 
-    The distance that is left is rounded as the 1000 are, which changes the time of a motion of its own by 2 ns.
+    So 0.2 ms and 6e-10 are left after 50.447 s. The remaining distance is rounded like the 1000, which
+    changes the time of a motion of its own by 2 ns.
     """
     smooth = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
     move = "MOVER(0) = 1000 : GO(0)\nWAIT = 50447\nPOS(0) = 0\nPAUSE IDLE(0)\n"
@@ -619,7 +693,10 @@ def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_
 
 
 def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
-    """The flank brings the axis to rest but for rounding, which is no ramp of its own; 1951/(10000 * 0.55) s follow."""
+    """The flank brings the axis to rest within rounding, without a further ramp.
+
+    1951/(10000 * 0.55) s follow.
+    """
     settings = "1MN,2MN,3MN\n1SV1951,1SA10000,1DS5267\n1PS0.45\n"
     source = Source("found.mcl", f"MD1,2PP,1MA-5\n{settings}MC1\n2ST,2WS0.05\n1VM,1DI0,1GO\n")
     result = run(source, machine={"controller.instruction_time": 1e-3}, cache=False, prove=True, until=2.0)
@@ -638,7 +715,7 @@ MOTOR = {
 
 
 def with_motor(program: str, suffix: str, axis: int) -> Run:
-    """A run whose `axis` has a motor that an output of its own turns."""
+    """Return a run whose `axis` has a motor driven by its own output."""
     machine = {name.format(axis): value for name, value in MOTOR.items()}
     result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=1.0)
     assert [each.message for each in result.proof().violations] == []
@@ -646,7 +723,7 @@ def with_motor(program: str, suffix: str, axis: int) -> Run:
 
 
 def test_contour_mode_ends_torque_mode() -> None:
-    """The centre lies 100 before the place where the motor has come to: the first axis goes 200 back, and returns."""
+    """The centre is 100 before the motor: the axis moves 200 back, and returns."""
     result = with_motor("1MN,2MN,1SQ1,1QM,WA0.1,1CM1,2CM1,1CP3,1CR-100,2CR0\n1WS,2WS\n", "mcl", 1)
     first, second = result.controller.log.moves
     assert first.profile is not None
@@ -668,7 +745,10 @@ def test_incr_counts_from_where_a_motor_under_a_torque_is() -> None:
 
 @pytest.mark.parametrize("tie", ["FLY(2) = 20 : GO(2)", "CAM(2) = 0 : GO(2)", "FOLLOW(2) = 0.125"])
 def test_a_slave_stays_where_the_demand_of_its_master_is_taken_to_the_motor(tie: str) -> None:
-    """At 10 of 40 a ratio that grows evenly has led to 10² / 80, and a cam of one segment or a gear of 1/8 as far."""
+    """At 10 of 40 a linear ratio has led to 10² / 80.
+
+    A cam of one segment or a gear of 1/8 has led as far.
+    """
     table = "Dim rise(2) As Float = 1, 5\nCAMTABLE(2, rise, NULL) : MASTERDISTANCE(2) = 40 : MASTERCHANNEL(2) = 0\n"
     drive = (
         "MOVER(0) = 10 : GO(0)\nPAUSE IDLE(0)\nDRIVEENABLE(0) = 0\nDRIVEENABLE(0) = 1\nPRINT POSDEMAND(0)\n"

@@ -1,4 +1,4 @@
-"""The checks of generated programs find what they are for."""
+"""The checks of generated programs detect violations."""
 
 from __future__ import annotations
 

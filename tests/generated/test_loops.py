@@ -1,4 +1,4 @@
-"""Range analysis leaves out only checks that never fail: random loops end as they do when every result is checked."""
+"""Range analysis omits only checks that never fail: random loops end equally."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from tests.generated.loops import Draw, outcome
 
 
 def test_an_overflow_in_a_loop_with_a_hole_is_found() -> None:
-    """3 * 900 000 000 is 2 700 000 000, more than 2 147 483 647; i = 2 is left out, i = 3 is not."""
+    """3 * 900 000 000 is 2 700 000 000, more than 2 147 483 647.
+
+    i = 2 is skipped, i = 3 is not.
+    """
     head = "Dim i As Integer, y As Integer\n"
     found = outcome(f"{head}For i = 0 To 3\n  If i <> 2 Then y = i * 900000000\nNext\nPRINT y\n")
     assert found["status"] == "fault"
@@ -18,7 +21,8 @@ def test_an_overflow_in_a_loop_with_a_hole_is_found() -> None:
     assert found["output"] == ["900000000"]
 
 
-# Loops whose y overflows, as far as i is what it can be: the value that does not fit, and what bounds it too tightly.
+# Loops whose y overflows, if i has its full range: the value that does not fit, and a wrong bound that is too
+# tight.
 OVERFLOWS: dict[str, tuple[str, int]] = {
     "a whole number above 2147483647 is a Float": ("x = 3000000000 + i : y = x", 3_000_000_000 - 3),
     "-1 & n is n": ("m = i & 2147483647 : y = m * 2", (2**31 - 3) * 2),

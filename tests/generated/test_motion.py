@@ -1,4 +1,7 @@
-"""Generated programs that move are proved, agree with their logs, and run the same twice: a slice of them."""
+"""Generated programs that move are proved, agree with logs, and are reproducible.
+
+This is a sample of them.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from motionlang.source import Source
 from tests.generated.checks import findings
 from tests.generated.motion import UNTIL, Generated, generate
 
-# Seeds of the slice in CI, and of a long run in batches.
+# Seeds of the sample in CI, and of a long run in batches.
 FIRST, SLICE, BATCHES, BATCH = 1, 200, 20, 1000
 
 
@@ -28,7 +31,10 @@ def test_programs_of_many_seeds_have_no_finding(batch: int) -> None:
 
 
 def test_a_run_may_end_while_two_blended_paths_come_to_rest() -> None:
-    """SPLINE is refused while STOP brakes both paths for 0.47 ms: both entries end after the run."""
+    """SPLINE is rejected while STOP brakes both paths for 0.47 ms.
+
+    Both entries end after the run.
+    """
     modes = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 15 : FEEDRATE(0) = 47\n"
     paths = "VECTORR(0, 1) = 60, -60\nVECTORR(0, 1) = 0, -60\nGO(0)\nWAIT = 1650\n"
     program = Generated(0, "mint", f"{modes}{paths}STOP(0)\nSPLINE(0) = 12\n", {})

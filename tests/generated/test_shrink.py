@@ -1,4 +1,4 @@
-"""A program with a finding is made as small as it can be."""
+"""Reduction of a program with a finding."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ PROGRAM = "SPEED(0) = 20 : ACCEL(0) = 100\nMOVER(0) = 30 : GO(0)\nWAIT = 100\nST
 
 
 def test_what_has_nothing_to_do_with_it_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The finding needs the move, its stop, and one setting of the machine; its figure may change."""
+    """The finding needs the move, its stop, and one setting of the machine.
+
+    Its figure may change.
+    """
 
     def findings(program: Generated) -> list[str]:
         has_it = "MOVER(0) = 30" in program.text and "STOP(0)" in program.text and "a" in program.machine

@@ -1,4 +1,4 @@
-"""Generated programs have every simulated word of both languages: a slice of them has no finding."""
+"""Generated programs have every simulated keyword of both languages: a sample."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tests.generated.draw import table
 from tests.generated.motion import generate
 from tests.generated.words import NEVER, examples, simulated, words
 
-# Seeds of the slice in CI, and of a long run in batches.
+# Seeds of the sample in CI, and of a long run in batches.
 FIRST, SLICE, BATCHES, BATCH = 1, 60, 20, 500
 
 
@@ -40,7 +40,7 @@ def test_words_are_counted_by_their_rows() -> None:
 
 
 def test_the_count_lists_the_rarest_first(capsys: pytest.CaptureFixture[str]) -> None:
-    """Every program of Mint sets SPEED; a word that twenty programs lack by chance has no reason."""
+    """Every program of Mint sets SPEED; a keyword missing from twenty has no reason."""
     count = sum(generate(seed, "words").language == "mint" for seed in range(1, 21))
     assert main(["20", "--family", "words", "--words"]) == 1
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]

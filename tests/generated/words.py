@@ -1,8 +1,8 @@
-"""Programs of every word of both languages: motion, and in the midst of it the examples of rows, varied.
+"""Programs of every keyword: motion, mixed with varied examples of the rows.
 
-Each row of the vocabulary has an example that runs. A program takes some of them, with other axes and other values
-within the range of the row, between the actions of the programs of motion. An example that declares or defines
-something ends its program, as two of them might define the same.
+Each row of the vocabulary has an example that runs. A program takes some of them, with other axes and other
+values within the range of the row, between the actions of the programs of motion. An example that declares or
+defines something ends its program, as two of them might define the same name.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _MOTOR: dict[str, object] = {
     "coulomb": 0.01, "amplifier_gain": 6.0,
 }  # fmt: skip
 
-# Simulated words that no program has, with the reason.
+# Simulated keywords that no program has, with the reason.
 NEVER: dict[str, dict[str, str]] = {
     "mint": {
         "Controller": "told as not simulated where it is used: no source says what a variable of the type does"
@@ -42,25 +42,25 @@ NEVER: dict[str, dict[str, str]] = {
 
 @cache
 def _spelled(language: str) -> dict[str, str]:
-    """The name of a row by its spellings, in lower case."""
+    """Return the name of a row by its spellings, in lower case."""
     rows = table(language).values()
     return {spelling.lower(): row.name for row in rows for spelling in (row.name, row.short) if spelling}
 
 
 def words(language: str, text: str) -> set[str]:
-    """The names of the rows whose words a program has."""
+    """Return the names of the rows whose keywords a program has."""
     found = _WORD[language].findall(_TEXT.sub("", text))
     return {_spelled(language)[word.lower()] for word in found if word.lower() in _spelled(language)}
 
 
 def simulated(language: str) -> set[str]:
-    """The names of the simulated rows."""
+    """Return the names of the simulated rows."""
     return {row.name for row in table(language).values() if row.simulated}
 
 
 @cache
 def examples(language: str) -> tuple[Keyword, ...]:
-    """The simulated rows that have an example."""
+    """Return the simulated rows that have an example."""
     return tuple(row for row in table(language).values() if row.simulated and row.example)
 
 
@@ -71,7 +71,7 @@ def _readings() -> tuple[str, ...]:
 
 
 def surroundings(draw: Draw, language: str) -> dict[str, object]:
-    """Inputs that change, an operator who answers, and now and then a motor that is simulated."""
+    """Return changing inputs, an operator, and sometimes a simulated motor."""
     machine: dict[str, object] = {}
     if draw.chance(0.5):
         machine["input"] = [
@@ -104,7 +104,7 @@ class MintWords(MintProgram):
         return self.draw.choice(rows)
 
     def _varied(self, line: str) -> str:
-        """The line with another value of its setting, most of the time."""
+        """Return the line with another value of its setting, most of the time."""
         found = _SETTING.match(line)
         row = table("mint").get(found[1]) if found is not None else None
         if found is None or row is None or self.draw.chance(0.3):
