@@ -1,4 +1,7 @@
-"""Random programs of Mint whose paths are blended, changed while they are, and ended in every way, each from a seed."""
+"""Random programs of Mint with blended paths, changed and ended in every manner.
+
+Each is from a seed.
+"""
 
 from __future__ import annotations
 
@@ -32,7 +35,10 @@ class _Choices(random.Random):
 
 
 def program(seed: int) -> str:
-    """Two to five lines and arcs of axes 0 and 1, up to five changes in motion, and an end."""
+    """Return two to five lines and arcs of axes 0 and 1, with changes and an end.
+
+    There are up to five changes in motion.
+    """
     r = _Choices(seed)
     lines = ["MOVEBUFFERSIZE(0) = 20 : MOVEBUFFERSIZE(1) = 20", *_settings(r)]
     lines += [_path(r) for _ in range(r.randrange(2, 6))]

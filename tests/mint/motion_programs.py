@@ -1,4 +1,4 @@
-"""Random programs of motion words: anything on anything, with values that fit and values that do not."""
+"""Random programs of motion keywords in any order, with valid and invalid values."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _LOADS = ("MOVER", "MOVEA", "VECTORR", "VECTORA", "CIRCLER", "HELIXR", "FLY", "C
 
 
 def program(seed: int) -> str:
-    """One program; a statement that fails is left, the next one tries its luck."""
+    """Return one program; a statement that fails is skipped."""
     random = Random(seed)
     lines = [
         "Dim c(5) As Float = 3, 10, 20, 5",

@@ -1,13 +1,13 @@
-"""Random programs that poll: one to three tasks, an event, subs, Goto; and a scenario that sets inputs now and then.
+"""Random polling programs: tasks, an event, subs, Goto, and a scenario of inputs.
 
-And some whose loop keeps what it reads.
+There are one to three tasks. Some have a loop that stores its readings.
 """
 
 from __future__ import annotations
 
 from random import Random
 
-# A cost of which no period is a multiple: at a tie, rounding decides which statement still comes first.
+# A duration of which no period is a multiple: at a tie, rounding decides the first statement.
 COST = 0.7310585e-5
 
 _HEAD = """\
@@ -47,7 +47,7 @@ _ACTS = (
     "FEEDRATEOVERRIDE(0) = 50", "STOP(0)", "MOVER(0) = 5 : GO(0)", "COMMS(1) = h",
     "Act(3)", "clock = 0", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
 )  # fmt: skip
-# With a second task, which they order about; and a semaphore.
+# With a second task, which they control; and a semaphore.
 _TASK_ACTS = (
     "TASKQUANTUM(T1) = 20", "TASKQUANTUM(T1) = 130", "TASKPRIORITY(T1) = 1", "TASKPRIORITY(T1) = 0",
     "TASKSUSPEND(T1)", "TASKRESUME(T1)", "Run T1", "End T1", "sem = 1", "sem = 0",
@@ -62,7 +62,7 @@ _LOOPS = (
 
 
 def program(seed: int) -> tuple[str, dict[str, object]]:
-    """A program and its machine."""
+    """Return a program and its machine."""
     random = Random(seed)
     tasks = random.choice((1, 1, 2, 2, 3))
     lines = [_HEAD]
@@ -101,7 +101,7 @@ def _loop(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
 
 
 def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
-    """Most of them look or repeat themselves; what acts does so a few times and never again."""
+    """Return statements that mostly read or repeat; actions happen a few times only."""
     out: list[str] = []
     for _ in range(random.randint(1, 4)):
         kind, condition = random.randrange(17), random.choice(_CONDITIONS)
@@ -140,7 +140,10 @@ _KEPT = (
 
 
 def keeping(seed: int) -> str:
-    """A program of two moves whose loop keeps counters, extremes and copies, some of which decide something."""
+    """Return a program of two moves whose loop keeps counters, extremes and copies.
+
+    Some of these decide a branch.
+    """
     random = Random(seed)
     distances = [random.choice((5, -8, 12, -3)) for _ in range(3)]
     lines = [

@@ -1,4 +1,7 @@
-"""Random programs that only compute: whole numbers, Floats, arrays, branches and loops that end."""
+"""Random programs that only compute: integers, Floats, arrays, branches and loops.
+
+They end.
+"""
 
 from __future__ import annotations
 
@@ -80,7 +83,7 @@ class Writer:
         self.emit(f"Until {self.condition()}")
 
     def guarded(self, kind: str) -> None:
-        """A body with a counter of its own, so that it ends whatever happens."""
+        """Write a body with a counter of its own, so that it always ends."""
         self.counters += 1
         counter = f"c{self.counters}"
         self.loops.append(kind)

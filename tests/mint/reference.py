@@ -1,7 +1,7 @@
-"""A second Mint, slow and plain: walks the tree, checks every operation, knows nothing of ranges.
+"""A second Mint, slow and plain: it walks the tree and checks every operation.
 
-Integers are Python ints that must fit 32 bits after every operation; Floats are Python floats, always. Whatever the
-compiler leaves out or holds otherwise must make no difference to what this one prints.
+It knows nothing of ranges. Integers are Python ints that must fit 32 bits after every operation; Floats are
+Python floats, always. Omissions and representations of the compiler must make no difference to its output.
 """
 
 from __future__ import annotations
@@ -24,7 +24,10 @@ class Leave(Exception):
 
 
 class Reference:
-    """Runs the parent task of a program that only computes; `printed` is what it printed, `trouble` how it ended."""
+    """Runs the parent task of a program that only computes.
+
+    `printed` is its output, `trouble` its end.
+    """
 
     def __init__(self, module: nodes.Module) -> None:
         self.types: dict[str, str] = {}

@@ -1,7 +1,8 @@
-"""Blended paths of Mint: every command that ends them, and the end of the run, shows in the report of each.
+"""Blended paths of Mint: ends by commands, and by the run, are in the report.
 
-At 0.5 s the first path has gone 4.5 at a speed of 10; the second one begins. At 0.55 s they have gone 5 and 0.125, the
-second one at a speed of 5. With rates of 100 they stop within 0.5 and 0.125, in 0.1 and 0.05 s.
+At 0.5 s the first path has covered 4.5 at a speed of 10; the second one begins. At 0.55 s they have covered 5
+and 0.125, the second one at a speed of 5. With rates of 100 they stop within 0.5 and 0.125, in 0.1 and 0.05
+s.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ WAIT = 500
 BLEND(0)
 WAIT = 50
 """
-# What the first path and the second one still do at a rate: distances and seconds.
+# The rest of the first path and of the second one at a rate: distances and seconds.
 AT_ONCE = (0.0, 0.0, 0.0, 0.0)
 AT_DECEL = (0.5, 0.1, 0.125, 0.05)
 AT_ERRORDECEL = (0.25, 0.05, 0.0625, 0.025)
@@ -54,7 +55,7 @@ def proved(text: str, until: float = 100.0) -> Run:
 
 
 def rows(result: Run) -> list[tuple[float, float, float, float]]:
-    """Where each path began and ended on axis 0 and on axis 1, and how long it took."""
+    """Return start and end of each path on axis 0 and on axis 1, and its duration."""
     moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
     return [
         (first["start"], first["end"], second["start"], second["end"])
@@ -81,7 +82,7 @@ def test_what_ends_a_blend_is_told_of_both_paths(way: str, how: str) -> None:
 
 
 def test_an_axis_that_a_path_does_not_move_goes_no_distance() -> None:
-    """The second path runs along axis 1 alone, whatever the sum of both rounds to on axis 0."""
+    """The second path runs along axis 1 alone, whatever the sum rounds to on axis 0."""
     result = run(Source("blend.mnt", PATHS.format(how="R", x=0) + "CANCEL(0)"), machine={}, cache=False)
     moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
     assert [move["end"] - move["start"] for move in moves if move["axis"] == 0][1:] == [0.0]
@@ -89,7 +90,7 @@ def test_an_axis_that_a_path_does_not_move_goes_no_distance() -> None:
 
 
 def test_the_end_of_the_run_cuts_both_paths() -> None:
-    """At 0.6 s they have gone 5.5 and 0.5."""
+    """At 0.6 s they have covered 5.5 and 0.5."""
     result = proved(PATHS.format(how="R", x=0) + "PAUSE IDLE(0)", until=0.6)
     assert rows(result) == [pytest.approx((0.0, 5.5, 0.0, 0.0)), pytest.approx((5.5, 5.5, 0.0, 0.5))]
     moves = build(result)["moves"]
@@ -97,7 +98,10 @@ def test_the_end_of_the_run_cuts_both_paths() -> None:
 
 
 def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
-    """0.02 s after the stop they have 0.32 and 0.045 left, at speeds of 8 and 3; at 0.07 s the second one stands."""
+    """0.02 s after the stop they have 0.32 and 0.045 left, at speeds of 8 and 3.
+
+    At 0.07 s the second one is at rest.
+    """
     words = (
         "VEL(0)",
         "VEL(1)",
@@ -142,7 +146,10 @@ def test_a_path_follows_on_when_the_one_between_is_cancelled(
 
 
 def consistent(seed: int) -> None:
-    """A random program is proved, at most two of its paths overlap, and its report and its axes agree."""
+    """Check that a random program is proved, with at most two overlapping paths.
+
+    Its report and its axes must agree.
+    """
     result = proved(program(seed), until=30.0)
     moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
     assert all(move["start_time"] + move["duration"] <= result.time + 1e-9 for move in moves)

@@ -1,7 +1,7 @@
-"""Limits, stops and suspends hold in every motion and in every order: programs with figures worked out by hand.
+"""Limits, stops and suspends apply in every motion and order, by hand arithmetic.
 
-Each axis runs at 50 with rates of 100 up and 200 down unless a program says otherwise. A statement takes 10 us, so
-places come out within 50 x 10 us of the round figure for every statement on the way.
+Each axis runs at 50 with rates of 100 up and 200 down unless a program sets others. A statement takes 10 us,
+so positions are within 50 x 10 us of the round figure for every statement on the way.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from motionlang.source import Source
 HEAD = "SPEED(0, 1) = 50; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 200;\n"
 HANDLER = "\nEnd\nEvent ONERROR\nEnd Event"
 TRAVEL: dict[str, object] = {"axis.0.travel": [-5.0, 50.0]}
-# Beyond the switch at 50 while it means nothing, then it means a stop at ERRORDECEL.
+# Beyond the switch at 50 while it has no function, then it causes a stop at ERRORDECEL.
 BEYOND = "LIMITMODE(0) = 0\nMOVEA(0) = 54\nGO(0)\nPause IDLE(0)\nLIMITMODE(0) = 3\n"
 
 
@@ -38,7 +38,7 @@ def place(result: Run, axis: int = 0) -> tuple[object, int]:
     ids=["jog", "incr", "slave", "speed reference"],
 )
 def test_a_motion_that_turns_into_an_active_switch_stops_at_the_turn(motion: str) -> None:
-    """From 54: 0.125 to speed, 0.75 at -5, 0.0625 to the turn."""
+    """From 54: 0.125 to speed, 0.75 at -5, 0.0625 to the reversal."""
     result = mint(f"{BEYOND}{motion}\nWAIT = 2000", TRAVEL)
     assert place(result) == (pytest.approx(54 - 0.125 - 0.75 - 0.0625, abs=1e-3), 4)
 
@@ -79,7 +79,7 @@ def test_a_switch_put_in_force_behind_a_moving_axis_acts_at_once() -> None:
 
 
 def test_a_limit_put_in_force_behind_a_path_stops_all_of_it() -> None:
-    """At 1 s the path to 60, 80 has done 50 - 12.5 = 37.5."""
+    """At 1 s the path to 60, 80 has covered 50 - 12.5 = 37.5."""
     result = mint("VECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\nSOFTLIMITFORWARD(1) = 10\nWAIT = 3000")
     assert place(result, 1) == (pytest.approx(30.0, abs=1e-2), 16)
     assert place(result, 0) == (pytest.approx(22.5, abs=1e-2), 0)
@@ -99,7 +99,7 @@ def test_an_axis_that_stands_on_its_switch_at_power_up_has_reached_it() -> None:
 
 
 def test_an_error_input_acts_when_its_mode_is_put_in_force() -> None:
-    """At 10 from 1.5 s on at 400: 14.5 gone, 0.125 to rest."""
+    """At 10 from 1.5 s on at 400: 14.5 covered, 0.125 to rest."""
     result = mint(
         "ERRORINPUTMODE(0) = 0\nERRORINPUT(0) = 2\nERRORDECEL(0) = 400\nJOG(0) = 10\nWAIT = 1500\n"
         "ERRORINPUTMODE(0) = 3\nWAIT = 500",
@@ -110,7 +110,7 @@ def test_an_error_input_acts_when_its_mode_is_put_in_force() -> None:
 
 @pytest.mark.parametrize("stop", ["STOP(0)", "STOP(1)", "STOP(0, 1)", "STOP(1, 0)"])
 def test_a_path_is_stopped_by_any_of_its_axes_alike(stop: str) -> None:
-    """37.5 gone and 50² / 800 to rest, of which axis 0 does 0.6."""
+    """37.5 covered and 50² / 800 to rest, of which axis 0 has 0.6."""
     result = mint(
         f"STOPMODE(0, 1) = 1;\nERRORDECEL(0, 1) = 400;\nVECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\n{stop}\nWAIT = 2000"
     )
@@ -138,7 +138,10 @@ FOLLOWING = "MASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nWAIT = 1000\n"
 
 
 def test_a_suspended_slave_keeps_its_offset_until_it_goes_on() -> None:
-    """9.5 behind the master's ramp, 0.25 to rest; then 10 of the offset, then 5 of the next one."""
+    """9.5 by the master's ramp, 0.25 to rest.
+
+    Then 10 of the offset, then 5 of the next one.
+    """
     result = mint(
         f"{FOLLOWING}SUSPEND(0) = 1\nWAIT = 500\nOFFSET(0) = 10\nGO(0)\nWAIT = 2000\nPRINT POS(0)\nSTOP(1)\n"
         "Pause IDLE(1)\nSUSPEND(0) = 0\nWAIT = 3000\nPRINT POS(0)\nOFFSET(0) = 5\nGO(0)\nWAIT = 3000\nPRINT POS(0)"
@@ -147,7 +150,10 @@ def test_a_suspended_slave_keeps_its_offset_until_it_goes_on() -> None:
 
 
 def test_an_offset_that_is_suspended_goes_on_where_it_was() -> None:
-    """The offset has done 0.5 in 0.1 s and is at 10, as the master is: 0.1 s to rest, half of the way each."""
+    """The offset has covered 0.5 in 0.1 s and is at 10, like the master.
+
+    Each stops in 0.1 s, half of the distance each.
+    """
     result = mint(
         f"{FOLLOWING}OFFSET(0) = 10\nGO(0)\nWAIT = 100\nSUSPEND(0) = 1\nWAIT = 2000\nPRINT POS(0)\nPRINT OFFSET(0)\n"
         "STOP(1)\nPause IDLE(1)\nSUSPEND(0) = 0\nWAIT = 3000\nPRINT POS(0)\nOFFSET(0) = 5\nGO(0)\nWAIT = 3000\n"
@@ -234,7 +240,7 @@ def test_what_waits_while_an_axis_homes_is_carried_out_when_it_is_home(text: str
 
 
 def test_what_waits_while_an_axis_follows_is_carried_out_when_it_does_no_longer() -> None:
-    """The slave is at 9.5 after 1 s, brakes over 0.25, and goes to 30."""
+    """The slave is at 9.5 after 1 s, brakes over 0.25, and moves to 30."""
     result = mint(
         "MOVEA(0) = 30\nMASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nGO(0)\nWAIT = 1000\nFOLLOW(0) = 0\n"
         "PAUSE IDLE(0)\nSTOP(1)"

@@ -1,4 +1,4 @@
-"""The names of controllers: however they are spelt, and which age of Mint they speak."""
+"""The names of controllers in any spelling, and their versions of Mint."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The manual of Mint by example: every page of tests/spec/mint runs and shows what it says.
+"""The manual of Mint by example: every page of tests/spec/mint runs as printed.
 
-A line that begins with `'| ` is a line of the machine file, `'> ` one that the terminal shows (`'>` alone an empty
-one), `'? ` a diagnostic: the line it is about and its message, `'! ` something that the run could not know.
+A line that begins with `'| ` is a line of the machine file, `'> ` one of the terminal's output (`'>` alone an
+empty one), `'? ` a diagnostic: its line and its message, `'! ` a fact that the run could not know.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ PAGES = pages()
 
 
 def said(text: str, mark: str) -> list[str]:
-    """What stands behind a mark, line by line."""
+    """Return the texts after a mark, line by line."""
     return [line[3:] for line in map(str.lstrip, text.split("\n")) if line.startswith(mark)]
 
 
-# Characters that a page shows as their signs.
+# Characters that a page shows as symbols.
 SIGNS = str.maketrans({"␛": "\x1b", "␍": "\r", "␇": "\a"})
 
 
@@ -51,7 +51,7 @@ def test_the_page_begins_with_what_it_is_about(name: str) -> None:
 
 
 def test_every_page_is_in_a_chapter() -> None:
-    """A new page: its name goes into CHAPTERS of tests/mint_manual.py."""
+    """Add the name of a new page to CHAPTERS of tests/mint_manual.py."""
     listed = " ".join(CHAPTERS.values()).split()
     assert sorted(listed) == PAGES
 
@@ -65,12 +65,12 @@ NOT_CODE = re.compile(r"\"[^\"\n]*\"|`[^`\n]*`|'.*|(?<=\bREM)\b.*", re.IGNORECAS
 
 
 def used() -> set[str]:
-    """Every word that some page's code has, in small letters."""
+    """Return every keyword in the code of some page, in lower case."""
     code = (NOT_CODE.sub(" ", page(name).read_text(encoding="utf-8")) for name in PAGES)
     return {word.lower() for text in code for word in re.findall(r"\w+", text)}
 
 
-# A variable of this type can be declared, but not used: its row says what is known.
+# A variable of this type can be declared, but not used, as its row states.
 NO_PAGE = {"Controller"}
 
 

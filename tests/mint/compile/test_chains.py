@@ -1,4 +1,7 @@
-"""Chains are no nesting: thousands of terms, conditions or statements run as few do; brackets remain limited."""
+"""Chains do not nest: thousands of terms, conditions or statements run like a few.
+
+Brackets are still limited.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ from motionlang.source import Source
 
 LENGTH = 3000
 HEAD = "Dim a As Integer, f As Float\n"
-# A condition that is true by its last part alone, and one that its last part alone makes false.
+# A condition that is true by its last operand alone, and one that is false by it alone.
 ANY = " Or ".join([*(f"a = {n}" for n in range(1, LENGTH)), "a = 0"])
 ALL = " And ".join([*(f"a <> {n}" for n in range(1, LENGTH)), "a <> 0"])
 
@@ -21,7 +24,7 @@ CHAINS = {
     "constants": ("PRINT 1" + " + 1" * LENGTH, "3001"),
     "integers": ("a = 1 : PRINT a" + " + a" * LENGTH, "3001"),
     "floats": ("f = 0.5 : PRINT f" + " - f" * LENGTH, "-1499.5000"),
-    # 1 / 3 / 3 … * 3 * 3 …, which brackets anywhere else would not bring back to 1.
+    # 1 / 3 / 3 … * 3 * 3 …, which other brackets would not bring back to 1.
     "products": ("f = 3 : PRINT 1" + " / f" * 600 + " * f" * 600, "1.0000"),
     "tight and loose": ("a = 3 : PRINT 1" + " + a * a - 8" * LENGTH, "3001"),
     "bits": ("a = 7 : PRINT a" + " & a" * LENGTH + " | 8", "15"),
@@ -61,7 +64,7 @@ def test_a_chain_of_thousands(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["floats", "tight and loose", "Or", "While", "PRINT"])
 def test_a_chain_does_not_depend_on_the_room_that_python_has(name: str) -> None:
-    """Called from deep inside, and with Python's limit raised, it is the same run."""
+    """Called from deep inside, and with a higher limit of Python, the run is equal."""
     text, shown = CHAINS[name]
 
     def deep(frames: int) -> list[str]:
@@ -78,13 +81,16 @@ def test_a_chain_does_not_depend_on_the_room_that_python_has(name: str) -> None:
 
 @pytest.mark.parametrize("count", [49, 50, 51, 52, 100, 101, 102, 151])
 def test_a_chain_is_worked_out_from_the_left(count: int) -> None:
-    """Around the length from which operations are taken in groups: rounding and overflow are those of each step."""
+    """Near the length at which operations are grouped, each step rounds as before.
+
+    The same applies to overflow.
+    """
     terms = [f"{n % 7}.1" for n in range(count)]
     expected = 0.1
     for term in terms:
         expected += float(term)
     assert expected != fsum([0.1, *map(float, terms)])
-    wide = " " * 400  # a text without long lines is not looked at
+    wide = " " * 400  # a text without long lines is not scanned
     chain = "".join(f" + {term}" for term in terms)
     shown = f"PRINT f = {expected!r}, f = {nextafter(expected, 0.0)!r}"
     assert ran(f"f = 0.1\nf = f{chain}{wide}\n{shown}").output == ["10"]
@@ -97,12 +103,15 @@ def test_what_is_nested_is_limited_as_before(opening: str) -> None:
     closing = ")" if "(" in opening else ""
     assert ran(f"a = {opening * 60}1{closing * 60}").status == "ended"
     made = ran(f"a = {opening * 1000}1{closing * 1000}")
-    if opening != "(":  # brackets around brackets leave nothing in the tree
+    if opening != "(":  # brackets around brackets leave no trace in the tree
         assert [each.message for each in made.diagnostics] == ["the expression is nested more than 200 deep"]
 
 
 def chosen(count: int, branch: int, between: str = "") -> str:
-    """A chain of `count` branches of an If, of which one is taken; each other would print something else."""
+    """Return a chain of `count` branches of an If, of which one is taken.
+
+    Each other one would print another text.
+    """
     branches = "".join(f"ElseIf a = {n} Then\nPRINT {n}\n{between}" for n in range(1, count))
     return f"a = {branch}\nIf a = 0 Then\nPRINT 0\n{branches}Else\nPRINT -1\nEnd If\n"
 
@@ -111,7 +120,10 @@ def chosen(count: int, branch: int, between: str = "") -> str:
     ("count", "branch"), [(3, 2), (101, 100), (102, 101), (103, 102), (103, 103), (LENGTH, 2999)]
 )
 def test_a_chain_of_elseif_is_no_nesting(count: int, branch: int) -> None:
-    """A statement costs 10 µs, and each test is one: with the assignment and the PRINT `tests + 2` of them."""
+    """A statement takes 10 µs, and each test is one: in all `tests + 2` of them.
+
+    The others are the assignment and the PRINT.
+    """
     made = ran(chosen(count, branch))
     assert (made.status, made.output) == ("ended", [str(branch) if branch < count else "-1"])
     tests = min(branch + 1, count)
@@ -120,7 +132,10 @@ def test_a_chain_of_elseif_is_no_nesting(count: int, branch: int) -> None:
 
 @pytest.mark.parametrize("count", [5, 150])
 def test_what_leaves_a_chain_of_elseif(count: int) -> None:
-    """An Exit of the loop, of the Select and of the function around it, and a jump, whether it is long or not."""
+    """An Exit of the loop, the Select or the function around it, and a jump leave it.
+
+    The jump may be long.
+    """
     loop = f"For f = 1 To 9\n{chosen(count, count - 1, 'If f = 3 Then Exit For' + chr(10))}Next\nPRINT f"
     assert ran(loop).output == [str(count - 1)] * 3 + ["3.0000"]
     bare = f"Loop\n{chosen(count, count - 1, 'Exit' + chr(10))}End Loop\nPRINT 7"

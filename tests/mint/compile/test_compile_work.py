@@ -1,4 +1,4 @@
-"""Compiling a program with twice as many labels or jumps is twice the work, counted in calls."""
+"""Compilation work is linear in the number of labels or jumps, counted in calls."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def in_blocks(count: int) -> str:
 
 
 def back_to_few_labels(count: int) -> str:
-    """Every jump makes a turn that is watched, as there are few labels."""
+    """Every jump makes an iteration that is checked, because there are few labels."""
     turns = "n = n + 1\nIf n > 5 Then Goto l0\n" * (count // 20)
     return "".join(f"#l{i}\n{turns}" for i in range(20))
 
@@ -59,6 +59,6 @@ def calls_to_compile(text: str) -> int:
 @pytest.mark.parametrize("write", [labels, handler, jumps, subroutines, in_blocks, back_to_few_labels])
 def test_twice_the_labels_are_twice_the_work(write: object) -> None:
     assert callable(write)
-    calls_to_compile(write(40))  # what is imported or remembered is there from now on
+    calls_to_compile(write(40))  # imports and caches are complete after this
     once, twice = calls_to_compile(write(400)), calls_to_compile(write(800))
     assert twice < 2.2 * once

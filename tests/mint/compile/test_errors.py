@@ -1,4 +1,4 @@
-"""Broken programs under tests/errors/mint, and the whole of what is said about each, beside it in a `.txt`."""
+"""Invalid programs under tests/errors/mint, with all diagnostics in a `.txt`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ BROKEN = sorted((Path(__file__).parents[2] / "errors" / "mint").glob("*.mnt"))
 
 
 def told(path: Path) -> str:
-    """What was printed until then, and every message."""
+    """Return the output until the error, and every message."""
     source = Source.read(path)
     result = run(source, cache=False, until=3600.0)
     shown = [f"{line}\n" for line in result.output]

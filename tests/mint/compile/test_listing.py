@@ -38,7 +38,7 @@ GALLERY = sorted((Path(__file__).parents[3] / "scripts" / "mint").glob("*.mnt"))
 
 
 def executed(text: str) -> str:
-    """The code of units as a tree, with which neither comments nor line breaks are kept."""
+    """Return the code of units as a tree, without comments and line breaks."""
     return ast.dump(ast.parse(f"def _():\n{text}"))
 
 
@@ -55,7 +55,7 @@ def test_the_code_is_what_runs_from_the_cache(
     program = run(source, fast=fast).program
     assert isinstance(program, MintProgram)
     (cached,) = program.code.units
-    assert cached.text == ""  # the cache has no text of what is compiled
+    assert cached.text == ""  # the cache has no text of the compiled code
     listing = DIALECT.listing(source, {}, {}, accelerators(fast).ranges)
     text = "\n".join(code for _, code, _ in listing.lines)
     assert Unit(cached.names, text, cached.before, cached.cells).compile() == cached.compile()

@@ -1,4 +1,4 @@
-"""Programs with mistakes of every kind: a diagnostic, never a traceback, never a hang."""
+"""Programs with errors of every kind: a diagnostic, never a traceback or a hang."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _OPERATORS = ("+", "-", "*", "/", "\\", "=", "<", "&", "^")
 
 
 def kind_of(piece: str) -> str:
-    """What may stand where a piece stands without breaking the grammar, mostly."""
+    """Return the kind of tokens that may mostly replace a token."""
     if piece[0].isdigit():
         return "number"
     if piece[0].isalpha():
@@ -37,7 +37,10 @@ _CONTROL = {row.name.lower() for row in ROWS}
 
 
 def mutated(random: Random) -> str:
-    """A program of the manual with names, numbers and operators exchanged, at times a piece dropped or added."""
+    """Return a program of the manual with names, numbers and operators exchanged.
+
+    Sometimes a token is dropped or added.
+    """
     pieces = _PIECES.findall(random.choice(PROGRAMS))
     names = [
         p for p in _PIECES.findall(random.choice(PROGRAMS)) if p[0].isalpha() and p.lower() not in _CONTROL

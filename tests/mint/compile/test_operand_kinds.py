@@ -1,4 +1,4 @@
-"""Every operator takes every kind of number, comparisons among them, and gives the type and value it should."""
+"""Operators take every kind of number, comparisons included, with right results."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ TEXT = "PRINT Str({whole})\n"
 
 
 def outcome(text: str) -> tuple[list[str], bool] | None:
-    """What a program printed, and whether it came to its end; None where it is refused before it runs."""
+    """Return a program's output, and if it completed; None if it is rejected."""
     try:
         result = run(Source("a.mnt", text), cache=False)
     except ProgramError:
@@ -89,7 +89,7 @@ def test_operators_and_operands(op: str) -> None:
 
 @pytest.mark.parametrize("whole", ["n > 1", "Not n", '"a" = "b"', "s", "(n > 1)", "IIf(n > 0, n > 1, n > 2)"])
 def test_a_truth_is_the_integer_1_or_0(whole: str) -> None:
-    """It is shown as one, made a text as one, and divided as one."""
+    """It is printed, converted to text, and divided as a number."""
     text = (
         f"Dim n As Integer, s As Semaphore\nn = 2\nPRINT {whole}\nPRINT Str({whole})\nPRINT ({whole}) Mod n"
     )
@@ -107,7 +107,7 @@ def test_a_comparison_in_a_condition_stays_as_it_is() -> None:
     assert "1 if" not in text
 
 
-# The same condition in Mint and in Python, whose And, Or and Not bind alike.
+# Equal conditions in Mint and in Python, whose And, Or and Not bind equally.
 GROUPED = {
     "a And (b Or c)": "a and (b or c)",
     "(a Or b) And c": "(a or b) and c",

@@ -1,4 +1,4 @@
-"""What a compiled program knows of its text: blocks and lines, as they are where the text is read again."""
+"""The stored outline of a compiled program equals that of the text."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Long programs are cut into parts, and compiled as they are called: nobody can tell from what they do.
+"""Long programs are split, and compiled on demand, without a visible difference.
 
-Every page and every script is run as it is, and again with parts of a few lines, each compiled at its first call: the
-reports are the same to the last digit of every time.
+Every page and every script is run normally, and again in chunks of a few lines, each compiled at its first
+call: the reports are equal to the last digit of every time.
 """
 
 from __future__ import annotations
@@ -27,12 +27,15 @@ PROGRAMS = sorted(
     for folder in ("scripts/mint", "tests/spec/mint", "tests/spec/mint/machine", "tests/errors/mint")
     for path in (ROOT / folder).glob("*.mnt")
 )
-# Most of their time is a motor's, whose program is short.
+# They spend most of their time on a motor; their programs are short.
 MOTORS = {"torque", "wrapped_compare"}
 
 
 def machine_of(path: Path) -> dict[str, object]:
-    """The machine of a page: in a file beside it, in the file of a script, or in its own comments."""
+    """Return the machine of a page: from a file, or from its own comments.
+
+    The file is next to it, or that of a script.
+    """
     for beside in (path.with_suffix(".toml"), path.with_suffix(".machine.toml")):
         if beside.exists():
             return read_machine(Source.read(beside))
@@ -64,7 +67,7 @@ def test_parts_change_nothing(path: Path, monkeypatch: pytest.MonkeyPatch) -> No
 
 @pytest.mark.parametrize("cut", [False, True], ids=["whole", "in parts"])
 def test_every_line_names_the_variables_that_are_shared(cut: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """One that a line does not name would be a global of the generated code, and another variable."""
+    """A variable that a line does not name would be a different generated global."""
     if cut:
         short_parts(monkeypatch)
     for path in PROGRAMS:
@@ -210,7 +213,7 @@ def nested(count: int, leaf: str) -> str:
     return "While x < 3\n" * count + leaf + "\n" + "Exit\nEnd While\n" * count
 
 
-# More loops within one another than CPython takes, and what the program prints.
+# More nested loops than CPython allows, and the output of the program.
 DEEP = {
     "counted": (
         "For i = 1 To 1\n" * 60 + "x = x + 1\n" + "Next\n" * 60 + "Print x",

@@ -1,4 +1,7 @@
-"""Cam boxes, whatever the axis does: the output is on exactly where the table says, as often as the program looks."""
+"""Cam boxes in any motion: the output is on exactly where the table states.
+
+A program checks it often.
+"""
 
 from __future__ import annotations
 
@@ -40,7 +43,7 @@ STEPS = st.lists(
 
 
 def looked(places: list[int], steps: list[str], setup: str, scale: float) -> list[tuple[float, int]]:
-    """What POS and the output were after each step and a while."""
+    """Return POS and the output after each step and a while."""
     table = ", ".join(map(str, (len(places), *places)))
     lines = [
         f"Dim p({len(places) + 1}) As Float = {table}",
@@ -51,7 +54,7 @@ def looked(places: list[int], steps: list[str], setup: str, scale: float) -> lis
     for n, step in enumerate(steps):
         lines += [step, f"WAIT = {37 + 61 * n}", 'PRINT POS(0) Using 1, 6, " ", OUTX(5)']
     lines += ["End", "Event ONERROR", " ERRORCLEAR(0, 0)", "End Event"]
-    # An axis that still jogs when the program has ended would turn on until the shift is over.
+    # An axis that still jogs at the end of the program would go on until the shift is over.
     result = run(Source("box.mnt", "\n".join(lines)), cache=False, until=10.0)
     assert not result.diagnostics
     return [(float(line.split()[0]), int(line.split()[1])) for line in result.output]

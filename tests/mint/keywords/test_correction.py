@@ -1,4 +1,4 @@
-"""What corrects a move, what lies on top of another motion, and the unit of time."""
+"""Corrections of a move, superposed motion, and the unit of time."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def ran(text: str, until: float = 20.0) -> Run:
 
 
 def offset_of(result: Run) -> Any:
-    """The row of the report about the offset."""
+    """Return the row of the report about the offset."""
     moves: Any = result.report["moves"]
     return next(row for row in moves if row["command"] == "OFFSET")
 
@@ -54,7 +54,10 @@ def test_at_rest_there_is_nothing_to_correct() -> None:
 
 
 def test_speeds_may_be_a_minute() -> None:
-    """600 a minute are 10 a second, 36000 a minute² 10 a second²: 1 s up, 1 s at speed, 1 s down."""
+    """600 per minute are 10 per second, 36000 per minute² 10 per second².
+
+    So it takes 1 s up, 1 s at speed, 1 s down.
+    """
     result = ran(
         "TIMESCALE(0) = 60\nSPEED(0) = 600 : ACCEL(0) = 36000 : DECEL(0) = 36000\n"
         "MOVER(0) = 20\nGO(0)\nWAIT = 1500\nPRINT VEL(0)"
@@ -82,7 +85,7 @@ def test_jogs_and_references_too_and_through_a_new_scale() -> None:
 
 
 def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:
-    """10 at 20 and 100: 0.2 + 0.3 + 0.2 s, counted from where the slave would else be."""
+    """10 at 20 and 100: 0.2 + 0.3 + 0.2 s, counted from the slave's base position."""
     result = ran(SLAVE + "OFFSET(1) = 10\nGO(1)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)")
     row = offset_of(result)
     assert (row["axis"], row["line"], row["start"], row["end"]) == (1, 7, 0.0, 10.0)

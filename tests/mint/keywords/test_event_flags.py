@@ -1,4 +1,4 @@
-"""Handlers of events that nothing of the simulated machine raises are accepted, and said to be so."""
+"""Handlers of events that the simulated machine never raises give a message."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""docs/fidelity.md names every simulated word of Mint that rests on memory."""
+"""docs/fidelity.md lists every simulated keyword of Mint that depends on memory."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")
 
 
 def mint() -> str:
-    """The chapters that are about Mint, in small letters."""
+    """Return the chapters about Mint, in lower case."""
     chapters = PAGE.split("\n## ")[1:]
     return "\n".join(chapter for chapter in chapters if chapter.startswith(CHAPTERS)).lower()
 
 
 def test_what_rests_on_memory_is_listed() -> None:
-    """By its name, or by the beginning of it and an ellipsis, such as LATCH…"""
+    """It has its name, or its beginning and an ellipsis, such as LATCH…"""
     text = mint()
     words = set(re.findall(r"\w+", text))
     stems = tuple(re.findall(r"(\w{3,})…", text))

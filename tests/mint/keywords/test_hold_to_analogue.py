@@ -1,4 +1,4 @@
-"""HTA: an axis against a sensor whose value rises with its position, to the recurrence of its law."""
+"""HTA: control of an axis by a sensor with a rising value, against its recurrence."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from motionlang.source import Source
 
 PERIOD = 1e-3
 RATES = "SPEED(0) = 1e5 : ACCEL(0) = 1e8 : DECEL(0) = 1e8\nHTACHANNEL(0) = 2\n"
-# A sensor of 2 percent a unit from position 0 on.
+# A sensor of 2 percent per unit from position 0 on.
 SENSOR = [{"channel": 2, "axis": 0, "above": 0.0, "value": 0.0, "per_unit": 2.0}]
 
 
@@ -21,7 +21,7 @@ def ran(text: str, sensor: list[dict[str, float]] | None = None, until: float = 
 
 
 def at_ticks(result: Run, count: int) -> list[float]:
-    """Positions at the ticks from the first at which the axis was told anything."""
+    """Return positions at the ticks from the first command of the axis on."""
     a = result.controller.axes[0]
     first = a.starts[2]
     return [a.position(first + k * PERIOD) for k in range(count)]
@@ -30,7 +30,10 @@ def at_ticks(result: Run, count: int) -> list[float]:
 def law(
     wanted: float, kp: float, kd: float = 0.0, ki: float = 0.0, per_unit: float = 2.0, n: int = 200
 ) -> list[float]:
-    """x' = x + T (v + v')/2, v' = kp e + kd (e - e_before) + ki sum(e), e = wanted - per_unit x."""
+    """Return the positions of the control law.
+
+    x' = x + T (v + v')/2, v' = kp e + kd (e - e_before) + ki sum(e), e = wanted - per_unit x.
+    """
     x = v = total = 0.0
     before = None
     places = []
@@ -45,7 +48,10 @@ def law(
 
 
 def test_proportional_holding_has_a_closed_form() -> None:
-    """e'' = (1 - a) e' - a e with a = slope gain T/2: two roots, of which the larger one is the time constant."""
+    """e'' = (1 - a) e' - a e with a = slope gain T/2.
+
+    Of its two roots the larger one is the time constant.
+    """
     result = ran(RATES + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2), VEL(0)\nSTOP(0)")
     a = 2.0 * 10.0 * PERIOD / 2.0
     root = ((1 - a) ** 2 - 4 * a) ** 0.5
@@ -81,7 +87,7 @@ def test_within_the_dead_band_it_stands() -> None:
 
 
 def test_it_keeps_to_speed_and_acceleration() -> None:
-    """50 at 200: 0.25 s, 6.25 units up; the gain would ask for 400."""
+    """50 at 200: 0.25 s, 6.25 units up; the gain alone would give 400."""
     text = "SPEED(0) = 50 : ACCEL(0) = 200 : DECEL(0) = 200\nHTACHANNEL(0) = 2 : HTAKPROP(0) = 10\n"
     result = ran(text + "HTA(0) = 40\nWAIT = 2000\nSTOP(0)")
     a = result.controller.axes[0]
@@ -100,7 +106,7 @@ def test_a_new_value_and_a_filter() -> None:
 
 
 def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes() -> None:
-    """A pulse of 30 percent: -30 a second for 100 ms, with ramps of a tick."""
+    """A pulse of 30 percent: -30 per second for 100 ms, with ramps of a tick."""
     pulse = [{"channel": 2, "at": 1.0, "for": 0.1, "value": 30.0}]
     result = ran(RATES + "HTAKPROP(0) = 1\nHTA(0) = 0\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)", pulse)
     assert result.output == ["0.0000"]
@@ -115,7 +121,10 @@ def test_the_gain_is_zero_until_it_is_written() -> None:
 
 
 def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
-    """Nothing but the integral: 40 percent for 100 ms are 4000; then the gain is written, or it is in the band."""
+    """With the integral only, 40 percent for 100 ms are 4000.
+
+    Then the gain is written, or it enters the band.
+    """
     pulse = [{"channel": 2, "at": 0.0, "value": 0.0}, {"channel": 2, "at": 0.1, "value": 39.0}]
     head = RATES + "HTAKINT(0) = 0.01\nHTA(0) = 40\nWAIT = 99\nPRINT Abs(VEL(0) - 40) < 1.5\n"
     written = ran(head + "HTAKINT(0) = 0.01\nWAIT = 2\nPRINT VEL(0) < 2\nSTOP(0)", pulse)
@@ -128,7 +137,7 @@ def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
 
 @pytest.mark.parametrize(("range_", "counts"), [(0, 20.48), (1, 40.96)])
 def test_the_dead_band_is_in_counts_of_the_converter(range_: int, counts: float) -> None:
-    """12 bits are -100 to 100 percent, or 0 to 100: a dead band of 50 is 2.4 or 1.2 percent."""
+    """12 bits are -100 to 100 percent, or 0 to 100: 50 is 2.4 or 1.2 percent."""
     text = RATES + f"ADCMODE(2) = {range_} : HTAKPROP(0) = 10 : HTADEADBAND(0) = 50\n"
     place = 2.0 * ran(text + "HTA(0) = 40\nWAIT = 3000\nSTOP(0)").controller.position(0)
     assert 40.0 - 50 / counts <= place < 40.0 - 50 / counts + 0.5
@@ -167,7 +176,7 @@ def test_suspended_it_rests_and_goes_on() -> None:
 
 
 def test_a_program_waits_for_the_force() -> None:
-    """Contact at 20, 5 percent a unit: 50 percent at 30."""
+    """Contact at 20, 5 percent per unit: 50 percent at 30."""
     contact = [{"channel": 2, "axis": 0, "above": 20.0, "value": 0.0, "per_unit": 5.0}]
     result = ran(
         "SPEED(0) = 10\nJOG(0) = 10\nPAUSE ADC(2) >= 50\nSTOP(0)\nPAUSE IDLE(0)\nPRINT POS(0)", contact

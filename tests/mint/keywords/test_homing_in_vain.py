@@ -1,4 +1,7 @@
-"""HOME away from its switch: an error at its line, however the program waits, and none where something lies ahead."""
+"""HOME away from its switch: an error at its line for any wait.
+
+There is none if something lies ahead.
+"""
 
 from __future__ import annotations
 

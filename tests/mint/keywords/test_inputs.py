@@ -1,4 +1,7 @@
-"""Digital inputs of Mint against a plain model that samples them, and mistakes of the machine file's faults."""
+"""Digital inputs of Mint against a sampling model; errors in the fault sections.
+
+The sections are those of the machine file.
+"""
 
 from __future__ import annotations
 

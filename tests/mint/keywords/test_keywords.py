@@ -1,4 +1,4 @@
-"""The vocabulary: every simulated word has an example that runs, every other word is answered as what it is."""
+"""The vocabulary: simulated keywords have running examples, others are diagnosed."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_the_example_runs(row: Keyword) -> None:
     assert result.status == "ended"
 
 
-# An index with which a word is read that a machine has without saying so.
+# Indices with which a keyword is read on a default machine.
 INDICES = {"none": "", "axis": "(0)", "channel": "(0)", "bus": "(1)", "bus, node": "(1, 2)", "bank": "(0)"}
 
 
@@ -40,7 +40,7 @@ def test_a_word_reads_its_default_at_power_up() -> None:
     text = "".join(f"PRINT {row.name}{INDICES[row.index]} USING 1, 3\n" for row in read)
     assert len(read) > 250
     told = run(Source("power-up.mnt", text), cache=False).output
-    # What tells the time of the statement that reads it is 0 before the first one.
+    # A reading of its own statement's time is 0 before the first one.
     assert {
         row.name
         for row, value in zip(read, told, strict=True)
@@ -48,7 +48,7 @@ def test_a_word_reads_its_default_at_power_up() -> None:
     } == {"SYSTEMSECONDS", "TIME"}
 
 
-# What changes nothing that a program could print, and INPUT, for which nobody is there.
+# Keywords without a printable effect, and INPUT, which has no operator.
 SILENT = {"NOP", "TRON", "TROFF", "BEEPON", "BEEPOFF", "REMOTEPDOOUT", "Input", "Rem"}
 
 
@@ -67,7 +67,10 @@ def test_rows_are_complete() -> None:
 
 
 def test_nothing_in_the_library_is_shadowed() -> None:
-    """A word that becomes simulated leaves the files of the library, and a short form that is taken is not there."""
+    """A keyword that becomes simulated leaves the files of the library.
+
+    A short form that is in use is not there.
+    """
     lines = [line for file in sorted(LIBRARY.glob("*.txt")) for line in file.read_text("utf-8").splitlines()]
     spellings = [spelling.lower() for line in lines for spelling in line.split("|")[:2] if spelling]
     assert ORDER.split()[-1] == "library"
@@ -134,7 +137,7 @@ def test_documented_short_forms_are_the_words_themselves(short: str, name: str) 
 
 
 def used(row: Keyword) -> str:
-    """A statement that uses a word as it may be used."""
+    """Return a valid statement with a keyword."""
     word = row.name if row.index == "none" else f"{row.name}({', '.join('0' for _ in row.index.split(', '))})"
     if "R" in row.access:
         return f"x = Len({word})" if row.unit == "text" else f"x = {word}"

@@ -1,4 +1,4 @@
-"""Any order of words about the machine, with any values: a program may be wrong, the interpreter never is."""
+"""Any order of machine keywords with any values: no internal error."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ MACHINE = {
     "fault": [{"axis": 1, "kind": "following-error", "at": 2.0}],
     "netdata": [{"element": 1, "value": 5, "at": 1.0}],
 }
-# Mistakes that can be seen beforehand are found by the compiler; those in variables come about in the run.
+# The compiler finds constant errors; those in variables occur at run time.
 indices = st.sampled_from(["0", "0", "1", "1", "n", "m", "less", "many"])
 values = st.sampled_from(["0", "1", "n", "m", "less", "many", "x", "y", "huge"])
 NAMES = (

@@ -1,4 +1,4 @@
-"""Motion of Mint to the figure: at exact times, from the controller's own profiles, against arithmetic by hand."""
+"""Exact motion of Mint: profiles at exact times, against hand arithmetic."""
 
 from __future__ import annotations
 
@@ -71,14 +71,17 @@ SPEEDS = "ACCEL(0) = 100 : DECEL(0) = 100\nFEEDRATEMODE(0) = {mode} : SPEED(0) =
 
 
 def test_a_speed_written_in_motion_acts_at_once_in_speed_mode() -> None:
-    """30 for 25 units, 0.2 s down to 10, then 10: 0.3 + 20.5/30 + 0.2 + 20.5/10 + 0.1 s."""
+    """30 for 25 units, 0.2 s down to 10, then 10.
+
+    In all 0.3 + 20.5/30 + 0.2 + 20.5/10 + 0.1 s.
+    """
     result = ran(
         SPEEDS.format(mode=0, speed=30)
         + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nPAUSE IDLE(0)"
     )
     (move,) = result.controller.log.moves
     assert move.profile is not None
-    # The statement that writes the new speed begins when the wait is over, at 25 units.
+    # The statement that writes the new speed begins at the end of the wait, at 25 units.
     assert move.profile.duration == pytest.approx(0.3 + 20.5 / 30 + 0.2 + 20.5 / 10 + 0.1, abs=1e-4)
     assert move.profile.end == 50.0
 
@@ -127,7 +130,7 @@ def test_an_arc_lies_on_its_circle() -> None:
 
 
 def test_scales_do_not_bend_a_path() -> None:
-    """User units count, whatever the counts are: 3 : 4 with 100 and 7 counts a unit."""
+    """User units count, whatever the counts are: 3 : 4 with 100 and 7 counts per unit."""
     result = ran(
         "SCALEFACTOR(0) = 100 : SCALEFACTOR(1) = 7\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
         "VECTORR(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)"
@@ -161,7 +164,10 @@ def test_a_shear_is_as_fast_as_its_master_while_it_cuts() -> None:
 
 
 def test_a_continuous_spline_goes_over_into_itself() -> None:
-    """Four points on a circle's sine: no velocity jumps at the seam, the acceleration only where SPLINE_1 says."""
+    """Four points on a sine: no velocity jump at the seam.
+
+    The acceleration jumps only with SPLINE_1.
+    """
     values = ", ".join(str(round(10 * sin(2 * pi * k / 8), 6)) for k in range(1, 9))
     result = ran(
         f"Dim way(9) As Float = 8, {values}\nSPLINETABLE(0, way)\nSPLINETIME(0) = 50\n"

@@ -1,4 +1,4 @@
-"""What the motion words of Mint refuse, and in which words: a program, the line, the message."""
+"""Rejections of Mint's motion keywords: a program, the line, the message."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Any order of words of jogs, references, presets and holding, with any values, with a motor and without one."""
+"""Any order of motion keywords with any values, with a motor and without one.
+
+They are jogs, references, presets and holding.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""A setting or a command written with the value it has already changes no motion, to the last bit.
+"""Writing the current value of a setting or command changes no motion.
 
-Loops of machine programs write JOG, SPEED or FEEDRATEOVERRIDE in every turn, whatever their buttons say.
+Loops of machine programs write JOG, SPEED or FEEDRATEOVERRIDE in every iteration, whatever their buttons are.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ MOVE = "FEEDRATEMODE(0) = 2 : FEEDRATEOVERRIDE(0) = 80\nMOVER(0) = 100 : GO(0)\n
 FOLLOW = "MASTERCHANNEL(1) = 0 : FOLLOWMODE(1) = 1 : JOG(0) = 90\n"
 DRIVE = "DRIVESPEEDMAX(0) = 100 : SPEEDREFACCELTIME(0) = 300 : SPEEDREFACCELJERKENDTIME(0) = 40\n"
 TIMES = "SPEED(0) = 100 : ACCELTIME(0) = 500 : DECELTIME(0) = 400\n"
-# What sets the axis in motion, and what is then written again and again.
+# The command that starts the axis, and the one that is repeated.
 CASES = {
     "JOG": ("JOG(0) = 100\n", "JOG(0) = 100"),
     "JOG reverse": ("JOG(0) = -100\n", "JOG(0) = -100"),

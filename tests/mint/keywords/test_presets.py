@@ -1,4 +1,4 @@
-"""Preset moves: what selects one, what starts it, and what each type does."""
+"""Preset moves: selection, start, and each type."""
 
 from __future__ import annotations
 
@@ -38,7 +38,10 @@ def test_enabling_starts_the_selected_one_and_another_index_the_next() -> None:
 
 
 def test_a_preset_moves_at_its_own_speed_and_rates() -> None:
-    """20 at 1000: 0.02 + 9.6/20 + 0.02 s. 40 at 500 up to 100 and from there in 0.2 s: 0.2 + 0.2 + 0.2 s."""
+    """20 at 1000: 0.02 + 9.6/20 + 0.02 s.
+
+    40 at 500 up to 100 and down: 0.2 + 0.2 + 0.2 s.
+    """
     text = "PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)"
     first, last = (move.profile for move in ran(TABLE + text).controller.log.moves)
     assert first is not None
@@ -103,7 +106,7 @@ def test_the_table_goes_round_by_itself() -> None:
 
 
 def test_a_rest_ends_with_what_it_belonged_to() -> None:
-    """Disabled and enabled again within 300 ms of rest: one start at the enabling, the next 300 ms later."""
+    """Disabled and enabled within 300 ms of rest: one start, the next 300 ms later."""
     text = (
         "PRESETINDEX(0) = 3 : PRESETINDEXMODE(0) = 2 : PRESETDWELLTIME(0) = 300\nPRESETMOVEENABLE(0) = 1\n"
         "WAIT = 200\nPRESETMOVEENABLE(0) = 0\nPRESETINDEX(0) = 3\nPRESETMOVEENABLE(0) = 1\nWAIT = 200\n"

@@ -1,4 +1,4 @@
-"""What single pages of the manuals print of a word, and a reader of them would try."""
+"""Details of keywords on printed pages of the manuals, which a reader would try."""
 
 from __future__ import annotations
 
@@ -20,7 +20,10 @@ def refused(text: str) -> list[str]:
 
 
 def test_only_a_virtual_auxiliary_encoder_runs_at_its_speed() -> None:
-    """MN1270 p. 34: AUXENCODERMODE.0 = 8 before AUXENCODERSPEED, MASTERSOURCE and FOLLOW."""
+    """MN1270 p. 34: AUXENCODERMODE.0 = 8 before AUXENCODERSPEED and FOLLOW.
+
+    MASTERSOURCE comes in between.
+    """
     page = """AUXENCODERMODE.0 = {}
 AUXENCODERSPEED.0 = 1000
 MASTERSOURCE.0 = _msAuxEncoder

@@ -1,4 +1,4 @@
-"""Small rules of single words: what each prints where nothing else would tell its rule from another."""
+"""Small rules of single keywords, each the only test of its rule."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from motionlang.source import Source
 
 RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 PLANT: dict[str, object] = {"axis.0.plant.inertia": 2e-4, "axis.0.plant.viscous": 1e-4}
-# A rule, the program, what it prints, and the machine.
+# A rule, the program, its output, and the machine.
 WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "the last of 64 analogue inputs gives a speed reference": (
         "SPEEDREFSOURCE(0) = 64 : PRINT SPEEDREFSOURCE(0)", ["64"], {}),

@@ -1,4 +1,7 @@
-"""SUSPEND and STOP of a spline near the end of a cycle: its time slows down, and runs on into the next cycle."""
+"""SUSPEND and STOP of a spline near the end of a cycle, into the next one.
+
+Its playback slows down.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ def ran(text: str) -> Run:
 
 
 def undisturbed(mode: int, time: float) -> float:
-    """Where the spline is so long after its start."""
+    """Return the position of the spline at a time after its start."""
     a = ran(TABLE.format(100, mode) + "WAIT = 6000\nCANCEL(0)").controller.axes[0]
     return a.position(a.starts[1] + time)
 
@@ -30,7 +33,7 @@ def undisturbed(mode: int, time: float) -> float:
 def test_it_stands_where_half_of_the_time_more_would_have_brought_it(
     mode: int, wait: int, slowing: int
 ) -> None:
-    """In the time of suspending the time of the spline goes half as far."""
+    """In the time of suspending the time of the spline advances half as far."""
     for word in ("SUSPEND(0) = 1", "STOP(0)"):
         result = ran(
             TABLE.format(slowing, mode) + f"WAIT = {wait}\n{word}\nWAIT = 2000\nPRINT VEL(0)\nCANCEL(0)"
@@ -52,7 +55,10 @@ def test_it_stands_where_half_of_the_time_more_would_have_brought_it(
 
 @pytest.mark.parametrize(("wait", "rest"), [(540, 10), (580, 170), (599, 151), (600, 150)])
 def test_it_goes_on_in_the_cycle_in_which_it_stands(wait: int, rest: int) -> None:
-    """The time of the spline goes 50 ms in the ramp of 100; the `rest` ms of the segment then take 100."""
+    """The spline's time advances 50 ms in the ramp of 100.
+
+    The `rest` ms of the segment then take 100.
+    """
     text = f"WAIT = {wait}\nSUSPEND(0) = 1\nWAIT = 300\nPRINT SPLINEINDEX(0)\nSUSPEND(0) = 0\nWAIT = 1000\n"
     result = ran(TABLE.format(100, 4) + text + "CANCEL(0)")
     a = result.controller.axes[0]
@@ -71,7 +77,10 @@ def test_a_spline_that_ends_while_it_slows_down_has_ended() -> None:
 
 @pytest.mark.parametrize("stop_at", [500, 900])
 def test_the_rest_of_the_segment_takes_the_suspend_time(stop_at: int) -> None:
-    """MN1270 p. 128: a segment of 1000 ms, suspended, and resumed with SPLINESUSPENDTIME 400: it ends 400 ms later."""
+    """MN1270 p. 128: a segment of 1000 ms, suspended, and resumed, ends 400 ms later.
+
+    SPLINESUSPENDTIME is 400.
+    """
     text = f"""Dim c(3) As Float = 2, 10, 30
 SPLINETABLE(0, c)
 SPLINETIME(0) = 1000 : SPLINESUSPENDTIME(0) = 400
@@ -87,6 +96,6 @@ PRINT began, SPLINEINDEX(0)
 PAUSE IDLE(0)
 PRINT began, POS(0)
 """
-    # At 900 the ramp runs 100 ms of the spline's time into the second segment: that one ends the spline.
+    # At 900 the ramp runs 100 ms of the spline's time into the second segment, which ends the spline.
     expected = ["4002", "140040.0000"] if stop_at == 500 else ["4000", "40040.0000"]
     assert ran(text).output == expected

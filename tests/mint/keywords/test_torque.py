@@ -1,4 +1,7 @@
-"""Torque references on a motor that is an inertia behind a current amplifier: speed is the integral of the torque."""
+"""Torque references on a pure inertia: speed is the integral of the torque.
+
+The motor has a current amplifier.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ MOTOR = {
     "axis.0.plant.inertia": 1e-4,
     "axis.0.plant.viscous": 0.0,
 }
-# Counts a second for each volt second: torque constant, inertia, counts a radian.
+# Counts per second for each volt second: torque constant, inertia, counts per radian.
 PER_IMPULSE = 0.05 / 1e-4 * 4000.0 / (2.0 * pi)
 
 
@@ -33,7 +36,7 @@ def numbers(text: str, **machine: object) -> list[float]:
 
 
 def test_a_torque_that_rises_makes_no_table_for_each_of_its_values() -> None:
-    """A loop a millisecond for half a second: the one before it and the one behind it stay, and are worth one."""
+    """A loop per millisecond for half a second: only its neighbours have tables."""
     before = closed_form.cache_info().misses
     text = "TORQUEREFRISETIME(0) = 1000\nTORQUEREF(0) = 50 : WAIT = 1000\nPRINT TORQUEDEMAND(0)\nCANCEL(0)"
     assert numbers(text) == [50.0]
@@ -94,10 +97,10 @@ def test_again_and_again_it_is_said_once(word: str) -> None:
 
 @pytest.mark.parametrize("wait", ["PAUSE EFFORT(0) > 5", "While EFFORT(0) <= 5\nEnd While"])
 def test_a_program_waits_for_the_effort_of_a_motor_under_control(wait: str) -> None:
-    """The first acceleration asks for more than 5 % within the first ticks."""
+    """The first acceleration needs more than 5 % within the first ticks."""
     text = "KPROP(0) = 20 : KDERIV(0) = 200\nSPEED(0) = 20000 : ACCEL(0) = 200000\nJOG(0) = 20000\nTIME = 0\n"
     (time,) = numbers(text + f"{wait}\nPRINT TIME\nCANCEL(0)")
-    assert 0 < time < 50  # a look at the motor would else wait for the end of a block, half a second
+    assert 0 < time < 50  # without an event the wait would last until the end of a block, half a second
 
 
 def test_without_a_motor_it_is_said_and_readings_are_0() -> None:

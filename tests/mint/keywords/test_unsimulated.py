@@ -1,4 +1,4 @@
-"""Words that are known and not simulated: how far a program with them comes, and what is said of it."""
+"""Known keywords that are not simulated: a program's progress and its messages."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def shown(row: Keyword) -> str:
     return {"text": "abc", "number": "2.5000"}.get(row.unit, "1")
 
 
-# --------------------------------------------------------------------------------------- every word of the lists
+# --------------------------------------------------------------------------------------- every listed keyword
 
 
 @cases("row", [row for row in OTHERS if "W" in row.access and row.verb != MOTION], ids=str)
@@ -91,7 +91,8 @@ def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(
     assert (result.status, result.output, result.diagnostics) == ("ended", [shown(row)], [])
 
 
-# ------------------------------------------------------------------------------------------- where the run ends
+# ------------------------------------------------------------------------------------------- the end of the
+# run
 
 
 def test_onerror_does_not_hear_of_it() -> None:

@@ -1,4 +1,7 @@
-"""Labels inside blocks: such a block is written as jumps, and does and takes what it did and took as a block."""
+"""Labels inside blocks: such a block is compiled to jumps, equal to a block.
+
+Its duration is equal, too.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[
 
 
 def with_labels(text: str) -> str:
-    """A program with a label at the end of every block but its Fors."""
+    """Return a program with a label at the end of every block except its Fors."""
     count = iter(range(1000))
     return _ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
 
@@ -32,7 +35,7 @@ def test_a_label_that_nothing_goes_to_changes_nothing(seed: int) -> None:
     assert outcome(with_labels(text), machine) == outcome(text, machine)
 
 
-# Each with what it prints; | ends a line.
+# Each with its output; | ends a line.
 PROGRAMS = {
     "the next turn": ("FOR i = 1 TO 4|IF i = 2 THEN GOTO next|PRINT i|#next|NEXT|PRINT i", "1 3 4 5"),
     "counting down": ("by = -2|For i = 7 To 1 Step by|If i = 3 Then Goto n|PRINT i|n:|Next", "7 5 1"),

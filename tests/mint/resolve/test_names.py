@@ -1,4 +1,4 @@
-"""Names are resolved once: what a name stands for is written at each place where it is used."""
+"""Names are resolved once: their meaning is stored at each use."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from motionlang.mint.syntax.traversal import meant, walk
 from motionlang.source import Source
 
 PACKAGE = Path(__file__).parents[3] / "motionlang" / "mint"
-# Where a stage behind the resolver looks a word up after all, and how often; it may only shrink. `model` asks for the
-# words of other controllers, also in a program that does not compile.
+# Lookups of names after the resolver, and how many; the numbers may only shrink. `model` looks up keywords of
+# other controllers, also in a program that does not compile.
 LOOK_UPS = {"lint/model.py": 4}
 
 
@@ -34,7 +34,7 @@ def test_no_later_pass_looks_a_name_up() -> None:
 
 
 def resolved(text: str) -> dict[str, list[nodes.Name]]:
-    """The names of a program by their spelling, in the order of the text."""
+    """Return the names of a program by their spelling, in the order of the text."""
     module = parse(Source("a.mnt", text))
     names = Names(table(), Problems(module))
     names.declare_module(module)

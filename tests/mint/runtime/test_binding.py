@@ -1,4 +1,4 @@
-"""What every word is held to before its operation runs: a value in the range of its row, an axis that there is."""
+"""Checks before a keyword's operation: a value in range, an existing axis."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from motionlang.mint.runtime import binding
 from motionlang.mint.runtime.environment import Environment
 from tests.cases import cases
 
-# Words that switch something: any number but 0 is on. TIME and POSROLLOVER take every Integer, which is their range.
+# Keywords that switch something: any number except 0 is on. TIME and POSROLLOVER take every Integer, which is
+# their range.
 ANY_NUMBER = {
     "DRIVEENABLE", "HOMESTATUS", "LATCHENABLE", "FASTENABLE", "FASTAUXENABLE", "COMPAREENABLE", "TIME", "POSROLLOVER",
 }  # fmt: skip
@@ -34,7 +35,7 @@ OF_AXES = [
 
 
 def bound(row: Keyword, how: str) -> tuple[Any, list[int]]:
-    """The operation of a word on a machine that just stands there, and as many indices as it has."""
+    """Return the operation of a keyword on an idle machine, and its indices."""
     environment = Environment(Machine())
     environment.prepare()
     count = 0 if row.index == "none" else len(row.index.split(", "))
@@ -42,7 +43,7 @@ def bound(row: Keyword, how: str) -> tuple[Any, list[int]]:
 
 
 def beyond(row: Keyword) -> list[float]:
-    """Values that a row does not take."""
+    """Return values that a row does not take."""
     found = [nan]
     found += [row.high + 1.0] if row.high is not None else []
     found += [row.low - 1.0] if row.low is not None else []

@@ -1,4 +1,4 @@
-"""Loops that only poll are skipped, with the same result as without skipping."""
+"""Polling loops are skipped, with an equal result."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ PROGRAMS = {
     "Task Work\n  Loop\n    turns = turns + 1\n  End Loop\nEnd Task",
 }
 
-# What the world does to the programs that are run both ways.
+# The world of the programs that are run both ways.
 WORLD: dict[str, object] = {
     "controller.instruction_time": COST,
     "input": [{"channel": 0, "at": 0.35 + 1.3 * k, "for": 0.71} for k in range(8)],
@@ -102,7 +102,7 @@ PROGRAMS |= {
 }
 
 
-# Loops that wait for ever, in all the ways in which programs are written.
+# Loops that wait for ever, in all styles of programs.
 TASKS = """\
 Run First
 Run Second
@@ -157,7 +157,7 @@ FOR_EVER = {
 
 
 def outcome(text: str, machine: dict[str, object] | None = None, until: float = 100.0) -> list[object]:
-    """What a program prints, what is wrong with it, and when it ends and moves."""
+    """Return a program's output, diagnostics, end and moves."""
     machine = machine or {"controller.instruction_time": COST}
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
     starts = [move.start_time for move in result.controller.log.moves]
@@ -166,7 +166,7 @@ def outcome(text: str, machine: dict[str, object] | None = None, until: float = 
 
 
 def turn_by_turn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """From now on nothing is skipped."""
+    """Disable skipping from now on."""
     monkeypatch.setattr(polling, "left_behind", lambda *_: None)
 
 
@@ -219,7 +219,7 @@ def test_an_error_of_a_motor_is_solved_with_or_without_its_sign(monkeypatch: pyt
 
 
 class _Counted:
-    """A method, and how often it has been called."""
+    """A method that counts its calls."""
 
     def __init__(self, original: Callable[..., object]) -> None:
         self.original, self.calls = original, 0
@@ -268,7 +268,7 @@ def test_skipping_makes_no_difference_to_what_loops_keep(first: int, monkeypatch
 
 
 def test_an_input_that_nobody_reads_changes_nothing() -> None:
-    """Neither where one task runs nor where several take turns."""
+    """This applies to a single task and to several."""
     cost: dict[str, object] = {"controller.instruction_time": COST}
     programs = [(PROGRAMS[name], cost) for name in ("states", "two steps", "both ends")]
     for text, machine in programs + [program(seed) for seed in range(100, 130)]:
@@ -278,7 +278,7 @@ def test_an_input_that_nobody_reads_changes_nothing() -> None:
 
 
 def test_a_time_is_that_of_the_number_of_statements() -> None:
-    """A running sum of the costs of 300 000 statements has another last digit."""
+    """A running sum of the durations of 300 000 statements has another last digit."""
     text = "n = 0\nWhile n < 100000\n  n = n + 1\n  If n < 0 Then Exit While\nEnd While"
     result = run(Source("a.mnt", text), machine={"controller.instruction_time": COST}, cache=False)
     assert result.time == round(result.time / COST) * COST
@@ -286,7 +286,7 @@ def test_a_time_is_that_of_the_number_of_statements() -> None:
 
 
 def effort(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Run, int]:
-    """A run of eight hours, and how often a task was resumed or looked at in it."""
+    """Return a run of eight hours, and how often a task was resumed or checked in it."""
     count = 0
 
     def counted(original: object) -> object:
@@ -385,7 +385,7 @@ def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
 
 
 def test_a_loop_is_looked_at_at_once_where_statements_count_from_another_moment() -> None:
-    """It is left alone up to a statement, whose number means nothing once somebody has waited."""
+    """It backs off up to a statement, whose number is invalid after a wait."""
     environment = Environment(Machine())
     site = Site(environment, True, False, False)
     looked_at = site.turn_at(7.0, 1e9, None, (), ())
@@ -403,7 +403,10 @@ def test_a_loop_that_was_interrupted_by_a_handler_that_waits_is_skipped_on() -> 
 
 
 def test_a_loop_within_one_that_is_left_alone_is_not_skipped_too_far() -> None:
-    """The inner loop takes no notes any more; what it read while they were off bars the outer one from skipping."""
+    """The inner loop records no dependencies any more.
+
+    Its readings while recording was off prevent the outer one from skipping.
+    """
     text = """\
 Dim k As Integer, n As Integer
 SPEED(0) = 10 : MOVER(0) = 30 : GO(0)

@@ -1,4 +1,7 @@
-"""A loop that looks at any word at all is skipped to no other result: what changes by itself is known to do so."""
+"""A loop that reads any keyword is skipped with an equal result.
+
+Keywords that change by themselves are known.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Random motion: no program ends in a traceback or hangs, and the same program does the same again."""
+"""Random motion: no traceback or hang, and an equal result for an equal program."""
 
 from __future__ import annotations
 
@@ -20,9 +20,7 @@ def ran(text: str) -> Run:
 def test_a_random_program_comes_to_an_end_in_order(seed: int) -> None:
     text = program(seed)
     result = ran(text)
-    for (
-        each
-    ) in result.diagnostics:  # a full buffer that nothing empties, or starts, is the program's own mistake
+    for each in result.diagnostics:  # a full buffer that is never started is the program's own error
         assert each.code in ("never", "never-started"), each.message
     DIALECT.check(Source("a.mnt", text))
 

@@ -1,4 +1,7 @@
-"""nv data: what one run leaves, the next one finds, as far as it still fits; without a file nothing lasts."""
+"""nv data: the next run finds those of the last one, if they fit.
+
+A file is needed.
+"""
 
 from __future__ import annotations
 
@@ -139,14 +142,14 @@ def test_nonsense_inside_is_no_traceback(part: str, tmp_path: Path) -> None:
 
 
 def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
-    """Before anything is run: eight hours are not spent on what cannot be kept."""
+    """It is reported before the run: eight hours are not spent on data to be lost."""
     result = ran("Dim nv a As Integer\nPRINT 1", tmp_path / "none" / "kept.json", "fault")
     assert result.output == []
     assert "cannot be read" in result.diagnostics[0].message
 
 
 def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It would read what the first is about to change, and one of the two would be lost."""
+    """It would read data that the first is about to change, and one would be lost."""
     monkeypatch.setattr(nonvolatile, "PATIENCE", 0.0)
     file, link = tmp_path / "kept.json", tmp_path / "link.json"
     link.symlink_to(file)

@@ -1,4 +1,4 @@
-"""A pending error raises ONERROR once, and a handler that raises itself forever ends the run with `never`."""
+"""A pending error raises ONERROR once; endless handlers end the run with `never`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ JOG = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\nSOFTLIMITFORWARD(0) = 5\
 
 
 def ended(text: str, machine: dict[str, object] | None = None) -> Run:
-    """The run of a program; it ends after 20 s if nothing else ends it."""
+    """Return the run of a program, which ends after 20 s at the latest."""
     return run(Source("a.mnt", "Dim n As Integer\n" + text), machine=machine, cache=False, until=20.0)
 
 
@@ -41,7 +41,7 @@ def test_an_error_is_pending_until_it_is_cleared(between: str, calls: int) -> No
 
 
 def test_a_limit_that_only_tells_is_passed_twice_and_told_once() -> None:
-    """Mode 5 lets the axis go on; the log has both times."""
+    """Mode 5 lets the axis continue; the log has both times."""
     moves = "MOVEBUFFERSIZE(0) = 5\nMOVEA(0) = 10 : MOVEA(0) = 0 : MOVEA(0) = 10 : GO(0)\nPAUSE IDLE(0)\n"
     result = ended(JOG.format(5) + moves + "PRINT n" + COUNT.format(""))
     assert result.output == ["1"]
@@ -111,7 +111,7 @@ def test_a_handler_may_raise_itself_often() -> None:
 
 
 def test_a_task_that_runs_in_between_begins_the_count_again() -> None:
-    """Each pass pends STOP twice; 12 000 of these are no chain."""
+    """Each pass causes STOP twice; 12 000 of these are no chain."""
     text = (
         "For i = 1 To 12000\n  n = 0\n  EVENTPEND(2, 0, 0)\nNext\nPRINT n\nEnd\n"
         "Event STOP\n  n = n + 1\n  If n < 2 Then EVENTPEND(2, 0, 0)\nEnd Event"
@@ -120,7 +120,7 @@ def test_a_task_that_runs_in_between_begins_the_count_again() -> None:
 
 
 def test_a_handler_that_takes_longer_than_the_period_of_its_timer_is_none_of_them() -> None:
-    """The timer raises it, not the handler: it goes on until the run is over."""
+    """The timer raises it, not the handler: it continues until the run is over."""
     result = ended("TIMEREVENT = 1\nWAIT = 10\nEnd\nEvent TIMER\n  WAIT = 1.2\nEnd Event")
     assert result.status == "until"
     assert not result.diagnostics

@@ -1,4 +1,4 @@
-"""Compiled programs as things: kept as bytes, started twice, given other values, typed line by line."""
+"""Compiled programs: stored as bytes, started twice, with overrides, and typed."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_a_program_can_be_started_again() -> None:
 def test_a_counter_that_only_counts_begins_with_another_value(
     overrides: dict[str, float], printed: str
 ) -> None:
-    """Neither `parts = parts + 1` nor what a sub does is the value that it is first given."""
+    """`parts = parts + 1` is not its initial value, and neither is a sub's."""
     text = (
         "Dim parts As Integer, faults As Integer\nparts = parts + 1\nparts = parts + 1\nfault\n"
         "PRINT parts; faults\nparts = 0\nEnd\nSub fault\n  faults = faults + 0\nEnd Sub"
@@ -126,7 +126,7 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
         "print(sorted(heavy & set(sys.modules)))\n"
         "words = 'motionlang.mint.keywords.'\n"
         "print(*sorted(name.removeprefix(words) for name in sys.modules if name.startswith(words)))\n"
-        "assert list(machine.terminal.lines) == ['1']\n"  # records have types for who reads them
+        "assert list(machine.terminal.lines) == ['1']\n"  # records have types for their readers
     )
     out = subprocess.run([sys.executable, "-S", "-c", "import sys; sys.path.insert(0, '.')\n" + script],
                          capture_output=True, text=True, check=False)  # fmt: skip
@@ -136,7 +136,7 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
 
 
 class Prompt:
-    """Lines typed one after the other, and what they print."""
+    """Lines typed one after the other, and their output."""
 
     def __init__(self) -> None:
         self.machine = Machine()

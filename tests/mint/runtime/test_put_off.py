@@ -1,4 +1,7 @@
-"""What is due at the moment of a statement comes before it: the statement is put off, and nothing else changes."""
+"""An event due at a statement's time precedes it: the statement is delayed.
+
+Nothing else changes.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,10 @@ from motionlang import Run, run
 from motionlang.source import Source
 
 STATEMENT = 1e-5
-# An input changes when the program has carried out so many statements.
+# An input changes when the program has executed this many statements.
 CHANGE = 20
 MACHINE: dict[str, object] = {"input": [{"channel": 0, "at": CHANGE * STATEMENT, "value": 1}]}
-# How many stand before the one that is looked at, which is the one after the change, or one beside it.
+# How many precede the checked one, which is the one after the change, or next to it.
 BEFORE = [CHANGE - 2, CHANGE - 1, CHANGE, CHANGE + 1]
 FILL = "Dim n As Integer, x\n"
 
@@ -34,7 +37,7 @@ def test_a_handler_at_the_moment_of_a_statement_decides_what_it_writes(value: st
 
 @pytest.mark.parametrize("before", BEFORE)
 def test_what_fails_when_it_is_done_at_last_fails_in_its_line_at_its_moment(before: int) -> None:
-    """It stands in a sub, so that the program has gone on from within that."""
+    """It is in a sub, from which the program continues."""
     text = (
         f"{FILL}x = -5\nbad\nEnd\nSub bad\n"
         + "n = n + 1\n" * (before - 1)

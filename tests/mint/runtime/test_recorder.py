@@ -1,4 +1,4 @@
-"""Mint without physics: which verbs the controller hears, in counts and seconds."""
+"""Mint without physics: its verbs to the controller, in counts and seconds."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from motionlang.source import Source
 
 
 def heard(text: str, **answers: Any) -> list[tuple[Any, ...]]:
-    """What the controller was told; that Mint's speeds act at once is told to every axis before."""
+    """Return the calls of the controller, without the initial setting of every axis.
+
+    That setting makes Mint's speeds act at once.
+    """
     machine = Machine()
     recorder = Recorder(answers=answers)
     machine._controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]

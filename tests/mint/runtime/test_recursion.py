@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ENDLESS = "Dim n As Integer\n{}\nEnd\n"
 HANDLER = "Event ONERROR\n  PRINT ERRCODE, n\nEnd Event\n"
-# Each begins in the first line behind the Dim, and counts its own calls in n.
+# Each begins in the first line after the Dim, and counts its own calls in n.
 RECURSIONS = {
     "a sub": ("Down()", "Sub Down()\n  n = n + 1\n  Down()\nEnd Sub\n"),
     "a sub that waits": ("Down()", "Sub Down()\n  n = n + 1\n  WAIT = 0\n  Down()\nEnd Sub\n"),
@@ -57,14 +57,14 @@ RECURSIONS = {
 
 
 def outcome(text: str, file: str = "a.mnt") -> tuple[object, ...]:
-    """What a run says and when it ends."""
+    """Return a run's output and end time."""
     result = run(Source(file, text), cache=False)
     found = [(each.code, each.message, each.line) for each in result.diagnostics]
     return result.status, result.output, found, result.time
 
 
 def below(frames: int, call: Callable[[], object]) -> object:
-    """The result of a call so many Python frames deeper."""
+    """Return the result of a call `frames` Python frames deeper."""
     return below(frames - 1, call) if frames else call()
 
 
@@ -96,7 +96,7 @@ def test_a_gosub_is_a_call() -> None:
 
 @pytest.mark.parametrize("depth", [999, 1000, 1001])
 def test_a_recursion_of_a_given_depth(depth: int) -> None:
-    """1 + 2 + … + n takes n calls, and so does a chain of n subs, none of which calls itself."""
+    """1 + 2 + … + n takes n calls, and so does a chain of n subs without recursion."""
     text = (
         f"PRINT Sum({depth})\nEnd\nFunction Sum(ByVal n As Integer) As Integer\n"
         "  If n = 1 Then Sum = 1 : Exit Function\n  Sum = n + Sum(n - 1)\nEnd Function"

@@ -1,4 +1,4 @@
-"""A loop may set any word over and over: it runs, and ends as when every turn of it is carried out."""
+"""A loop may write any keyword repeatedly, with the result of every iteration."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from motionlang.mint.keywords import table
 from motionlang.source import Source
 
 WORDS = [row for row in table() if "W" in row.access and row.kind != "move" and row.verb != "wait"]
-# The same value in every turn, and two by turns, which a task looks at meanwhile where the word can be read.
+# The same value in every iteration, and two alternating ones, which a task reads meanwhile if the keyword can
+# be read.
 STEADY = "Loop\n  {word} = {first}\n  Wait = 100\nEnd Loop\n"
 CHANGING = """\
 Dim n As Integer
@@ -33,12 +34,12 @@ End Task
 
 
 def spellings(row: Keyword) -> list[str]:
-    """The word without brackets, and with a 0 for everything that may stand in them."""
+    """Return the keyword without brackets, and with a 0 for everything in them."""
     return [row.name, f"{row.name}({zeros(row)})"]
 
 
 def zeros(row: Keyword) -> str:
-    """A 0 for everything that may be in the brackets of a word."""
+    """Return a 0 for each entry in the brackets of a keyword."""
     return ", ".join("0" for _ in row.index.split(", "))
 
 
@@ -52,7 +53,10 @@ def outcome(text: str) -> object:
 
 
 def outcomes(program: str) -> dict[str, object]:
-    """What each word does in a program; of the longer program in the first of its spellings that runs."""
+    """Return each keyword's result in a program, in its first valid spelling.
+
+    The program with the most lines counts.
+    """
     found: dict[str, object] = {}
     for row in WORDS:
         first, second = ('"1"', '"0"') if row.unit == "text" else (1, 0)
@@ -69,7 +73,7 @@ def test_a_word_that_is_set_in_every_turn(program: str, monkeypatch: pytest.Monk
     watched = outcomes(program)
     monkeypatch.setattr(polling, "watched", lambda *_: None)
     assert outcomes(program) == watched
-    # Nearly all of them can be written one way or the other, and so run.
+    # Nearly all of them can be written in one spelling, and so run.
     ran = {word.partition("(")[0] for word, result in watched.items() if isinstance(result, tuple)}
     assert len(ran) > 0.9 * len(WORDS)
 

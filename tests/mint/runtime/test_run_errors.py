@@ -1,4 +1,4 @@
-"""What goes wrong while the program does something else: ONERROR hears of it, and the axis comes to rest."""
+"""Run-time faults between statements: ONERROR is called, and the axis rests."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ HANDLER = (
     '\nEnd\nEvent ONERROR\nWhile ERRORREADNEXT(0, 0)\nPRINT ERRSTRING, " in ", ERRLINE\nEnd While\nEnd Event'
 )
 BAD = "CAMTABLE: element 1 of the table says that it has 9 segments, and the array has room for 4"
-# A table that is bad when the next cycle begins; a queue whose second entry is bad when its turn comes; a spline.
+# A table that is invalid when the next cycle begins; a queue whose second entry is invalid when it starts; a
+# spline.
 SPLINE = (
     READY
     + "SPLINETABLE(1, c)\nSPLINETIME(1) = 200\nSPLINE(1) = 4\nGO(1)\nWAIT = 300\nc(1) = 9\nWAIT = 3000\n"
@@ -59,13 +60,16 @@ def test_what_waits_behind_the_bad_entry_is_done() -> None:
     result = run(
         Source("a.mnt", "MOVEBUFFERSIZE(1) = 5\n" + text + "PRINT POS(1)" + HANDLER), cache=False, until=30.0
     )
-    assert result.output[-1] == "6.0000"  # 5 from where the axis stands when it starts
+    assert result.output[-1] == "6.0000"  # 5 from the axis's position when it starts
 
 
 def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Three statements of 10 µs a turn; the axis is where the time is, though nothing has looked at it since."""
+    """Three statements of 10 µs per iteration; the axis is where the time is.
+
+    It has not been read since.
+    """
     calls = iter(range(1000))
 
     def root(value: float) -> float:
@@ -88,7 +92,7 @@ def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
 
 
 def test_a_slave_at_rest_never_leaves_the_place_that_it_is_at() -> None:
-    """It is at the very level of the wait, and its master does not move before 5 s."""
+    """It is exactly at the level of the wait, and its master does not move before 5 s."""
     text = "MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1\nRun Belt\nPAUSE POS(1) > 0\nPRINT TIME > 4999\nEnd\n"
     line = "Task Belt\nWAIT = 5000\nJOG(0) = 10\nEnd Task"
     assert run(Source("a.mnt", text + line), cache=False).output == ["1"]

@@ -1,4 +1,4 @@
-"""Functions that share their time give way, wait for room and go on as those that have it to themselves."""
+"""Functions that share statement time yield, wait for space and resume equally."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_a_program_runs_alike_whether_it_calls_a_sub_or_none(body: str, others: 
 
 @pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 def test_a_sub_takes_as_long_as_its_statements(body: str) -> None:
-    """The call pays for itself when it is over: the first statement of the sub stands at its moment."""
+    """The call takes its time at its end: the sub's first statement has its own."""
     inside = ran(f"fill\nEnd\nSub fill\n{body}\nEnd Sub")
     outside = ran(f"{body}\nEnd")
     assert told(inside) == told(outside)

@@ -1,4 +1,4 @@
-"""Terminals beside the console: what they show is labelled on the screen, and stands in the report by itself."""
+"""Terminals other than the console: labelled on screen, separate in the report."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from motionlang.views.table import render
 
 
 def ran(text: str, **machine: object) -> tuple[str, dict[str, list[str]], list[str]]:
-    """The screen, the other terminals, the console."""
+    """Return the screen, the other terminals, the console."""
     shown: list[str] = []
     result = run(Source("a.mnt", text), machine=machine, show=shown.append, cache=False)
     assert [each.message for each in result.diagnostics] == []

@@ -1,4 +1,7 @@
-"""Waits of a program's only task pass where they stand; the run is the same to the last bit as where it gives way."""
+"""Waits of a program's only task pass without a switch, with an equal result.
+
+It is equal to the last bit.
+"""
 
 from __future__ import annotations
 
@@ -191,10 +194,10 @@ INPUTS: dict[str, object] = {
 @pytest.mark.parametrize("until", [None, 0.0121, 0.006, 0.03505])
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_a_wait_is_over_at_once_or_waited_out(name: str, until: float | None) -> None:
-    """To the end of the program, and to a moment in the middle of a wait or at the end of one."""
+    """It runs to the end of the program, to the middle of a wait or to the end of one."""
     source = Source("waits.mnt", PROGRAMS[name])
     at_once = execution.run(source, machine=INPUTS, cache=False, until=until)
-    # Somebody follows the clock.
+    # The clock is observed.
     waited_out = execution.run(source, machine=INPUTS, cache=False, until=until, pace=lambda now: None)
     assert at_once.output or until
     assert text(at_once) == text(waited_out)
@@ -208,7 +211,7 @@ def test_a_wait_is_no_less_than_nothing_and_has_an_end(written: str, told: str) 
 
 
 def test_a_wait_of_a_number_ends_when_one_of_the_same_value_does() -> None:
-    """At a place of a number its units are known before the program starts; of a value each time."""
+    """For a literal its units are known before the start; for a value each time."""
     waits = "".join(f"WAIT({{{k}}})\n" for k in range(6))
     lengths = ("1", "0.3", "7.77", "0.000001", "0.123456789", "500000")
     begin = "Dim a As Float, b As Float, c As Float, d As Float, e As Float, f As Float, i As Integer\n"
@@ -266,14 +269,17 @@ def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
     waits = execution.run(Source("waits.mnt", program), cache=False).machine.log.waits
     assert waits.packed > 0
     assert len(waits) == 30_000
-    # A turn is a WAIT of 1 ms, and it and its Next cost 10 µs each.
+    # An iteration is a WAIT of 1 ms, and it and its Next take 10 µs each.
     assert [round(wait.since, 9) for wait in waits[:3]] == [1e-5, 0.00103, 0.00205]
     assert all(before.until < wait.since for before, wait in pairwise(waits))
     assert waits[0][4:] == waits[-1][4:] == ("time", (), "", ())  # packed or not
 
 
 def test_a_pause_for_a_position_ends_where_it_is_passed_however_late_that_is() -> None:
-    """20 000 s after the beginning 50 at 33 take 50/33 s, and the ramp to 33 as long as half of its 33/1000 s."""
+    """20 000 s after the start 50 at 33 take 50/33 s, plus half of the ramp.
+
+    The ramp to 33 takes 33/1000 s.
+    """
     text = "SPEED(0) = 50 : ACCEL(0) = 1000\nWAIT = 20000000\nJOG(0) = 33\nPAUSE POS(0) > 50\nSTOP(0)\n"
     waits = execution.run(Source("late.mnt", text), cache=False).machine.log.waits
     (began, ended) = next((each.since, each.until) for each in waits if each.cause == "condition")

@@ -1,6 +1,6 @@
-"""Broken programs and what is said about them: `parser_errors.txt` against `parser_errors.golden.txt`.
+"""Invalid programs and their messages: `parser_errors.txt` and its golden file.
 
-A line of the golden file is `line:column+length code: message (hint)`.
+A line of `parser_errors.golden.txt` is `line:column+length code: message (hint)`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def samples() -> dict[str, str]:
 
 
 def shown(text: str) -> str:
-    """Every diagnostic of a text, one a line."""
+    """Return every diagnostic of a text, one per line."""
     with pytest.raises(ProgramError) as caught:
         parse(Source("broken.mnt", text))
     lines = []
@@ -92,7 +92,7 @@ def test_a_tree_that_is_accepted_can_be_walked() -> None:
 
 
 def test_blocks_agree_with_the_grammar() -> None:
-    """What the messages say about blocks is what the tables do."""
+    """The messages about blocks match the tables."""
     assert set(OPENERS) | set(CLOSERS) | DECLARATIONS <= set(LITERALS.values())
     for kind in OPENERS:
         opened = feed_all(empty(TABLES), PLAIN[kind], 0)

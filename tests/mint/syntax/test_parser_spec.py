@@ -1,4 +1,4 @@
-"""Every construct of Mint and the tree it becomes: `parser_spec.txt` against `parser_spec.golden.txt`."""
+"""Every construct of Mint and its tree: `parser_spec.txt` and its golden file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HERE = Path(__file__).parent
 
 
 def samples() -> dict[str, str]:
-    """Name and text of every sample of the specification."""
+    """Return name and text of every sample of the specification."""
     blocks = (HERE / "parser_spec.txt").read_text().removesuffix("----\n").split("\n----\n")
     return {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks}
 
@@ -25,7 +25,7 @@ def goldens() -> dict[str, str]:
 
 
 def shown(module: Module) -> str:
-    """A tree as text: one statement or declaration a line, under the name of its list."""
+    """Return a tree as text: one statement or declaration per line, under its list."""
     lines = []
     for name in module.__slots__:
         items = getattr(module, name)
