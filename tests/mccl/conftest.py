@@ -1,4 +1,4 @@
-"""What the tests of MCCL share: a text in, a run out."""
+"""Common fixtures of the tests of MCCL: a text in, a run out."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Runner = Callable[..., Run]
 
 @pytest.fixture
 def mccl() -> Runner:
-    """Run a text as an MCCL file; keyword arguments as of `motionlang.run`."""
+    """Return a runner of MCCL texts, with keyword arguments of `motionlang.run`."""
 
     def start(text: str, **options: object) -> Run:
         return run(Source("test.mcl", text), dialect="mccl", **options)  # type: ignore[arg-type]
@@ -24,5 +24,5 @@ def mccl() -> Runner:
 
 @pytest.fixture
 def update(request: pytest.FixtureRequest) -> bool:
-    """Whether golden files are to be written anew."""
+    """True if golden files are to be rewritten."""
     return bool(request.config.getoption("--update"))

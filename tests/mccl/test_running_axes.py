@@ -1,4 +1,4 @@
-"""A move after velocity mode, as a telescope's paddle sends it, and torque limits as PMC's self-test writes them."""
+"""A move after velocity mode, and torque limits of PMC's self-test."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ def answers(text: str) -> tuple[bytes, Console]:
 
 @pytest.mark.parametrize("shape", ["PS", "PS0.1", "PP"])
 def test_a_move_that_could_never_begin_is_refused(shape: str) -> None:
-    """It was never answered; the axis runs on, as the remark in the telescope's source has it, until it is stopped."""
+    """It was never answered; by the remark the axis runs on until it is stopped.
+
+    The remark is in the telescope's source.
+    """
     said, console = answers(PADDLE.format(shape))
     assert said.endswith((b"?-2\r\n>", b"?-2\n>"))
     assert console.machine.controller.velocity(1) > 1000

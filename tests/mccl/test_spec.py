@@ -1,4 +1,4 @@
-"""The language by example: each file under tests/spec/mccl says after each line what the terminal shows."""
+"""The language by example: files under tests/spec/mccl with each line's output."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SPEC = sorted((Path(__file__).parents[1] / "spec" / "mccl").glob("*.mcl"))
 
 
 def promised(text: str) -> list[str]:
-    """The lines after `;> `."""
+    """Return the lines after `;> `."""
     return [line[3:] for line in text.split("\n") if line.startswith(";> ")]
 
 
@@ -26,7 +26,7 @@ def test_the_terminal_shows_what_the_page_says(path: Path) -> None:
 
 
 def test_every_word_of_the_table_is_on_a_page() -> None:
-    """But for VE and HE, whose answers change with every version; `test_models` has them."""
+    """VE and HE, whose answers change with every version, are in `test_models`."""
     lines = [line for path in SPEC for line in lines_of(path.read_text()) if isinstance(line, Line)]
     used = {command.name for line in lines for command in line.commands}
     assert {row.name for row in table()} - used == {"VE", "HE"}

@@ -1,4 +1,4 @@
-"""PMC's TN1069: the comparison of the four profiles, run as a program, against the note's formulas."""
+"""PMC's TN1069: four profiles compared in a program, against its formulas."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TABLE: dict[str, tuple[float, float, float, float, float]] = {
 
 
 def phase(move: dict[str, Any], name: str) -> tuple[float, float]:
-    """Duration in cycles and distance of a phase, 0 where it does not occur."""
+    """Return duration in cycles and distance of a phase, 0 if it does not occur."""
     for each in move["phases"]:
         if each["name"] == name:
             return each["duration"] * 1000, each["distance"]

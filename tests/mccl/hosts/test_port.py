@@ -14,7 +14,7 @@ from motionlang.source import Source
 
 
 def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console, Port]:
-    """A board and one port, its first prompt taken."""
+    """Return a board and one port, after its first prompt."""
     console = Console(Machine({"controller.model": model}, first_axis=1))
     port = console.open(echo)
     port.take()
@@ -22,14 +22,17 @@ def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console,
 
 
 def ask(console: Console, port: Port, sent: bytes) -> bytes:
-    """Send, let the board work, and take what it says."""
+    """Send, let the board work, and return its answer."""
     assert port.feed(sent) == len(sent)
     console.settle()
     return port.take()
 
 
 def mx_command(console: Console, port: Port, text: str) -> str:
-    """The beam-line driver: command and CR, one line back, a leading prompt dropped, `?` is an error."""
+    """Send like the beam-line driver: command and CR, one line back.
+
+    A leading prompt is dropped, `?` is an error.
+    """
     reply = ask(console, port, text.encode() + b"\r")
     line, end, rest = reply.partition(b"\n")
     assert end
@@ -90,7 +93,7 @@ def test_escape_aborts_a_wait_and_the_line() -> None:
     assert port.busy
     assert ask(console, port, b"\x1b") == b"?-7\n>"
     assert not port.busy
-    # The motion is not the line's.
+    # The motion does not belong to the line.
     assert console.machine.controller.velocity(1) == 40000.0
     assert ask(console, port, b"TE\r") == b"-7\n>"
 
@@ -165,7 +168,7 @@ def test_ports_share_the_board_and_not_the_first_ten_registers() -> None:
 
 
 def test_a_host_that_vanishes_in_mid_line() -> None:
-    """Its line is abandoned; motion and background tasks go on; others do not notice."""
+    """Its line is abandoned; motion, background tasks and other hosts continue."""
     console, port = board()
     other = console.open(echo=False)
     other.take()
@@ -206,7 +209,7 @@ def test_a_blank_in_a_line_that_was_sent_ahead_is_no_pause() -> None:
 
 
 def test_a_port_that_waits_for_a_key_is_not_working() -> None:
-    """Time does not pass for the sake of a host that is thinking."""
+    """Time does not advance for a host that waits."""
     console, port = board()
     ask(console, port, b"MD1,WA1,RP\r")
     ask(console, port, b"GT1\r")

@@ -1,4 +1,7 @@
-"""Backlash: the motor is ahead of the load by half of it, with a simulated motor too; in Mint by the same mechanism."""
+"""Backlash: the motor leads the load by half of it, also with a simulated motor.
+
+Mint has the same mechanism.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ def test_the_motor_is_ahead_of_the_load_whichever_way_it_goes(
     result = mccl(f"{text},1TP,1BF,1TP", machine=machine)
     *moves, before, after = (int(line.split()[1]) for line in result.output)
     assert moves == [pytest.approx(each, abs=1 if machine else 0) for each in (0, 510, 500, -10, 0)]
-    assert before == after  # the motor stays where it is, and is the axis's place again
+    assert before == after  # the motor stays where it is, which is the axis's position again
     assert result.controller.position(1) == pytest.approx(before, abs=1)
 
 

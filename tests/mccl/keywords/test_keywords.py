@@ -1,4 +1,4 @@
-"""The table of keywords: every row says what it should, and every example runs."""
+"""The table of keywords: every row is valid, and every example runs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ KNOWN = [row for row in table() if not row.simulated]
 
 @cases("row", SIMULATED, ids=lambda row: row.name)
 def test_an_example_stands_alone_and_runs_without_a_complaint(row: Keyword, mccl: Runner) -> None:
-    """As it stands on the page: from power-up, on a bare machine unless the row says what the machine must have."""
+    """It runs as printed: from power-up, on a bare machine unless the row needs more."""
     assert row.name in row.example
     result = mccl(f"{row.example}\n", until=2.0, machine=machine_of(row))
     assert not [each.message for each in result.diagnostics]

@@ -1,4 +1,4 @@
-"""MV: the trapezoid between two steps of velocity, judged by its pieces."""
+"""MV: the trapezoid between two steps of velocity, checked by its pieces."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_it_is_a_sound_profile_that_keeps_its_limits(
     low = part * speed
     profile = _stepped(float(start), target, low, speed, accel, decel)
     complaints = verify(profile, speed=speed, accel=accel, decel=decel, end=target, tolerance=1e-6)
-    # The two steps are what a curve of this judge has not; there is nothing else to complain of.
+    # The two steps are the only complaints of this checker.
     assert [each for each in complaints if not each.startswith(("the curve starts", "the curve ends"))] == []
     assert len(complaints) == 2
     assert profile.peak_speed >= low * (1 - 1e-9)
@@ -46,7 +46,10 @@ def test_it_is_a_sound_profile_that_keeps_its_limits(
 
 
 def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
-    """1000 counts at 3000 counts/s2 with 1000 counts/s at either end: v = sqrt(1e6 + 3e6) = 2000, 2 x 1/3 s."""
+    """1000 counts at 3000 counts/s² with 1000 counts/s at either end.
+
+    v = sqrt(1e6 + 3e6) = 2000, 2 x 1/3 s.
+    """
     profile = _stepped(0.0, 1000.0, 1000.0, 5000.0, 3000.0, 3000.0)
     assert profile.peak_speed == pytest.approx(2000.0)
     assert profile.duration == pytest.approx(2.0 / 3.0)
@@ -57,7 +60,10 @@ def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
 def test_from_motion_it_ends_at_its_step_and_keeps_its_limits(
     distance: int, back: bool, part: float, share: float, speed: float, accel: float, decel: float
 ) -> None:
-    """From the step's velocity or more: the axis is on its way, and can still come down to that before the target."""
+    """The axis is in motion at the step's velocity or more, and can still slow down.
+
+    It reaches that velocity before the target.
+    """
     low = part * speed
     velocity = low + share * (min(speed, sqrt(low * low + 2.0 * decel * distance)) - low)
     way = -1.0 if back else 1.0
@@ -80,7 +86,7 @@ STEPPER = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000,1WS\n"
 
 
 def forged(change: Callable[[Profile], Profile]) -> list[str]:
-    """What the proof says of a stepper's move that somebody has changed."""
+    """Return the proof's violations for a changed move of a stepper."""
     result = run(Source("step.mcl", STEPPER), cache=False, prove=True)
     assert result.proof().violations == []
     assert "a step of a stepper that starts or stops at once" in result.proof().exceptions

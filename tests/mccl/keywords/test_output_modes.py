@@ -1,4 +1,4 @@
-"""OM: every mode is kept and told; a simulated motor says which of them it does not have."""
+"""OM: every mode is stored and reported; a simulated motor names missing ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whatever bytes are a program file: answers, never a traceback, never a hang."""
+"""A program file of any bytes: answers, never a traceback, never a hang."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ programs = st.lists(st.lists(commands, min_size=1, max_size=8).map(",".join), ma
 
 
 def survives(source: Source) -> None:
-    """The file is checked, run for a moment of machine time, and coloured."""
+    """Check, run for a short machine time, and colour the file."""
     result = run(source, dialect="mccl", until=0.02)
     assert result.status in ("ended", "until", "fault")
     assert isinstance(result.report, dict)

@@ -1,4 +1,4 @@
-"""`check`: every mistake of a file in one pass, and whole messages as a person sees them."""
+"""`check`: every error of a file in one pass, and complete messages."""
 
 from __future__ import annotations
 

@@ -1,11 +1,12 @@
-"""The table of what holds an axis of a board back: modes of motion, ways in which a limit comes to hold, modes of LM.
+"""The table of conditions of a board: motions, causes of limits, modes of LM.
 
-The rule is worked out by hand from the same motion without the limit. At the moment at which the limit comes to hold
-the axis is at p and has the velocity v; then it rests at
+The rule is computed by hand from the same motion without the limit. When the limit becomes true the axis is
+at p and has the velocity v; then it rests at
 
-* p where the motor is switched off or the stop is abrupt (LM 0 and 1, 4 for soft limits, and the amplifier input);
-* p + v² / 2d where it is smooth (LM 2 and 8), d being DS, and in a contour VD along the path;
-* where it would have come to otherwise, where the motion is none of the limit's business.
+* p if the motor is switched off or the stop is abrupt (LM 0 and 1, 4 for soft limits, and the amplifier
+  input);
+* p + v² / 2d if it is smooth (LM 2 and 8), d being DS, and in a contour VD along the path;
+* its end without the limit, if the limit does not concern the motion.
 """
 
 from __future__ import annotations
@@ -23,7 +24,8 @@ GAINS = ",1SG0.02,1SD0.5,2SG0.02,2SD0.5"
 END, MOMENT = 8.0, 1.0
 RATE = 100_000.0  # DS, VD
 HEAD = "MN,SV20000,SA100000,DS100000,1VV20000,1VA100000,1VD100000,SE0"
-# What begins the motion of axis 1 forward, what lets it go back, the channel of the limit being that of axis 1.
+# The start of the motion of axis 1 forward, the command that reverses it, the channel of the limit being that
+# of axis 1.
 KINDS: dict[str, tuple[str, str]] = {
     "position": ("1MR90000", "1MA-20000"),
     "velocity": ("1VM,1DI0,1GO", "1DI1,1GO"),
@@ -43,7 +45,7 @@ def cells() -> list[tuple[str, str, bool]]:
 
 
 def program(kind: str, way: str, action: str, limited: bool) -> tuple[str, dict[str, object], int]:
-    """A program in which the limit comes to hold by `way`, its inputs, and by how much it renames positions."""
+    """A program in which the limit becomes true by `way`, inputs, and zero shift."""
     begin, turn = KINDS[kind]
     hard, soft = HARD[action], SOFT[action]
     before, then, shift = "NO", "NO", 0
@@ -56,7 +58,7 @@ def program(kind: str, way: str, action: str, limited: bool) -> tuple[str, dict[
         before, then, inputs = f"1LM{hard},1LN2", turn, [{"channel": MINUS, "at": 0.0}]
     elif way == "placed":
         before, then = f"1LM{soft},1HL900000,1LL-900000,1LN12", "1HL5000"
-    elif way == "mode":  # the switch is closed all the while, and its meaning turned round
+    elif way == "mode":  # the switch is always closed, and its polarity is inverted
         before, then = f"1LM{128 + hard},1LN1", f"1LM{hard}"
         inputs = [{"channel": PLUS, "at": 0.0}]
     elif way == "enabled":
@@ -78,7 +80,7 @@ def go(mccl: Runner, text: str, machine: dict[str, object], motor: bool) -> Run:
 
 
 def moment(free: Run, way: str) -> float:
-    """When the limit comes to hold, by the motion without it."""
+    """Return when the limit becomes true, by the motion without it."""
     a = free.controller.axes[1]
     times = [k * 1e-3 for k in range(int(END * 1e3))]
     if way == "met":
@@ -101,7 +103,7 @@ def moment(free: Run, way: str) -> float:
 @pytest.mark.parametrize(("kind", "way", "motor"), cells())
 def test_a_limit_holds(kind: str, way: str, motor: bool, mccl: Runner) -> None:
     if way == "turned into" and not KINDS[kind][1]:
-        return  # straight on: there is no turn
+        return  # without a reversal
     for action in HARD:
         text, machine, shift = program(kind, way, action, limited=True)
         result = go(mccl, text, machine, motor)
@@ -119,7 +121,7 @@ def test_a_limit_holds(kind: str, way: str, motor: bool, mccl: Runner) -> None:
             expected += velocity * abs(velocity) / (2.0 * RATE * ALONG.get(kind, 1.0))
         a = result.controller.axes[1]
         assert a.at(END - 0.01).velocity == 0.0, (action, result.diagnostics)
-        slack = 50.0 if motor and way == "met" else 0.5  # a motor is looked at once in a servo period
+        slack = 50.0 if motor and way == "met" else 0.5  # a motor is checked once per servo period
         found = a.at(END - 0.01).position - (shift if way == "renamed" else 0.0)
         named = before.position if way == "renamed" else 0.0
         assert found + named == pytest.approx(expected, abs=slack), (action, text)
@@ -133,7 +135,7 @@ def test_no_cell_is_left_out() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_amplifier_input_switches_the_motor_off(kind: str, mccl: Runner) -> None:
-    """While it is watched: from the moment it comes on, at which FN finds it on, or its polarity is turned round."""
+    """It is watched from when it turns on, FN finds it on, or its polarity changes."""
     begin, _ = KINDS[kind]
     on = {"input": [{"channel": FAULT, "at": 0.5}]}
     for before, then, inputs, time in (

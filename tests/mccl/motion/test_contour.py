@@ -1,4 +1,4 @@
-"""Contour paths against geometry: on the circle, at the vector velocity, to the point."""
+"""Contour paths against geometry: on the circle, at the vector velocity, exactly."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HEAD = "1MN,2MN,1CM1,2CM1,1VV20000,1VA200000,1VD200000\n"
 
 
 def state(run: Run, time: float) -> tuple[float, float, float, float]:
-    """x, y and their velocities."""
+    """Return x, y and their velocities."""
     a, b = (run.controller.axes[axis].at(time) for axis in (1, 2))
     return a.position, b.position, a.velocity, b.velocity
 
@@ -66,7 +66,7 @@ def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
 
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
 def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
-    """Also where the stop ends at the end of the path, which rounding must not decide about."""
+    """The stop may end at the end of the path, which rounding must not decide."""
     result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\nWA{wait},1ST,1CP1,1MA20000,2MA0\n1WS,1TX,1TP")
     first, second = (move for move in result.controller.log.moves if move.axis == 1)
     assert first.profile is not None
@@ -91,7 +91,7 @@ def test_a_stop_never_runs_beyond_the_end_of_the_paths(mccl: Runner, shape: str,
 def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
     mccl: Runner, command: str, wait: float
 ) -> None:
-    """Wherever it happens, also between two of the cubics that the arc is made of."""
+    """It applies anywhere, even between two of the cubics of the arc."""
     result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA{wait},{command}\n1WS")
     assert result.diagnostics == []
     for k in range(200):
@@ -106,13 +106,13 @@ def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
         ("1CP3,1CA0,2CA10000,1MA10009,2MA10000", (10009, 10000)),
         ("1CP2,1CA5000,2CA0,1MA9996,2MA0", (9996, 0)),
         ("1CP3,1CA0,2CA10000,1MA10,2MA-5", (10, -5)),  # half a thousandth of the radius, at the very start
-        ("1CP3,1CA-10000,2CA0,1MA-10000,2MA-10003", (-10000, -10003)),  # three quarters of a turn
+        ("1CP3,1CA-10000,2CA0,1MA-10000,2MA-10003", (-10000, -10003)),  # three quarters of a circle
     ],
 )
 def test_an_arc_that_misses_its_end_a_little_goes_through_it(
     path: str, end: tuple[int, int], mccl: Runner
 ) -> None:
-    """On one circle, at the vector velocity, without a jump: the proof looks at places, velocities and the end."""
+    """It is on one circle, at the vector velocity, without a jump, by the proof."""
     result = mccl(f"{HEAD}{path}\n1WS,1TP,2TP", prove=True)
     assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
     assert result.proof().violations == []
@@ -130,7 +130,7 @@ def test_an_arc_that_misses_its_end_by_much_or_after_a_whole_turn_is_refused(pat
 
 
 def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
-    """3001, 997 and its half: a slope that no whole count has twice."""
+    """3001, 997 and its half: a slope that does not repeat in whole counts."""
     result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
     assert result.output == ["01 2"]
     assert result.proof().violations == []
@@ -146,7 +146,7 @@ def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
 
 
 def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
-    """Axis 2 has twice the counts a millimetre; the circle is round in millimetres."""
+    """Axis 2 has twice the counts per millimetre; the circle is round in millimetres."""
     text = "1US100,2US200,1MN,2MN,1CM1,2CM1,1VV50,1VA500,1VD500\n1CP2,1CR40,2CR0,1MR0,2MR0\n1WS"
     result = mccl(text)
     begin, end = result.controller.log.moves[0].start_time, result.time
@@ -164,7 +164,7 @@ def test_a_fault_of_one_axis_stops_the_others(mccl: Runner) -> None:
 
 @pytest.mark.parametrize("then", ["1VO0.5", "1CP1,1MR20000,2MR20000", "NO"])
 def test_a_new_zero_in_a_running_path_shifts_the_path_with_it(then: str, mccl: Runner) -> None:
-    """The place where the path ends stays the same, whatever the counting starts from."""
+    """The end of the path stays at its position, whatever the new zero is."""
     start = f"{HEAD}1CP1,1MA20000,2MA20000\nWA0.5\n"
     plain = mccl(f"{start}1VO1\n{then}\n1WS,1TP,2TP")
     shifted = mccl(f"{start}1TP,1DH500000\n{then}\n1WS,1TP,2TP")
@@ -228,7 +228,7 @@ def test_an_arc_is_exact(shape: str, mccl: Runner) -> None:
 @pytest.mark.parametrize("shape", ["1PS", "1PS0.2"])
 @pytest.mark.parametrize("wait", [0.03, 0.08, 0.12, 0.5])
 def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, wait: float, path: bool, mccl: Runner) -> None:
-    """The acceleration of 200000 counts/s² takes 0.002 s at least to build up or fall."""
+    """The acceleration of 200000 counts/s² takes at least 0.002 s to build up or fall."""
     move = "1CP1,1MR100000,2MR0" if path else "1PM,1SV20000,1SA200000,1SD200000,1MR100000"
     result = mccl(f"1MN,2MN\n{HEAD if path else ''}{shape}\n{move}\nWA{wait},1ST,1WS")
     axis = result.controller.axes[1]
@@ -243,14 +243,17 @@ def test_a_path_that_goes_somewhere_has_a_length(mccl: Runner) -> None:
 
 
 def test_a_user_defined_path_that_has_a_length_and_leads_nowhere_takes_its_time(mccl: Runner) -> None:
-    """10000 at 20000 counts/s with ramps of 0.1 s: 0.5 s + 0.1 s, in which both axes stand."""
+    """10000 at 20000 counts/s with ramps of 0.1 s: 0.5 s + 0.1 s, both axes at rest."""
     result = mccl(f"{HEAD}1CP0,1CD10000,1MR0,2MR0\n1WS,1TP,1TX", prove=True)
     assert result.output == ["01 0", "01 1"]
     assert result.time == pytest.approx(0.6, abs=1e-3)
 
 
 def test_an_arc_described_while_a_path_stops_begins_where_it_rests(mccl: Runner) -> None:
-    """At 20000 counts/s the path stops within 1000 of where ST finds it; the arc ends a quarter round its own start."""
+    """At 20000 counts/s the path stops within 1000 of ST.
+
+    The arc ends a quarter round its own start.
+    """
     result = mccl(f"{HEAD}1CP1,1MA90000,2MA0\nWA1,1ST,1CP3,1CR0,2CR500,1ER90\n1WS,1TP,2TP", prove=True)
     x, y = (int(line.split()[1]) for line in result.output)
     assert x == pytest.approx(20500, abs=2)

@@ -1,4 +1,4 @@
-"""Limits of the boards in every motion: put in force under way, and smooth where LM says so."""
+"""Limits of the boards in every motion: enabled in motion, and smooth by LM."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ CONTOUR = HEAD + "2LM{},2LN12\n1CP1,1MA3000,2MA4000\n1WS,1TP,2TP"
 def test_a_soft_limit_stops_a_contour_as_its_mode_says(
     mode: int, rest: tuple[int, int], mccl: Runner
 ) -> None:
-    """Smoothly is at VD, along the path: 10000² / 200000 = 500 further, of which the axes do 300 and 400."""
+    """Smoothly is at VD, along the path: 10000² / 200000 = 500 further.
+
+    The axes cover 300 and 400 of it.
+    """
     result = mccl(CONTOUR.format(mode))
     assert result.output == [f"01 {rest[0]}", f"02 {rest[1]}"]
     assert [move["ended"] for move in moves(result)] == ["fault", "fault"]
@@ -49,7 +52,7 @@ def test_a_limit_put_in_force_behind_a_moving_axis_stops_it(how: str, start: str
 
 
 def test_velocity_mode_that_turns_into_an_active_limit_stops_at_the_turn(mccl: Runner) -> None:
-    """LM8 at 20000 and 100000 passes 8000 by 2000; the way back goes on to the turn, and no further."""
+    """LM8 at 20000 and 100000 passes 8000 by 2000; it returns to the reversal only."""
     text = (
         "1MN,1VM,1SV20000,1SA100000,1DS100000,1LM8,1HL8000,1LL-99999,1LN12,1DI0,1GO,WS,1MN\n"
         "1SV1000,1DI1,1GO,WA0.2,1SV20000,1DI0,1GO,WA1,1TP,1TV"

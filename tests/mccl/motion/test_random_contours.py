@@ -1,6 +1,6 @@
-"""Random contours of MCCL: every run is proved and arrives; a contour of Mint with the same paths takes the same time.
+"""Random contours of MCCL: every run is proved and arrives.
 
-`MOTIONLANG_LONG=2000` asks for so many.
+A contour of Mint with the same paths takes the same time. `MOTIONLANG_LONG=2000` runs that many.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def proved(text: str, name: str) -> Run:
 
 
 class Job:
-    """Three to twelve lines and arcs, some of which go on in the same direction, and what happens on them."""
+    """Three to twelve lines and arcs, some of them tangent, with events."""
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = Random(seed)
@@ -75,7 +75,7 @@ def test_a_contour_is_proved_and_arrives(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_contour_of_mint_takes_the_same_time(seed: int) -> None:
-    """Lines, some of which go on in the same direction: one planner, and each language has its own rule for joins."""
+    """Lines, some of them tangent: one planner, and each language's rule for joins."""
     choose = Random(seed)
     velocity, accel, decel = 20000, choose.randrange(50000, 400000), choose.randrange(50000, 400000)
     x = y = 0

@@ -1,7 +1,7 @@
-"""Where ST and AB leave an axis: each profile, each setting that is changed in motion, each part of the deceleration.
+"""The rest position after ST and AB: each profile, setting and ramp section.
 
-The distances are those of TN1069 (docs/tn1069.md). V, A, D are the velocity and the rates of the move, T is the time
-of its deceleration ramp, t the time since that began, v the velocity at the stop.
+The distances are those of TN1069 (docs/tn1069.md). V, A, D are the velocity and the rates of the move, T is
+the time of its deceleration ramp, t the time since that began, v the velocity at the stop.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from motionlang.source import Source
 
 V, D, TARGET = 40_000.0, 100_000.0, 100_000.0
 RATIO = 0.1
-# T_D, and the distance of the whole ramp in parts of V T_D.
+# T_D, and the distance of the complete ramp in units of V T_D.
 RAMPS = {
     "PT": (V / D, 1 / 2),
     "PS": (pi / 2 * V / D, 1 / 2),
@@ -25,13 +25,13 @@ RAMPS = {
 
 
 def from_velocity(kind: str, v: float, rate: float) -> float:
-    """The distance of a stop from v, without an acceleration to begin with."""
+    """Return the distance of a stop from v, without an initial acceleration."""
     whole, part = RAMPS[kind]
     return part * v * whole * v / V * D / rate
 
 
 def in_the_ramp(kind: str, t: float) -> tuple[float, float]:
-    """The velocity at t, and the distance that is left to the target."""
+    """Return the velocity at t, and the remaining distance to the target."""
     whole, _ = RAMPS[kind]
     left = whole - t
     if kind == "PT":
@@ -45,16 +45,19 @@ def in_the_ramp(kind: str, t: float) -> tuple[float, float]:
     if t < rise:
         return V - D * t**2 / (2 * rise), V * whole / 2 - V * t + D * t**3 / (6 * rise)
     assert t <= whole - rise
-    held = left - rise  # behind which D falls to 0 over `rise`
+    held = left - rise  # after which D falls to 0 over `rise`
     after = D * rise / 2
     return after + D * held, D * rise**2 / 6 + after * held + D * held**2 / 2
 
 
 def of_a_stop(kind: str, t: float, rate: float) -> float:
-    """The distance of a stop at t in the ramp at another rate: the acceleration falls first, where it may not jump."""
+    """Return the distance of a stop at t in the ramp at another rate.
+
+    The acceleration falls first, if it may not jump.
+    """
     whole, _ = RAMPS[kind]
     v, _ = in_the_ramp(kind, t)
-    if kind == "PS":  # the same half wave from where it is as high, and falls
+    if kind == "PS":  # the same half wave from the point where it has the same height, and falls
         x, omega = pi * t / whole, pi / whole
         if x >= pi / 2:
             return in_the_ramp(kind, t)[1]
@@ -69,7 +72,7 @@ def of_a_stop(kind: str, t: float, rate: float) -> float:
     return from_velocity(kind, v, rate)
 
 
-# What is written before the stop, and the rate of deceleration from then on.
+# The setting before the stop, and the rate of deceleration from then on.
 CHANGES = {
     "nothing": ("", D),
     "SV": ("1SV10000", D),
@@ -81,7 +84,7 @@ CHANGES = {
 
 
 def stopped(kind: str, change: str, time: float, command: str) -> tuple[float, float]:
-    """When the axis was stopped, and where it stood, counts; MR is the third command."""
+    """When the axis was stopped, and its position, counts; MR is the third command."""
     text, _ = CHANGES[change]
     wait = f"WA{time:.6f}"
     result = run(
@@ -101,7 +104,7 @@ def stopped(kind: str, change: str, time: float, command: str) -> tuple[float, f
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("kind", RAMPS)
 def test_st_while_slowing_down(kind: str, change: str, part: float) -> None:
-    """At the rate in force; to the target as planned where that is nearer, and within that rate."""
+    """It is at the rate in force, or as planned if that is nearer and within the rate."""
     whole, size = RAMPS[kind]
     begin = (TARGET - 2 * size * V * whole) / V + whole
     time, end = stopped(kind, change, begin + part * whole, "ST")

@@ -1,4 +1,4 @@
-"""What is wrong is answered with its code, in a file and at the port, and the next command works."""
+"""An error is answered with its code, in a file and at the port, and is isolated."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tests.cases import cases
 from tests.mccl.conftest import Runner
 from tests.mccl.hosts.test_port import ask, board
 
-# What is sent, and the code it is answered with.
+# The input, and the code in the answer.
 CODES = {
     "an unknown command": ("1XX", codes.UNRECOGNISED),
     "a number alone": ("7", codes.FORMAT),
@@ -74,7 +74,7 @@ def test_at_the_port(what: str) -> None:
 
 
 def test_the_codes_that_are_not_a_commands() -> None:
-    """0 before anything went wrong, -7 by ESC; 3 is `test_an_error_of_our_own_costs_one_line`."""
+    """0 before any error, -7 by ESC; 3 is `test_an_error_of_our_own_costs_one_line`."""
     console, port = board()
     assert ask(console, port, b"TE\r") == b"0\n>"
     port.feed(b"WA100\r")
@@ -99,7 +99,7 @@ def test_a_megabyte_in_a_line() -> None:
 
 
 def test_binary_garbage() -> None:
-    """Each line of it is answered, and the port is as good as new."""
+    """Each line of it is answered, and the port works normally afterwards."""
     rubbish = random.Random(7)
     console, port = board()
     for _ in range(300):
@@ -126,7 +126,7 @@ def test_control_characters_that_mean_nothing_are_nothing() -> None:
 
 
 def test_escape_sequences_of_a_terminal_clear_the_line_and_are_answered() -> None:
-    """An arrow key is ESC [ A: the line is gone, and what follows the ESC is no command."""
+    """An arrow key is ESC [ A: the line is cleared, and the rest is no command."""
     console, port = board()
     assert ask(console, port, b"1TP\x1b[A\r") == b"\n>?2\n>"
     assert ask(console, port, b"1TP\r") == b"01 0\n>"
@@ -149,7 +149,10 @@ def test_two_macros_that_call_each_other(mccl: Runner) -> None:
 
 
 def test_rp_inside_rp(mccl: Runner) -> None:
-    """Each RP of a line has its own count, and starts again when the other one repeats it; a macro has its own too."""
+    """Each RP of a line has its own count, reset when the other one repeats it.
+
+    A macro has its own too.
+    """
     assert mccl("AA1,RP2,AA10,RP1,TR0").output == ["26"]
     assert mccl("MD1,AA1,RP2\nMC1,AA10,RP1,TR0").output == ["26"]
 
@@ -160,7 +163,7 @@ def test_a_task_that_ends_itself(mccl: Runner) -> None:
 
 
 def test_a_new_zero_in_the_last_moment_of_a_move_does_not_hold_the_run(mccl: Runner) -> None:
-    """Found by random programs: what was left of the move ended a last bit before the event of its end."""
+    """Found by random programs: the rest of the move ended a bit before its event."""
     text = 'MN\nMR1,1VM33,2JV"%5.2f"\n1AM5\n1OO,SV90,2TV1000,TP"%d"\n1XN90,1YF100,2CP-1\n1DH5'
     result = mccl(text, machine={"axis.1.motor": "stepper"})
     assert result.status == "ended"

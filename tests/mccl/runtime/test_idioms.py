@@ -1,4 +1,7 @@
-"""The two idioms that are remembered from PMC's manuals: they agree with "skip two" and with JR counted from itself."""
+"""The two idioms remembered from PMC's manuals agree with "skip two" and JR.
+
+JR counts from itself.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,10 @@ def test_the_same_when_the_bit_is_set_already(mccl: Runner) -> None:
 
 
 def test_run_until_the_home_switch(mccl: Runner) -> None:
-    """Bit 23; 10000 counts/s at 100000 counts/s2 take 500 counts to stop, and the look is half a loop late at most."""
+    """Bit 23; 10000 counts/s at 100000 counts/s² take 500 counts to stop.
+
+    The check is half a loop late at most.
+    """
     result = mccl(MACROS + RUN, machine={"axis.1.home_switch": [20000.0, 20500.0]})
     position, macro = result.output
     assert 20500 <= int(position.split()[1]) <= 20502
@@ -32,7 +38,7 @@ def test_run_until_the_home_switch(mccl: Runner) -> None:
 
 
 def test_run_until_the_other_bit(mccl: Runner) -> None:
-    """Bit 16 comes on with LN2, which a background task does after a second."""
+    """Bit 16 turns on with LN2, which a background task executes after a second."""
     text = "MD1,WA1,1LN2\n" + MACROS + "GT1\n" + RUN
     result = mccl(text)
     position, macro = result.output
@@ -41,7 +47,7 @@ def test_run_until_the_other_bit(mccl: Runner) -> None:
 
 
 def test_the_input_bits_are_live(mccl: Runner) -> None:
-    """Bits 22 index, 25 auxiliary, 28 and 29 user inputs, each when its input is on and no longer."""
+    """Bits 22 index, 25 auxiliary, 28 and 29 user inputs follow their inputs."""
     machine = {
         "axis.1.index_every": 1000.0,
         "input": [{"channel": channel, "at": 1.0, "for": 1.0} for channel in (201, 217, 233)],

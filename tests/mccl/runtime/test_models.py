@@ -1,4 +1,4 @@
-"""The boards: what one does otherwise than another, each difference with what it shows."""
+"""The boards: their differences, each with its output."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.mccl.hosts.test_port import ask, board
 DSP, BASIC = ("multiflex", "dcx-pci300", "dcx-at200"), ("dcx-pci100", "dcx-pc100")
 ALL = (*DSP, *BASIC)
 
-# What is sent, and what each board answers.
+# The input, and each board's answer.
 DIFFERENCES: dict[str, tuple[str, dict[str, str]]] = {
     "one status word, or four": ("1TS1", {"multiflex": "01 1", **dict.fromkeys(ALL[1:], "?-1")}),
     "bit 2 is at target, or velocity mode": (
@@ -125,7 +125,7 @@ def test_a_stepper_of_a_multiflex_has_other_settings_at_power_up(mccl: Runner) -
     ],
 )
 def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) -> None:
-    """Unless the machine file says another."""
+    """The machine file may override it."""
     text = "VE\n1OB1"
     result = run(Source(name, text), dialect="mccl")
     assert result.output[0].startswith(MODELS[model].title)

@@ -1,4 +1,4 @@
-"""Loops that only look are skipped to the next event, with the same result as without skipping."""
+"""Polling loops are skipped to the next event, with an equal result."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from motionlang.mccl.runtime.poll import Poll
 from tests.mccl.conftest import Runner
 
 POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
-# What moves is reckoned with before it is compared, so that no pass is as the one before.
+# Calculations with a moving position before the comparison, so that all passes differ.
 RECKONED = 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n1RL@20,AA5,IB305,JR-3,NO,1TP,1WS,1TP'
 
 PROGRAMS = {
@@ -59,7 +59,10 @@ def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.M
 
 
 def test_eight_hours_of_polling(mccl: Runner) -> None:
-    """0.0001 counts/s is eight hours and more for three counts; the loop looks all the time."""
+    """0.0001 counts/s is over eight hours for three counts.
+
+    The loop polls continuously.
+    """
     text = f"1US10000,1MN,1SV0.0001,1SA1,1DS1,1MR3\n{POLL},1TP"
     begin = time.process_time()
     result = mccl(text, until=8 * 3600.0)
@@ -73,7 +76,7 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
 def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
     mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of thousands of passes few are looked at: one in 257 in the end."""
+    """Few of thousands of passes are checked: one in 257 in the end."""
     notes, note = 0, Attention.note
 
     def counted(attention: Attention, until: Callable[..., float], *about: object) -> None:

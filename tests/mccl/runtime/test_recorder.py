@@ -1,4 +1,4 @@
-"""What the language asks of the controller, written down by one that has no physics."""
+"""The language's calls of the controller, recorded by one without physics."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from motionlang.lang.scheduler import Scheduler
 from motionlang.mccl.runtime.program import MacroFile
 from motionlang.source import Source
 
-# Readings, and what the board does at power-up, are not what a test is about.
+# Readings, and the board's calls at power-up, are not the subject of a test.
 QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "following_error", "idle_time",
          "stands", "standing_time", "master_of"}  # fmt: skip
 
 
 class Written(Recorder):
-    """A recorder with the channels and listeners of a controller, which the board hangs on to."""
+    """A recorder with the channels and listeners that the board subscribes to."""
 
     def __init__(self, **answers: Any) -> None:
         super().__init__(2, 1, {"setting": 100.0, "target": 500.0, **answers})
@@ -29,7 +29,7 @@ class Written(Recorder):
 
 
 def calls(text: str, **answers: Any) -> list[tuple[Any, ...]]:
-    """The verbs that a program makes, in order."""
+    """Return the verbs that a program calls, in order."""
     machine = Machine({"controller.axes": 2}, first_axis=1)
     recorder = Written(**answers)
     machine._controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
@@ -81,5 +81,5 @@ def test_a_reversal_is_braked_for_before_the_new_target_is_given() -> None:
         "standing_time": 1.0,
     }
     answers |= {"setting": 100.0, "stands": False}
-    # 100 counts/s at 100 counts/s2 come to rest at 50: the target lies behind that.
+    # 100 counts/s at 100 counts/s2 come to rest at 50: the target is behind that.
     assert calls("1MA-500", **answers) == []

@@ -1,4 +1,4 @@
-"""MCCL at the prompt: registers from outside, and the place of a mistake in a macro of an earlier line."""
+"""MCCL at the prompt: registers, and errors in a macro of an earlier line."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Prompt:
         self.lines = 0
 
     def enter(self, line: str) -> list[str]:
-        """What one line shows."""
+        """Return the output of one line."""
         task = self.session.task(Source("input", "\n" * self.lines + line))
         self.lines += 1
         before = len(self.machine.terminal.lines)
@@ -32,7 +32,7 @@ class Prompt:
         return self.machine.terminal.lines[before:]
 
     def mistake(self, line: str) -> Diagnostic:
-        """The one diagnostic of a line."""
+        """Return the one diagnostic of a line."""
         self.machine.diagnostics.clear()
         self.enter(line)
         (found,) = self.machine.diagnostics
@@ -79,7 +79,7 @@ def test_a_mistake_in_the_line_itself() -> None:
 
 
 def test_a_task_stands_in_its_own_text() -> None:
-    """What a trouble of the run itself is told by: the call, where the macro is of an earlier text."""
+    """A run-time error has the call's position if the macro is of an earlier text."""
     prompt = Prompt()
     prompt.enter("MD1,WN9,MC2")
     prompt.enter("MD2,WN8")

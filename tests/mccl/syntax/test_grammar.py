@@ -1,4 +1,4 @@
-"""Commands as the generated pattern finds them, against Lark with the same grammar: the same are found, and refused."""
+"""Commands of the generated pattern against Lark with the same grammar."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ files = st.lists(st.one_of(lines, st.sampled_from(["", "# a whole line", "  #1MR
 
 
 def by_grammar(text: str) -> Read:
-    """What the grammar makes of a text."""
+    """Return the grammar's result for a text."""
     tree = GRAMMAR.parse(text)
     return [[_command(each) for each in line.children] for line in tree.children if line.children]  # type: ignore[union-attr, arg-type]
 
@@ -69,7 +69,7 @@ def _command(tree: Tree[Token]) -> tuple[int, str, int, Any]:
 
 
 def by_pattern(text: str) -> Read:
-    """What the package makes of it; whether a value is in range is another matter."""
+    """Return the package's result; the range of values is not compared."""
     read: Read = []
     for line in lines_of(text):
         assert isinstance(line, Line)
@@ -78,7 +78,7 @@ def by_pattern(text: str) -> Read:
 
 
 def is_form(text: str) -> bool:
-    """Whether every command of a text has the form of a command, for the package."""
+    """True if every command of a text has the form of a command, for the package."""
     for line in lines_of(text):
         if isinstance(line, Line):
             faults = [problem(command) for command in line.commands]
@@ -97,7 +97,7 @@ def test_both_ways_read_the_same(text: str) -> None:
     for expected, found in zip(by_grammar(text), own, strict=True):
         assert [each[:2] for each in expected] == [each[:2] for each in found]
         for (_, _, kind, value), (_, _, own_kind, own_value) in zip(expected, found, strict=True):
-            # A command that is wrong in its parameter keeps none.
+            # A command with an invalid parameter has none.
             assert (own_kind, own_value) in ((kind, value), (NONE, 0))
 
 
@@ -113,7 +113,7 @@ def test_what_one_way_refuses_the_other_refuses(text: str) -> None:
 
 
 def _only_unknown(text: str) -> bool:
-    """Whether the text is refused for a word, which the grammar does not know anything about."""
+    """True if the text is rejected for a command name, which the grammar ignores."""
     return any(
         isinstance(line, Line) and any(c.row is None for c in line.commands) for line in lines_of(text)
     )
