@@ -6,7 +6,7 @@ from motionlang.controller.controller import Controller
 
 
 def machine(axes: int = 2, **settings: float | str) -> Controller:
-    """`axes` axes that run at 10 counts/s with rates of 100 counts/s², or as `settings` say."""
+    """Return `axes` axes at 10 counts/s and 100 counts/s², or with `settings`."""
     controller = Controller(axes)
     for axis in controller.axes:
         for name, value in {"speed": 10.0, "accel": 100.0, "decel": 100.0, **settings}.items():
@@ -15,6 +15,6 @@ def machine(axes: int = 2, **settings: float | str) -> Controller:
 
 
 def until(controller: Controller, time: float) -> Controller:
-    """The controller at `time`."""
+    """Return the controller at `time`."""
     controller.clock.advance(time)
     return controller

@@ -1,4 +1,4 @@
-"""Any verbs in any order: positions never jump, time passes, and nothing is raised but a Refusal."""
+"""Any verbs in any order: no jump of position; time advances; only Refusal rises."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Step = tuple[Any, ...]
 
 
 def steps_of(r: Random, most: int) -> list[Step]:
-    """Verbs with their arguments, by the dice: the seed is the whole case."""
+    """Return random verbs with their arguments; the seed defines the complete case."""
 
     def axis() -> int:
         return r.randrange(3)
@@ -81,7 +81,7 @@ def perform(c: Controller, step: tuple[Any, ...]) -> None:
 
 
 def run_on(c: Controller, time: float) -> None:
-    """Let time pass; what an event refuses ends that motion and nothing else."""
+    """Advance; a rejection in an event ends only its motion."""
     while c.clock.now < time:
         try:
             until(c, time)
@@ -90,7 +90,7 @@ def run_on(c: Controller, time: float) -> None:
 
 
 def jumps(c: Controller, axis: int) -> float:
-    """The largest distance between the end of one profile of the track and the beginning of the next."""
+    """Return the largest gap between consecutive profiles of a track."""
     a = c.axes[axis]
     worst = 0.0
     for k in range(1, len(a.starts)):

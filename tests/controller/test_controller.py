@@ -1,4 +1,4 @@
-"""The virtual controller by its verbs, in counts and seconds, with no language in sight."""
+"""The virtual controller by its verbs, in counts and seconds, without a language."""
 
 from __future__ import annotations
 

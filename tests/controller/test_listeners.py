@@ -1,4 +1,4 @@
-"""Who hears of what: kinds, order, and leaving while being told."""
+"""Notifications: kinds, order, and unsubscribing during one."""
 
 from __future__ import annotations
 

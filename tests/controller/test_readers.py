@@ -1,4 +1,4 @@
-"""Readers and writers bound to an axis: the same to the last bit as asking the verb each time."""
+"""Readers and writers bound to an axis equal the verbs, to the last bit."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from motionlang.controller.verbs import Recorder
 
 
 def scaled() -> Controller:
-    """Two axes of 10 counts a unit, the first at 8 counts/s and 16 counts/s²."""
+    """Return two axes of 10 counts per unit, the first at 8 counts/s and 16 counts/s²."""
     controller = Controller(2)
     controller.set_scale(0, 10.0)
     for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
@@ -49,7 +49,7 @@ def test_a_bound_reading_is_right_at_a_past_moment_and_between_the_moves() -> No
     controller.move_to(0, 8.0)
     controller.clock.advance(1.0)
     assert place() == pytest.approx(0.6)  # half a second of ramp, 2 counts; half a second at 8 counts/s
-    controller.clock.now = 0.25  # a condition is asked what it would have been
+    controller.clock.now = 0.25  # a condition evaluates a past value
     assert place() == pytest.approx(0.05)  # 16 counts/s², over 2, of a sixteenth of a second²
     controller.clock.now = 1.0
     controller.stop(0)
@@ -84,7 +84,7 @@ def test_a_rate_that_is_written_ends_the_time_for_it_and_acts_on_a_move() -> Non
 
 
 class Hearing:
-    """Who hears of readings by `note` while `notes` is not None."""
+    """A subscriber to readings by `note` while `notes` is not None."""
 
     def __init__(self) -> None:
         self.attention, self.wraps = self, dict[int, float]()
@@ -110,21 +110,24 @@ def test_who_asks_hears_of_readings_and_of_what_they_are_compared_with() -> None
 
 
 def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
-    """8 counts/s at 16 counts/s2 and 10 counts a unit: 2 counts in half a second, 16 in two, and 2 in the last half."""
+    """8 counts/s at 16 counts/s2 and 10 counts per unit.
+
+    It covers 2 counts in half a second, 16 in two, and 2 in the last half.
+    """
     controller, hearing = scaled(), Hearing()
     hearing.notes = []
     controller.reader("position", 0, PLACE, hearing)()
     controller.reader("velocity", 0, "uu/s", hearing)()
     place, speed = (until for until, _ in hearing.heard)
     assert place(0.5) == place() == inf
-    assert place(inf) == 0.0  # at rest it is no second time more than ever before
+    assert place(inf) == 0.0  # at rest it is no new maximum
     controller.move_by(0, 20.0)
-    assert place() == 0.0  # it may change at any moment
+    assert place() == 0.0  # it may change at any time
     assert place(0.6) == place((-0.6,)) == pytest.approx(0.5 + 4.0 / 8.0)
     assert place(2.5) == inf
     assert speed(0.4) == pytest.approx(0.25)
     controller.clock.advance(0.6)
-    assert place(inf) == pytest.approx(3.0)  # it turns round, or stands
+    assert place(inf) == pytest.approx(3.0)  # it reverses, or is at rest
     hearing.wraps[0] = 0.4
     assert place(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
     assert place(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps

@@ -1,4 +1,4 @@
-"""What can be read off an axis, at the edges: jogs, slaves at rest, motion that is the last of several."""
+"""Edge cases of readings: jogs, slaves at rest, the last of several motions."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_a_slave_whose_master_rests_passes_nothing_not_even_where_it_is() -> Non
 
 
 def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
-    """30 at 50 with rates of 100: up to 50 in 0.5 s, level for 0.1 s, and down."""
+    """30 at 50 with rates of 100: up to 50 in 0.5 s, constant for 0.1 s, and down."""
     c = controller()
     c.move_to(0, 30.0)
     c.clock.advance(0.2)
@@ -55,7 +55,7 @@ def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
 
 
 def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
-    """The plan that an entry of the buffer has where it says nothing of its own."""
+    """An entry of the buffer without a plan of its own has this one."""
     c = controller()
     c.move_to(0, 10.0)
     c.clock.advance(5.0)

@@ -1,4 +1,4 @@
-"""The door between user units and counts: what a length, a speed, a rate and a jerk of 2 are on the other side."""
+"""Conversion between user units and counts, for a length, speed, rate and jerk."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import pytest
 
 from motionlang.controller.scale import Scale
 
-# 4 counts a unit, and minutes; the same with units of its own for speeds, 10 counts, and for rates and jerks, 20.
+# 4 counts per unit, and minutes; the same with separate units for speeds, 10 counts, and for rates and jerks,
+# 20.
 PLAIN = {"uu": 8.0, "uu/s": 8.0 / 60.0, "uu/s2": 8.0 / 60.0**2, "uu/s3": 8.0 / 60.0**3, "ms": 2.0}
 OWN = {"uu": 8.0, "uu/s": 20.0 / 60.0, "uu/s2": 40.0 / 60.0**2, "uu/s3": 40.0 / 60.0**3, "ms": 2.0}
 

@@ -1,1 +1,1 @@
-"""Accelerators: each gives what the engine gives."""
+"""Accelerators: each equals the engine."""

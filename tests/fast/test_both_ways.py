@@ -1,4 +1,4 @@
-"""Whatever is done to an axis with a linear motor, the closed form and the plain steps tell the same of it."""
+"""An axis with a linear motor: closed form and plain steps agree in any case."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def told(
     acts: list[tuple[str, float]],
     servo: Callable[..., Ahead],
 ) -> tuple[list[Reading], list[float]]:
-    """What is read after each pause behind an act, and when the following error went beyond its limit."""
+    """Return the readings after each pause, and the times of error limit violations."""
     controller, trips = Controller(1), list[float]()
     a, clock = controller.axes[0], controller.clock
     a.feedback = feedback = Feedback(a, clock, plant, section, servo)
@@ -83,7 +83,7 @@ def told(
         try:
             ACTS[name](controller)
         except Refusal:
-            pass  # a jog of an axis that is switched off
+            pass  # a jog of a disabled axis
         clock.advance(clock.now + pause)
         seen.append((controller.position(0), controller.velocity(0), feedback.error, feedback.output))
     return seen, trips
@@ -99,7 +99,7 @@ def told(
 def test_readings_are_the_same_and_trips_come_at_the_same_sample(
     plant: dict[str, object], section: dict[str, object], limit: float, acts: list[tuple[str, float]]
 ) -> None:
-    """To a ten-millionth of a count, and of what it goes by: counts/s, volts."""
+    """They agree to a ten-millionth of a count, and of counts/s and volts."""
     seen, trips = told(plant, section, limit, acts, ClosedFormServo)
     stepped, plain_trips = told(plant, section, limit, acts, Ahead)
     for one, other in zip(seen, stepped, strict=True):
@@ -108,7 +108,7 @@ def test_readings_are_the_same_and_trips_come_at_the_same_sample(
 
 
 def test_a_program_waits_as_long_either_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Positions passed, windows kept and limits broken are found at their samples, not where a block ends."""
+    """Positions, windows and limits are found at their samples, not at block ends."""
     text = """
 SCALE(0) = 100 : SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
 FOLERRORFATAL(0) = 1.2 : IDLEMODE(0) = 1 : IDLEPOS(0) = 0.002 : IDLETIME(0) = 5

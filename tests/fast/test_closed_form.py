@@ -1,4 +1,4 @@
-"""The closed form of a linear loop: the numbers of the plain steps, and of pencil and paper."""
+"""The closed form of a linear loop equals plain steps, and hand arithmetic."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 SECONDS = 1.6
-# Loops whose closed form there is, and more of them.
+# Loops with a closed form.
 FORMS = {name: loop for name, loop in LOOPS.items() if closed_form(loop, Motor()) is not None} | {
     "feed-forward alike": Loop(0.02, 1e-5, 0.4, velocity_ff=2e-5, accel_ff=3e-7, decel_ff=3e-7),
     "feed-forward at Mint's rate": Loop(
@@ -36,7 +36,7 @@ LINEAR = {name: plant for name, plant in PLANTS.items() if plant.is_linear}
 
 
 def track() -> Track:
-    """Cubics, a half wave of a sine, a rest, and one profile that cuts another one short."""
+    """Return a track of cubics, a half sine wave, a rest, and a profile cut short."""
     far = plan_trapezoid(0.0, 4000.0, 12_000.0, 90_000.0, 140_000.0)
     back = plan_ratio(far.position(0.2003), 4500.0, 14_000.0, 90_000.0, 120_000.0, 0.3, far.velocity(0.2003))
     wave = plan_sinusoidal(4500.0, 2500.0, 9_000.0, 80_000.0, 80_000.0)
@@ -47,7 +47,7 @@ def track() -> Track:
 
 
 def looked(servo: Ahead, blocks: list[int]) -> dict[str, Array]:
-    """What was seen of a servo, block by block."""
+    """Return the samples of a servo, block by block."""
     rows = np.concatenate([servo.look(count) for count in blocks], axis=1)
     return dict(zip(SEEN, rows, strict=True))
 
@@ -104,7 +104,10 @@ def test_blocks_of_any_length_are_the_plain_loop(name: str, plant: str, blocks: 
 
 
 def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
-    """2 V on 5000 counts/s a volt, behind a lag of 20 ms: v = 10 000 (1 - e^(-t/T)), p its integral."""
+    """2 V on 5000 counts/s per volt, with a lag of 20 ms: v = 10 000 (1 - e^(-t/T)).
+
+    p is its integral.
+    """
     servo = ClosedFormServo(Loop(servo_rate=1000.0), Drive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
     servo.open(2.0)
     seen = looked(servo, [300])
@@ -117,7 +120,10 @@ def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
 
 
 def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
-    """Where 0.01 V a count must give 5000 counts/s out of 5000 counts/s a volt, it takes an error of 100 counts."""
+    """0.01 V per count must give 5000 counts/s at 5000 counts/s per volt.
+
+    So the error is 100 counts.
+    """
     ramp = plan_trapezoid(0.0, 1e6, 5000.0, 1e6, 1e6)
     seen = looked(ClosedFormServo(Loop(0.01), Drive(5000.0, 2e-3), Track([0.0], [ramp])), [8000])
     assert seen["error"][-1] == pytest.approx(100.0, abs=1e-9)
@@ -125,7 +131,10 @@ def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
 
 
 def test_a_constant_torque_is_a_parabola() -> None:
-    """0.1 A on 0.05 N m/A turn 2e-5 kg m² at 250 rad/s²: after a second 125 rad, of 4000/2π counts."""
+    """0.1 A on 0.05 N m/A turn 2e-5 kg m² at 250 rad/s²: after a second 125 rad.
+
+    A radian has 4000/2π counts.
+    """
     motor = Motor(amplifier="current", amplifier_gain=0.1, viscous=0.0, load_inertia=0.0)
     servo = ClosedFormServo(Loop(servo_rate=1000.0), motor, Track([0.0], [hold(0.0)]))
     servo.open(1.0)
@@ -134,12 +143,12 @@ def test_a_constant_torque_is_a_parabola() -> None:
     assert seen["current"][1000] == pytest.approx(0.1)
 
 
-# ------------------------------------------------------------------------------------------------ what can be relied on
+# ------------------------------------------------------------------------------------------------ guarantees
 
 
 @given(st.integers(1, 3000), st.sampled_from(sorted(FORMS)))
 def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, name: str) -> None:
-    """A motor that is taken over stands exactly where it was read: what was seen is what is run again."""
+    """A motor that is taken over is exactly where it was read: samples repeat exactly."""
     servo, twin = (ClosedFormServo(FORMS[name], LINEAR["gravity"], track()) for _ in range(2))
     servo.look(150)
     twin.look(150)
@@ -152,7 +161,7 @@ def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, 
 @pytest.mark.parametrize("first", [1, 2, 3, 4])
 @pytest.mark.parametrize("name", ["feed-forward alike", "feed-forward at Mint's rate"])
 def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
-    """A motor at speed is taken over: its demand stands where it was then, also for what goes by the points before."""
+    """A motor at speed is taken over: its command stays there, for all later points."""
 
     def taken_over(blocks: list[int]) -> Array:
         growing = Track([0.0], [hold(0.0)])
@@ -169,7 +178,7 @@ def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
 
 
 def test_a_motor_comes_to_rest_to_the_last_bit() -> None:
-    """What is left of a motion dies away to nothing: a long rest repeats itself, and costs nothing."""
+    """The rest of a motion decays to zero: a long rest is periodic, and costs nothing."""
     loop = Loop(0.04, 4e-4, 0.9, integral_limit=5.0)
     free, held = (ClosedFormServo(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
     for servo in free, held:

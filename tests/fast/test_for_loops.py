@@ -1,4 +1,4 @@
-"""Counted loops run in chunks, and nobody can tell."""
+"""Counted loops run in chunks, without a visible difference."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ LOOPS = {
 }
 
 
-# A cost of which no period is a multiple: at a tie, rounding decides which statement still comes first.
+# A duration of which no period is a multiple: at a tie, rounding decides the first statement.
 COST = 0.7310585e-3
 
 
@@ -114,7 +114,7 @@ End Task
 def test_tasks_that_compute_by_themselves_take_long_turns_and_end_when_they_would(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """To the length of a turn of the loop, that is: where a slice ends is where a turn does."""
+    """They agree to the duration of an iteration, since a slice ends with one."""
     long_turns = timeline(TWO)
     monkeypatch.setattr(scheduler.Scheduler, "_turn_length", lambda *_: 1e-3)
     short_turns = timeline(TWO)

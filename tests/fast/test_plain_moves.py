@@ -1,4 +1,4 @@
-"""Plain moves: a run is the same to the last bit as one in which every move is an object from the start."""
+"""Plain moves: a run equals one with objects for all moves, to the last bit."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from motionlang.source import Source
 from tests.cases import cases
 from tests.mint.motion_programs import program
 
-# A travel that some of the random moves come to, a switch, and a fault.
+# A travel limit that some of the random moves reach, a switch, and a fault.
 MACHINE: dict[str, object] = {
     "axis.0.travel": [-9.0, 19.0],
     "axis.1.travel": [-30.0, 40.0],
     "input": [{"channel": 3, "axis": 1, "between": [2.0, 5.0]}, {"channel": 4, "at": 0.5}],
     "fault": [{"axis": 2, "kind": "drive", "at": 3.0}],
 }
-# What looks at an axis that has just begun a move, and what is done to it.
+# Readings of an axis that has just begun a move, and commands to it.
 LOOKS = (
     "PRINT POS({k}); VEL({k}); POSREMAINING({k})",
     "PRINT IDLE({k}); MOVEBUFFERFREE({k})",
@@ -48,7 +48,7 @@ LOOKS = (
 
 
 def looked_at(seed: int) -> str:
-    """A program of plain moves, with looks at them at any moment."""
+    """Return a program of plain moves, which are read at any time."""
     random = Random(seed)
     lines = ["SPEED(0, 1, 2) = 20, 35, 50", "ACCEL(0, 1, 2) = 300;", "DECEL(0, 1, 2) = 200, 400, 300"]
     for _ in range(random.randint(4, 14)):
@@ -64,7 +64,7 @@ def looked_at(seed: int) -> str:
 
 
 def all_of(result: Run) -> list[object]:
-    """Everything that a run left behind."""
+    """Return the complete result of a run."""
     c, log = result.controller, result.machine.log
     tracks = [
         (start, profile.shape, profile.start, profile.end, profile.duration, profile.knots, profile.pieces)
@@ -94,7 +94,7 @@ def all_of(result: Run) -> list[object]:
 
 
 def orders(result: Run) -> list[object]:
-    """What was kept for the proof."""
+    """Return the records for the proof."""
     kept = result.orders
     assert kept is not None
     found = [
@@ -105,7 +105,7 @@ def orders(result: Run) -> list[object]:
 
 
 def held_apart(text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, object] | None) -> list[Run]:
-    """The program run with plain moves and without."""
+    """Run the program with plain moves and without."""
     source = Source("a.mnt", text)
     first = run(source, cache=False, until=6.0, machine=machine, prove=True)
     with monkeypatch.context() as patch:
@@ -130,7 +130,7 @@ def test_nor_do_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def there_and_back(seed: int) -> str:
-    """A program whose ways come back, some with another speed or rate."""
+    """Return a program of moves back and forth, some with another speed or rate."""
     random = Random(seed)
     lines = []
     for _ in range(30):

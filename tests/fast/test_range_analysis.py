@@ -1,4 +1,4 @@
-"""What the compiler leaves out on the strength of the range analysis never makes a difference."""
+"""Checks omitted by the range analysis never make a difference."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ ENDS = re.compile(r"^ *(Next|End While|Until .*|End If)$", re.MULTILINE)
 
 
 def compare(text: str, written: str = "") -> None:
-    """The compiled program, `written` otherwise, prints what the plain one prints, and ends in the same trouble."""
+    """Check that the compiled program, or `written`, acts like the plain one."""
     source = Source("random.mnt", written or text)
     if DIALECT.check(source):
-        return  # a mistake that is seen before the program runs
+        return  # an error before the program runs
     slow = Reference(parse(Source("plain.mnt", text)))
     if slow.trouble == "limit":
         return
     fast = run(source, cache=False)
     assert fast.output == slow.printed, text
-    # Of two troubles in one expression either may be told.
+    # Of two errors in one expression either may be reported.
     assert bool(fast.diagnostics) is bool(slow.trouble), text
 
 
@@ -43,7 +43,7 @@ def test_compiled_programs_agree_with_a_plain_interpreter(seed: int) -> None:
 
 
 def with_labels(text: str) -> str:
-    """The program with a label at the end of every block, which makes jumps of it."""
+    """Return the program with a label at the end of every block, to force jumps."""
     count = iter(range(1000))
     return ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
 
@@ -124,7 +124,7 @@ def test_brackets_stand_where_python_would_group_otherwise(written: str, python:
 
 
 def test_what_fails_under_onerror_leaves_what_was() -> None:
-    """The If fails in its condition, so that neither of its sides is carried out."""
+    """The If fails in its condition, so neither branch is executed."""
     text = """
     Dim a(3) As Integer, x As Integer, z As Integer, i As Integer
     For i = 1 To 2

@@ -1,4 +1,4 @@
-"""Periods of several tasks are skipped only where nothing differs that decides what any of them does next."""
+"""Periods of several tasks are skipped only if their joint states are equal."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ End While
 PRINT n, " ", TIME
 End
 {SETTER}"""
-# The reading stands outside the loop that polls.
+# The reading is outside the polling loop.
 TIMED = f"""\
 Dim a As Integer
 Run Other
@@ -43,7 +43,7 @@ End Loop
 PRINT TIME
 End
 {SETTER}"""
-# `n` is 0 whenever a time slice ends while Late waits; only the sum that is half worked out has counted.
+# `n` is 0 whenever a time slice ends while Late waits; only the partly computed sum has counted.
 HALF_WORKED_OUT = """\
 Dim n As Integer, m As Integer, ready As Integer
 Run Other
@@ -69,7 +69,8 @@ Task Other
   End Loop
 End Task
 """
-# Both arrays hold the same whenever a time slice ends while Count polls, and which one it counts in is decided before.
+# Both arrays are equal whenever a time slice ends while Count polls; the one that it counts in is decided
+# before.
 BY_REFERENCE = """\
 Type Pair
   n As Integer
@@ -99,7 +100,7 @@ Task Other
   End Loop
 End Task
 """
-# A flag that is given back within the iteration of a loop, and a task that waits for it.
+# A flag that is reset within the iteration of a loop, and a task that waits for it.
 GIVEN_BACK = """\
 Dim a As Integer
 Run Other
@@ -125,12 +126,15 @@ def ran(text: str, until: float | None = None, cost: float = 1e-5) -> Run:
 
 
 def test_a_counter_that_the_polling_loop_does_not_name_counts() -> None:
-    """Other begins at 1.03 ms and sets `a` every 100.03 ms, the 20th time at 2 001.6 ms, after which 50 ms pass."""
+    """Other begins at 1.03 ms and sets `a` every 100.03 ms, the 20th at 2 001.6 ms.
+
+    After that 50 ms pass.
+    """
     assert ran(COUNTED).output == ["20 2051"]
 
 
 def test_a_time_that_is_read_outside_the_polling_loop_passes() -> None:
-    """`a` is set 1.03 ms after each multiple of 100.03 ms; the first of these past 1 050 is 1 101.36 ms."""
+    """`a` is set 1.03 ms after each multiple of 100.03 ms, so first at 1 101.36."""
     assert ran(TIMED).output == ["1101"]
 
 
@@ -138,11 +142,11 @@ def test_a_time_that_is_read_outside_the_polling_loop_passes() -> None:
 def test_a_loop_until_a_time_ends_then_beside_a_task_that_polls(beside: str) -> None:
     text = f"Run Other\nWhile TIME < 400\nEnd While\nPRINT TIME\nEnd\nTask Other\nLoop\n  {beside}\nEnd Loop\nEnd Task"
     (printed,) = ran(text).output
-    assert 400 <= int(printed) <= 401  # the other one may have had the time slice
+    assert 400 <= int(printed) <= 401  # the other task may have had the time slice
 
 
 def test_what_an_expression_has_worked_out_before_it_waits_is_part_of_the_state() -> None:
-    """Other begins at 1.05 ms, and its iterations take 20.05 ms, of which it makes twenty."""
+    """Other begins at 1.05 ms, and its iterations take 20.05 ms; it makes twenty."""
     assert ran(HALF_WORKED_OUT, until=3.0).output == ["20 402"]
 
 
@@ -156,7 +160,7 @@ def test_it_is_as_every_iteration_has_it(text: str, cost: float) -> None:
 
 
 def test_tasks_that_hand_a_variable_to_and_fro_for_ever_are_skipped() -> None:
-    """A period of their joint state, in which each changes what the other one polls for."""
+    """Each task changes the variable that the other polls, in a joint period."""
     text = COUNTED.replace("  n = n + 1\n", "")
     result = ran(text)
     assert result.time == pytest.approx(28_800.0)

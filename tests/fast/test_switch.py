@@ -1,4 +1,4 @@
-"""The switch: without accelerators a run is the same, and the engine needs none of their modules."""
+"""The switch: a run without accelerators is equal, and loads none of them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.cases import cases
 
 PACKAGE = Path(execution.__file__).parent
 GALLERY = PACKAGE.parent / "scripts"
-# Loops that count, tasks that poll side by side, waits in turn, moves from rest to rest.
+# Loops that count, tasks that poll in parallel, alternating waits, moves from rest to rest.
 PROGRAMS = (
     "Dim i As Integer, n As Integer\nFor i = 1 To 500\n  n = n + i\nNext\nPRINT n; TIME\n",
     "Dim n As Integer\nWhile TIME < 700\n  n = n + 1\nWend\nPRINT n\n",
@@ -54,7 +54,7 @@ def test_the_environment_sets_it_and_an_argument_overrides_that(monkeypatch: pyt
 def test_a_compiled_program_is_cached_for_each_setting(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Code of one setting is not that of the other: the ranges of variables are written into it."""
+    """Code of one setting differs from the other: it contains the ranges of variables."""
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
     monkeypatch.delenv("MOTIONLANG_NO_CACHE", raising=False)
     source = Source("a.mnt", PROGRAMS[0])

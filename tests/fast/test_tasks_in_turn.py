@@ -1,4 +1,4 @@
-"""Tasks that wait go on one after the other, each found in one look; the run is as where everybody is asked."""
+"""Tasks that wait resume one after the other, equal to a check of every task."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source
 
-# What a task may do on its own axis; {n} is its number, {m} that of another one, {d} a number.
+# The actions of a task on its own axis; {n} is its number, {m} that of another one, {d} a number.
 STEPS = (
     "MOVER({n}) = {d} : GO({n})\n  PAUSE IDLE({n})",
     "MOVER({n}) = -{d} : GO({n})\n  PAUSE IDLE({n})",
@@ -31,7 +31,7 @@ STEPS = (
     "If IDLE({m}) Then x = x + 1",
     "For k = 1 To {d}0\n    x = x + k\n  Next",
 )
-# What it does to others, once in a while.
+# Its occasional actions on others.
 ON_OTHERS = (
     "STOP({m})",
     "CANCEL({m})",
@@ -51,7 +51,7 @@ INPUTS: dict[str, object] = {"input": [{"channel": 1, "at": 0.2, "for": 0.7, "ev
 
 
 def program(random: Random) -> str:
-    """Three tasks, each a loop of some steps."""
+    """Return three tasks, each a loop of some steps."""
     found = SETTINGS + "".join(f"Run axis{n}\n" for n in range(3)) + "WAIT(6000)\nEnd\n"
     for n in range(3):
         steps = [random.choice(STEPS) for _ in range(random.randint(2, 6))]
@@ -66,7 +66,7 @@ def program(random: Random) -> str:
 
 
 def left(result: Run) -> tuple[object, ...]:
-    """All that a run leaves behind."""
+    """Return the complete result of a run."""
     log = result.machine.log
     return text(result), list(log.waits), list(log.turns), list(log.events), list(log.outputs)
 

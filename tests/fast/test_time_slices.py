@@ -1,4 +1,4 @@
-"""A task among others goes on where it stands if its wait is over first; whatever meets that, the run is the same."""
+"""A task whose wait ends first continues without a switch, with an equal result."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from motionlang.source import Source
 SETTINGS = "SPEED(0, 1) = 100; : ACCEL(0, 1) = 500; : DECEL(0, 1) = 500;\n"
 # Axis 0 moves for 0.4 s, 20 µs after its task has begun.
 MOVE = "MOVER(0) = 20 : GO(0) : PAUSE IDLE(0)"
-# What is to happen while a task lets its wait pass: the program, and the world around it.
+# Events during such a wait: the program, and the world around it.
 MEETS: dict[str, tuple[str, dict[str, object]]] = {
     "nothing": (
         "Run Worker\nWAIT(5000)\nEnd\nTask Worker\n  While 1\n    {move}\n    WAIT(7)\n  Wend\nEnd Task",
@@ -106,13 +106,13 @@ MEETS: dict[str, tuple[str, dict[str, object]]] = {
 
 
 def left(result: Run) -> tuple[object, ...]:
-    """All that a run leaves behind."""
+    """Return the complete result of a run."""
     log = result.machine.log
     return text(result), result.output, list(log.waits), list(log.turns), list(log.events), list(log.outputs)
 
 
 def both(source: Source, machine: dict[str, object], until: float | None = None) -> tuple[Run, Run]:
-    """The run, and the one of which somebody follows the clock, so that every task gives way whenever it waits."""
+    """Return the run, and one with an observed clock, in which every wait yields."""
     return (
         execution.run(source, machine=machine, cache=False, until=until),
         execution.run(source, machine=machine, cache=False, until=until, pace=lambda now: None),
@@ -121,7 +121,7 @@ def both(source: Source, machine: dict[str, object], until: float | None = None)
 
 @pytest.fixture
 def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """The ends of the waits that tasks among others let pass where they stood."""
+    """Return the ends of the waits that pass without a switch."""
     ends: list[float] = []
     passes = TimeSlices.passes_in_turn
 
@@ -164,7 +164,7 @@ def test_a_task_among_others_goes_on_where_it_stands(name: str, passed: list[flo
 
 @pytest.mark.parametrize("until", [0.2, 0.40002, 0.404, 0.41, 1.7777])
 def test_a_run_ends_in_the_middle_of_a_wait(until: float) -> None:
-    """With a tick of 0.4 s in the move, 0.007 s in the WAIT, and at the very ends of both."""
+    """It ends at 0.4 s in the move, 0.007 s in the WAIT, and at the ends of both."""
     program, machine = MEETS["nothing"]
     source = Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n")
     where_it_stands, gives_way = both(source, machine, until)
@@ -173,7 +173,7 @@ def test_a_run_ends_in_the_middle_of_a_wait(until: float) -> None:
 
 
 def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> None:
-    """A wait that is over with that of another, or after it, gives way."""
+    """A wait that ends with that of another task, or after it, yields."""
     program = (
         "Run Worker\nWAIT(100)\nPRINT TIME\nEnd\nTask Worker\n  While 1\n    WAIT(40)\n  Wend\nEnd Task\n"
     )
@@ -183,7 +183,7 @@ def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> N
 
 
 def interrupting(after: int) -> Callable[[TimeSlices, float, float, bool], float]:
-    """What ends a run from the keyboard at a wait that passes where it stands."""
+    """Return a replacement that interrupts a run at a wait without a switch."""
     passes, left = TimeSlices.passes_in_turn, after
 
     def ends(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:

@@ -1,4 +1,4 @@
-"""The extremes of a run at joints: what is there at once is infinite, what is rounding is not."""
+"""Extremes at joins: a real jump gives an infinite derivative, rounding does not."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A run that is ended between any two lines of the interpreter has a report, a trace, and a proof that holds."""
+"""A run interrupted between any two lines has a report, a trace, a valid proof."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ STOP(0)
 PAUSE IDLE(0)
 """
 MCCL = "1MN,2MN,1SV5000,1SA50000,1DS50000\n1MR500,WA0.05,2MR300,1WS,2WS\n1VM,1GO,WA0.1,1ST,1WS\n"
-# Where it is ended: anywhere, and where a move comes into the log and onto its track.
+# Where it is interrupted: anywhere, and where a move is written to the log and its track.
 PLACES = {
     "anywhere": ("/motionlang/controller/", "/motionlang/lang/"),
     "log": ("/controller/core.py", "/motionlang/log/orders.py", "/motionlang/log/log.py"),
 }
 
 
-# What writes plain moves on a track and into the log, and what packs it.
+# The functions that write plain moves to a track and the log, and that pack them.
 STEPS = {
     "/motionlang/fast/moves.py": {"start_loaded", "arrive", "_write", "_go_on_writing", "written"},
     "/motionlang/log/log.py": {"make_room", "pack"},
@@ -58,7 +58,7 @@ STEPS = {
     "/motionlang/log/moves.py": {"pack", "show"},
     "/motionlang/log/older_profiles.py": {"take_from"},
 }
-# Moves that are looked at, one under way and one that is over, and others that nobody looks at until they are packed.
+# Moves that are read, one in motion and one completed, and others that are not read until they are packed.
 PLAIN = """Dim i As Integer
 Dim x As Float
 SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
@@ -76,7 +76,7 @@ Next
 
 
 class Ended:
-    """Ctrl-C at the `at`-th line that is run at some places; counts those that were run."""
+    """Ctrl-C at the `at`-th executed line of some functions, which are counted."""
 
     def __init__(self, places: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
         self.places, self.at, self.count = places, at, 0
@@ -134,7 +134,7 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
 @pytest.mark.slow
 def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: pytest.MonkeyPatch) -> None:
     source, whole = Source(name, text), Ended(PLACES[places], 0)
-    for _ in range(2):  # the first run imports, and fills what is kept
+    for _ in range(2):  # the first run imports, and fills caches
         whole.count = 0
         result = ran(source, whole, monkeypatch)
         assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
@@ -152,7 +152,7 @@ def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: 
 
 
 def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
-    """When each profile of each axis began, and what it is; each has a beginning, which is over."""
+    """Return the start and shape of each profile of each axis whose beginning is over."""
     tracks = Recorded(result.controller).axes
     assert all(len(a.starts) == len(a.profiles) and a.starts[-1] <= result.time for a in tracks.values())
     return {
@@ -162,7 +162,7 @@ def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
 
 
 def test_the_places_exist() -> None:
-    """A file that is renamed would end no run any more."""
+    """A renamed file would interrupt no run any more."""
     files = ["/motionlang/" + path.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py")]
     for place in (*STEPS, *(each for places in PLACES.values() for each in places)):
         assert any(place in file for file in files), place
@@ -175,9 +175,10 @@ def test_the_places_exist() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)], ids=["some", "every"])
 def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """At each line that starts one, writes it on the track or packs it: the run up to then, and nothing twice.
+    """It covers each line that starts one, writes it to the track or packs it.
 
-    Each line as it is run for the first time and for the last, and 60 of the others; all of them with `long`.
+    The run up to then is complete, with no duplicates. Each line is taken at its first and last execution,
+    and 60 of the others; all of them with `long`.
     """
     for name, most in {"FIRST_LOOK": 1, "HURRY": 0.0, "MOST_PROFILES": 6, "LEFT_PROFILES": 2}.items():
         monkeypatch.setattr(f"motionlang.log.log.{name}", most)

@@ -1,4 +1,4 @@
-"""The log of a run: packed or not it reads the same, and packed it is small."""
+"""The log of a run: packing does not change it, and makes it small."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ Print "done"
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A log that packs at once, and has all but a few hundred bytes on the disk."""
+    """Make a log pack at once, with almost everything on the disk."""
     for name, value in (("MOST", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
@@ -80,7 +80,7 @@ for source in (Source("a.mnt", "Dim n As Integer"), Source("a.mcl", "CN0\\n")):
 
 
 def test_every_stream_of_a_run_without_motion_reads_as_a_list() -> None:
-    """In a process of its own: a proved run, as in this suite, always has its controller."""
+    """It has a process of its own: a proved run, as in this suite, has a controller."""
     ran = subprocess.run([sys.executable, "-c", STILL], capture_output=True, text=True, check=False)
     assert ran.stdout == f"{[(0, [], [], [], False)] * 6}\n" * 2, ran.stderr
 
@@ -95,7 +95,7 @@ def test_a_stream_read_before_power_up_has_what_happens_after_it() -> None:
 
 
 def gallery() -> list[str]:
-    """Every fifth program of the gallery."""
+    """Return every fifth program of the gallery."""
     return [str(path) for path in sorted(SCRIPTS.rglob("*")) if path.suffix in (".mcl", ".mnt")][::5]
 
 
@@ -147,7 +147,10 @@ Next
 
 
 def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytest.FixtureRequest) -> None:
-    """Readings, report and trace of a motor are what they are without packing: positions renamed, loops opened."""
+    """Readings, report and trace of a motor are equal without packing.
+
+    Positions are redefined, loops opened.
+    """
     machine = {"axis.0.plant.load_inertia": 4e-5, "axis.0.plant.load_torque": 0.002}
     source = Source("followed.mnt", FOLLOWED)
     expected = figures(run(source, machine=machine, cache=False))
@@ -206,7 +209,10 @@ def test_a_track_is_read_as_one_list() -> None:
 
 
 def test_play_is_taken_up_by_motion_that_is_packed_too(request: pytest.FixtureRequest) -> None:
-    """600 moves of 0.01 at 1000/s² are 3.79 s of motion; play of 2 that takes 20 s is taken up by 0.379."""
+    """600 moves of 0.01 at 1000/s² are 3.79 s of motion.
+
+    Backlash of 2 that takes 20 s is taken up by 0.379.
+    """
     program = """Dim n As Integer
 SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
 BACKLASH(0) = 2 : BACKLASHINTERVAL(0) = 20000 : BACKLASHMODE(0) = 1
@@ -297,7 +303,7 @@ def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
 
 @pytest.mark.usefixtures("small")
 def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    """However much of it is packed, in however many parts, and whether they are kept once they have been read."""
+    """It does not depend on packing, on the number of chunks, or on caching."""
     plant = {"axis.0.plant.load_inertia": 4e-5}
     a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False).controller.axes[0]
     assert a.older is not None

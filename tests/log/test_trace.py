@@ -1,4 +1,4 @@
-"""The motion as columns: names and units, the rows of a grid, the last row at the very end, chunks."""
+"""The motion as columns: names, units, rows of a grid, the last row, chunks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from motionlang.log.trace import Trace
 
 
 def ballscrew(start: float = 0.0) -> Controller:
-    """200 mm at 250 mm/s and 1250 mm/s² on axis 0, 1200 counts/mm; ends with the move."""
+    """Return 200 mm at 250 mm/s and 1250 mm/s² on axis 0, 1200 counts/mm.
+
+    It ends with the move.
+    """
     controller = Controller(4)
     controller.set_scale(0, 1200.0)
     for name, value in (("speed", 300_000.0), ("accel", 1_500_000.0), ("decel", 1_500_000.0)):

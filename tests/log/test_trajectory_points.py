@@ -1,4 +1,4 @@
-"""What the loop is told: TN1069's points at 1 kHz, and the straight lines between them."""
+"""The commands to the loop: TN1069's points at 1 kHz, and lines between them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ EVERY = ("position", "velocity", "acceleration", "jerk")
 
 
 def machine(start: float = 0.0, scale: float = 1.0) -> Controller:
-    """One axis that moves 1250 counts at 1250 counts/s², 250 counts/s, from `start` on."""
+    """Return one axis that moves 1250 counts at 1250 counts/s², 250 counts/s.
+
+    It starts at `start`.
+    """
     controller = Controller(1)
     controller.set_scale(0, scale)
     for name, value in (("speed", 250.0), ("accel", 1250.0), ("decel", 1250.0)):
@@ -26,7 +29,10 @@ def machine(start: float = 0.0, scale: float = 1.0) -> Controller:
 
 @pytest.mark.parametrize("start", [0.0, 5e-5, 9.3e-4])
 def test_points_are_those_of_the_note(start: float) -> None:
-    """S(T) = ACC/2 T² with ACC = A/N² counts a cycle squared, T in cycles; a move begins with a cycle."""
+    """S(T) = ACC/2 T² with ACC = A/N² counts per cycle squared, T in cycles.
+
+    A move begins with a cycle.
+    """
     points = machine(start).trace.as_controller().sample(1000.0, quantities=("position",)).get(0, "position")
     begin = int(np.ceil(start * 1000.0))
     acc = 1250.0 / 1000.0**2
@@ -49,7 +55,7 @@ def test_between_the_points_are_straight_lines() -> None:
 
 
 def test_it_leaves_the_curve_by_what_a_chord_does() -> None:
-    """Between two points of a parabola the chord is A/8N² away at most: 0.00015625 counts here."""
+    """Between points of a parabola the chord is A/8N² away at most: 0.00015625 counts."""
     trace = machine().trace
     exact, commanded = trace.sample(4000.0), trace.as_controller().sample(4000.0)
     count = len(exact) - 1
@@ -89,7 +95,7 @@ def test_a_new_speed_shows_a_cycle_later_and_a_new_zero_at_once() -> None:
         4.95
     )  # 50 ms less half the millisecond of the ramp, at 100 counts/s
     assert position[101] == pytest.approx(0.0, abs=1e-9)
-    # From where the old speed was in 0.7 ms, 0.07 counts, to where the new one is in 1.7 ms, 0.29 counts.
+    # From the old speed in 0.7 ms, 0.07 counts, to the new one in 1.7 ms, 0.29 counts.
     assert velocity[202] == pytest.approx(220.0)
     assert velocity[[201, 204]].tolist() == pytest.approx([100.0, 200.0])
 
@@ -107,7 +113,7 @@ def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("start", [0.0, 5e-5, 5e-4, 9.3e-4])
 def test_a_stop_in_motion_keeps_to_the_set_acceleration(start: float) -> None:
-    """The move waited for its cycle; its stop is as late, and does not jump ahead by what the wait was."""
+    """The move waited for its cycle; its stop is delayed equally, without a jump."""
     controller = Controller(1)
     for name, value in (("speed", 250.0), ("accel", 1250.0), ("decel", 1250.0)):
         controller.configure(0, name, value)

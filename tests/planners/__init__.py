@@ -1,1 +1,1 @@
-"""The motion mathematics against published figures, closed forms and an independent integration."""
+"""The motion mathematics against published figures and independent integration."""

@@ -1,4 +1,4 @@
-"""What the property tests draw from: moves of every shape, at rest or already running."""
+"""The random inputs of the property tests: moves of every shape, from any speed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SHAPES = ("trapezoid", "sinusoidal", "ratio", "jerk", "parabolic")
 
 
 class Move(NamedTuple):
-    """One planning problem and the words to plan it with."""
+    """One planning problem and its names for the planner."""
 
     shape: str
     start: float
@@ -31,7 +31,7 @@ class Move(NamedTuple):
     decel_jerk: float
 
     def planned(self) -> Profile:
-        """The profile of this move."""
+        """Return the profile of this move."""
         shape = "scurve" if self.shape in ("ratio", "jerk") else self.shape
         jerks = (self.accel_jerk, self.decel_jerk) if self.shape == "jerk" else (math.inf, math.inf)
         return plan(
@@ -40,7 +40,7 @@ class Move(NamedTuple):
 
 
 def sizes(low: float, high: float) -> st.SearchStrategy[float]:
-    """Positive numbers spread over orders of magnitude, which is how machines differ."""
+    """Positive numbers over orders of magnitude, like those of machines."""
     return st.floats(math.log(low), math.log(high)).map(math.exp)
 
 
@@ -51,7 +51,10 @@ distances = st.one_of(
 
 @st.composite
 def moves(draw: st.DrawFn, shape: str | None = None, moving: bool = True) -> Move:
-    """A move of the given shape (or any); `moving` starts up to three times as fast as it may, either way."""
+    """A move of the given shape (or any).
+
+    `moving` may start at up to three times its speed. The direction is random.
+    """
     start = draw(st.sampled_from([0.0, -250.0, 1000.0]))
     speed = draw(sizes(0.1, 1e4))
     times = st.floats(-3.0, 3.0) if moving else st.just(0.0)

@@ -1,8 +1,8 @@
-"""Plans from random states by the hundred thousand: an integrator that knows accelerations and times alone.
+"""Plans from random states by the hundred thousand, integrated independently.
 
-It takes of a profile how long each piece lasts, and with which acceleration and jerk it begins, and integrates these
-from the state that the plan was asked for, all profiles of a batch at once. Nothing of a piece's position or velocity
-is looked at, so that what is wrong in one of them shows at the end.
+The integrator takes the duration, the initial acceleration and the jerk of each piece of a profile, and
+integrates these from the initial state of the plan, all profiles of a batch at once. It never reads a piece's
+position or velocity, so that an error in one of them shows at the end.
 """
 
 from __future__ import annotations
@@ -19,12 +19,16 @@ if TYPE_CHECKING:
     Figures = NDArray[np.float64]
 
 BATCH = 20_000
-# Pieces shorter than this part of their profile may bring in an acceleration: they are ramps too short for the clock.
+# Pieces shorter than this fraction of their profile may begin with an acceleration: they are ramps below the
+# clock's resolution.
 _MOMENT = 1e-9
 
 
 class States(NamedTuple):
-    """Random states and targets, figures spread over orders of magnitude; `rates` and `jerks` have two rows."""
+    """Random states and targets over orders of magnitude.
+
+    `rates` and `jerks` have two rows.
+    """
 
     speed: Figures
     rates: Figures
@@ -36,7 +40,10 @@ class States(NamedTuple):
 
 
 def drawn(choose: np.random.Generator, count: int, shape: str) -> States:
-    """So many states; the acceleration is one that a ramp of the axis can have, in either direction."""
+    """`count` states, each with an acceleration that a ramp of the axis can have.
+
+    It may be in either direction.
+    """
     speed = 10.0 ** choose.uniform(-1.0, 4.0, count)
     rates = speed * 10.0 ** choose.uniform(-1.0, 2.0, (2, count))
     jerks = rates * 10.0 ** choose.uniform(-0.5, 2.5, (2, count))
@@ -48,7 +55,7 @@ def drawn(choose: np.random.Generator, count: int, shape: str) -> States:
 
 
 def integrated(states: States, shape: str) -> dict[str, Figures]:
-    """How much of each bound every plan uses, and the gaps as parts of the largest figures."""
+    """Return the used fraction of each bound for every plan, and the relative gaps."""
     count, smooth = len(states.speed), shape == "scurve"
     columns = [
         each.tolist() for each in (states.start, states.target, states.speed, *states.rates, states.v0)
@@ -82,7 +89,7 @@ def _judged(states: States, smooth: bool, lasts: Figures, rate: Figures, jerk: F
         if smooth:
             gap = (np.abs(a_ - a) - 2.0 * late * jerks.max(axis=0)) / rates.max(axis=0)
             _note(found, "gap", np.where(dt > _MOMENT * whole, gap, 0.0))
-        # Where the velocity turns round, and where it has its summit, or the ends where it has none.
+        # The times of velocity reversal and of its peak, or the ends without one.
         summit = np.clip(np.where(j != 0.0, -a_ / np.where(j, j, 1.0), 0.0), 0.0, dt)
         for begin, end in ((np.zeros_like(dt), summit), (summit, dt)):
             _look(found, states, (v, a_, j), (begin, end, whole), fastest)
@@ -102,7 +109,7 @@ def _look(
     times: tuple[Figures, Figures, Figures],
     fastest: Figures,
 ) -> None:
-    """A stretch on which the velocity only grows, or only falls: its bounds, before and behind its passing of zero."""
+    """Check the bounds of a stretch of monotone velocity, before and after zero."""
     (v, a, j), (begin, end, whole) = piece, times
     first, last = (v + (0.5 * j * x + a) * x for x in (begin, end))
     _note(found, "speed", np.maximum(np.abs(first), np.abs(last)) / fastest)
@@ -117,7 +124,7 @@ def _look(
         _note(found, name, np.where(mine, push / bound, 0.0))
         if j.any():
             _note(found, "jerk", np.where(mine, np.abs(j) / states.jerks[side], 0.0))
-    # What turns round eases out at the jerk that it came with, at a rate of either side.
+    # A motion that reverses eases out at the jerk that it began with, at a rate of either side.
     both = np.maximum(states.rates.max(axis=0), np.abs(states.a0))
     _note(found, "acceleration", np.where(~empty & turns, push / both, 0.0))
     if j.any():

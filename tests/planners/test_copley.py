@@ -1,4 +1,4 @@
-"""Copley's PVT page: segment coefficients, velocities, the S-curve in four segments."""
+"""Copley's PVT page: segment coefficients, velocities, the S-curve."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A profile as a function of time: reading it, finding times in it, cutting and joining it."""
+"""A profile as a function of time: reading, crossings, cutting and joining."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Planners at the ends of the range: a figure that cannot be planned with is refused by name, the others arrive."""
+"""Planners at the limits of the range: an extreme figure is named, others arrive."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ SIZES = (1e-300, 1e-100, 1e-60, 1e-45, 1e-30, 1e-11, 1e-6, 1.0, 1e3, 1e11, 1e30,
 
 
 def arrives(made: Profile) -> bool:
-    """Whether the last piece ends where the profile says, by a millionth of the way, and no time runs backwards."""
+    """True if the last piece ends at the profile's end, and time never decreases.
+
+    The tolerance is a millionth of the distance.
+    """
     assert 0.0 <= made.duration < math.inf
     assert all(a <= b for a, b in zip(made.knots, made.knots[1:], strict=False))
     if not made.pieces:
@@ -23,7 +26,7 @@ def arrives(made: Profile) -> bool:
     c0, c1, c2, c3, amplitude, omega, phase = made.pieces[-1]
     end = c0 + x * (c1 + x * (c2 + x * c3)) + amplitude * math.sin(omega * x + phase)
     low, high = made.extrema()
-    return abs(end - made.end) <= 1e-6 * max(abs(low), abs(high), 1e-40)  # shorter ways are rest
+    return abs(end - made.end) <= 1e-6 * max(abs(low), abs(high), 1e-40)  # shorter distances are rest
 
 
 @pytest.mark.parametrize("shape", SHAPES)

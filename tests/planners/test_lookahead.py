@@ -1,4 +1,4 @@
-"""The speed over paths that are run through: against a linear programme, and against the limits one by one."""
+"""The speed over joined paths: against a linear program, and its own limits."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def course(ways: list[Way], v0: float = 0.0, joins: tuple[float, ...] = ()) -> P
 
 
 def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
-    """Judged by a linear programme over the squares of the speeds at the joins and the peaks between them.
+    """Return the least time by a linear program over the squares of speeds at joins.
 
-    No square can be larger in any course without all that depend on it being able to be: the largest sum has each of
-    them at its largest.
+    The peaks between them are included. No square can be larger in any course unless all that depend on it
+    can be: the largest sum has each of them at its largest.
     """
     from scipy.optimize import linprog  # type: ignore[import-untyped]  # 0.3 s
 
@@ -74,7 +74,7 @@ def random_ways(random: Random) -> list[Way]:
 
 
 def keeps_its_limits(ways: list[Way], made: Profile) -> None:
-    """Every piece is judged by the limits of the way that it lies on."""
+    """Check every piece against the limits of its segment."""
     begins = [0.0]
     for length, *_ in ways:
         begins.append(begins[-1] + length)

@@ -1,4 +1,7 @@
-"""ABB AN00115 (trapezoid) and the S-ramp of AN00118, worked numbers; chapter 12's two-ramp S-curve."""
+"""Worked numbers of ABB AN00115 (trapezoid), AN00118 (S-ramp), and chapter 12.
+
+The last is the two-ramp S-curve.
+"""
 
 from __future__ import annotations
 
@@ -77,7 +80,10 @@ def test_a_very_high_jerk_is_a_trapezoid() -> None:
 
 
 def test_chapter_12_two_ramps() -> None:
-    """T_a = 2V/A, D_a = V^2/A, T_move = D/V + 2V/A; the same time as a trapezoid of half the acceleration."""
+    """T_a = 2V/A, D_a = V^2/A, T_move = D/V + 2V/A.
+
+    This is the time of a trapezoid of half the acceleration.
+    """
     move = plan_ratio(0.0, 100.0, 20.0, 40.0, 40.0, 0.5)
     assert move.phases[0].duration == pytest.approx(1.0, rel=1e-12)
     assert move.phases[0].distance == pytest.approx(10.0, rel=1e-12)

@@ -1,4 +1,4 @@
-"""Every planner, over random moves: the judge agrees, the integral agrees, the closed form agrees."""
+"""Every planner over random moves: checker, integral and closed form agree."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_a_start_that_is_already_accelerating(move: Move) -> None:
     rates = (move.speed, move.accel, move.decel, move.accel_jerk, move.decel_jerk)
     made = plan_jerk(move.start, move.target, *rates, v0=move.v0, a0=a0)
     assert made.at(0.0).acceleration == pytest.approx(a0)
-    # the change of velocity while easing has few digits left beside the velocity itself
+    # the change of velocity while easing has few digits left compared with the velocity
     assert verify(made, end=move.target, jerk=max(rates[3:]), tolerance=1e-6) == []
 
 

@@ -1,4 +1,7 @@
-"""Motion along curves, in a row and on top of each other: exact against plain arithmetic and numerical derivatives."""
+"""Motion along curves, in sequence and superposed: exact against plain arithmetic.
+
+Derivatives are compared with numerical ones.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,10 @@ CUBIC = (0.0, 0.0, 30.0 / 16.0, -20.0 / 64.0, 0.0, 0.0, 0.0)
 
 
 def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trapezoid") -> Profile:
-    """One axis of an arc of radius 10 about 0 from angle 0, at 20 along the path with rates of 50."""
+    """Return one axis of an arc of radius 10 about 0, at 20 along the path.
+
+    It begins at angle 0, with rates of 50.
+    """
     length = 10.0 * abs(sweep)
     along = plan(shape, 0.0, length, 20.0, 50.0, 50.0, ramp=0.2)
     end = 10.0 * (math.cos(sweep) if cosine else math.sin(sweep))
@@ -38,10 +44,10 @@ def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trap
 def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A cubic that rises by 10 over 4 has a slope of 1.5 * 10/4 at most, and bends by 6 * 10/4² at its ends.
+    """A cubic that rises by 10 over 4 has a largest slope of 1.5 * 10/4.
 
-    A cam that is driven at 20 so has peaks of 75 and 1500. Up to the first 1 it comes to a slope of 45/16, and beyond
-    its end it goes on straight.
+    Its second derivative is 6 * 10/4² at its ends. A cam that is driven at 20 so has peaks of 75 and 1500. Up
+    to the first 1 it reaches a slope of 45/16, and beyond its end it continues straight.
     """
     monkeypatch.setattr(Composed, "state", None)
     curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
@@ -56,7 +62,10 @@ def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
 def test_the_peak_of_many_cycles_is_looked_for_where_the_master_is_fastest(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A master that speeds up at 2 to 20 passes 25 cycles of a cam: only the last few can have the highest speed."""
+    """A master that speeds up at 2 to 20 passes 25 cycles of a cam.
+
+    Only the last few can have the highest speed.
+    """
     curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
     ramp = plan_velocity("trapezoid", 0.0, 0.0, 20.0, 2.0, 2.0).cut(10.0)
     cycles = []
@@ -90,7 +99,7 @@ def test_the_peaks_of_arcs_on_s_ramps_are_those_of_a_dense_grid() -> None:
         arc = arc_over(length, 0.0, radius, choose.uniform(-3.0, 3.0), sweep, 0.0, case % 2 == 0)
         made = travelled(along, arc)
         speeds = np.abs(evaluate(made, np.linspace(0.0, made.duration * (1.0 - 1e-12), 20_001), 1))
-        # A grid of 1e-4 of the motion misses a summit by less than its curvature allows.
+        # A grid of 1e-4 of the motion misses a peak by less than its curvature allows.
         assert speeds.max() * (1.0 - 1e-12) <= made.peak_speed <= speeds.max() * (1.0 + 2e-5), case
 
 
@@ -272,7 +281,7 @@ def test_a_velocity_is_found_in_whichever_part_of_a_chain_runs_at_it_first() -> 
     assert row.velocity_crossing(-5.0) == pytest.approx(1.1 + 0.05)
     assert row.velocity_crossing(11.0) is None
     assert row.crossing(5.0, after=0.6) == pytest.approx(1.1 + 0.55)
-    assert row.velocity_crossing(0.0, after=9.0) == 9.0  # it stands after its end
+    assert row.velocity_crossing(0.0, after=9.0) == 9.0  # it is at rest after its end
 
 
 def test_a_velocity_at_the_end_of_a_part_is_found_although_the_next_part_begins_otherwise() -> None:
@@ -299,7 +308,10 @@ def test_quarter_turns_are_exact(degrees: float) -> None:
 
 @pytest.mark.parametrize("datum", [0.0, 0.0108, 0.3, 1e-7])
 def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else(datum: float) -> None:
-    """A cam of straight lines under a master that speeds up at 360: rounding decides which side of a bend a time is."""
+    """A cam of straight lines under a master that speeds up at 360.
+
+    Rounding decides on which side of a kink a time is.
+    """
     rises = [0.0, 10.0, 40.0, 80.0, 100.0, 80.0, 40.0, 10.0]
     places = [45.0 * n for n in range(9)]
     cam = table_curve(places, [datum + sum(rises[:n]) for n in range(9)])
@@ -315,7 +327,10 @@ def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else
 def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side_rounding_puts_it(
     off: float,
 ) -> None:
-    """A slope from 0 to 2 over 10, run through at 3 while speeding up at 4: 0.2 * 3² + 2 * 4 = 9.8 at its end."""
+    """A slope from 0 to 2 over 10, run at 3 while speeding up at 4.
+
+    At its end it has 0.2 * 3² + 2 * 4 = 9.8.
+    """
     piece = (0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0)
     curve = from_curve("fly", 0.0, 10.0, ((0.0, 10.0), (piece,), (("fly", 0),)), 0.0, 2.0)
     along = from_curve(
@@ -332,7 +347,7 @@ def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side
     assert evaluate(made, np.array([0.0]), 2)[0] == pytest.approx(9.8)
     assert made.at(0.5).acceleration == pytest.approx(8.0)
     assert evaluate(made, np.array([0.5]), 2)[0] == pytest.approx(8.0)
-    # The beginning alike: bent 0.2 on either side of it, and straight, with a slope of 0, farther out.
+    # The beginning: curved by 0.2 on either side of it, and straight, with a slope of 0, farther out.
     back = Composed(along.shifted(-10.0), curve)
     assert back.at(0.0).acceleration == pytest.approx(1.8)
     assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)

@@ -49,7 +49,7 @@ def test_long_pieces(shape: str, order: int) -> None:
 
 
 def track() -> tuple[list[float], list[Profile]]:
-    """Moves of two shapes with pauses, one cut short by the next, and a jog at the end."""
+    """Return moves of two shapes with pauses, one cut short, and a jog at the end."""
     first = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
     second = plan_jerk(12.0, -5.0, 8.0, 16.0, 16.0, 100.0, 100.0)
     place = second.position(0.9)

@@ -1,4 +1,4 @@
-"""Small rules of the motion mathematics by their figures, each where nothing else would tell it from another."""
+"""Small rules of the motion mathematics, each the only test of its rule."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def test_a_wave_is_added_to_one_without_height() -> None:
 
 def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
     pieces = ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, -0.25, 0.0, 0.0, 0.0, 0.0))
-    curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would turn at 3
+    curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would reverse at 3
     assert places(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
 
 
@@ -168,7 +168,7 @@ def test_the_printed_slews_cover_their_distances() -> None:
 
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
-    """100 at rates of 100 never come to such a speed: a second up and a second down."""
+    """100 at rates of 100 never reach such a speed: a second up and a second down."""
     found = from_rest(100.0, LARGEST, 100.0, 100.0)
     assert found is not None
     assert found[0] == 2.0

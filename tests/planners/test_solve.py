@@ -1,4 +1,4 @@
-"""AN00115: solving a move for what is missing."""
+"""AN00115: solving a move for its missing figures."""
 
 from __future__ import annotations
 

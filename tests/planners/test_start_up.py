@@ -1,4 +1,4 @@
-"""Planning must not cost a running program the import of anything slow."""
+"""Planning must not make a running program import anything slow."""
 
 from __future__ import annotations
 

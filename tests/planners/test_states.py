@@ -1,7 +1,7 @@
 """Plans of single axes from random states: bounds, joins, arrival.
 
-Some are judged by the arithmetic of the proof, and many by an integrator of its own (`many.py`).
-`MOTIONLANG_LONG=5000000` asks for so many of each shape; the worst figures are printed (`pytest -s`).
+Some are checked by the arithmetic of the proof, and many by a separate integrator (`many.py`).
+`MOTIONLANG_LONG=5000000` runs that many of each shape; the worst figures are printed (`pytest -s`).
 """
 
 from __future__ import annotations
@@ -22,7 +22,10 @@ SHAPES = ("trapezoid", "scurve")
 
 
 class State:
-    """A random state and target, figures spread over orders of magnitude; the acceleration is one a ramp can have."""
+    """A random state and target, over orders of magnitude.
+
+    The acceleration is one that a ramp can have.
+    """
 
     def __init__(self, choose: Random, shape: str) -> None:
         self.shape = shape
@@ -46,7 +49,7 @@ class State:
         return plan(self.shape, *numbers, rates[0], rates[1], self.v0, 0.0, jerks[0], jerks[1], self.a0)
 
     def shares(self, made: Profile) -> dict[str, float]:
-        """How much of each bound is used, and the gaps as parts of the largest figures."""
+        """Return the used fraction of each bound, and the relative gaps."""
         from motionlang.analysis.proof.segments import spans  # collecting the tests does not load the proof
 
         smooth = self.shape == "scurve"

@@ -34,4 +34,4 @@ def test_the_duration_of_a_move_is_the_exact_sum_of_its_ramps() -> None:
         for time in times:
             one_by_one += time
         before += one_by_one != move.duration
-    assert before > 100  # that rounding showed before
+    assert before > 100  # that rounding showed earlier

@@ -1,4 +1,4 @@
-"""From any velocity and acceleration: nothing jumps, the limits are kept, and the end is the one asked for."""
+"""From any velocity and acceleration: no jumps, limits observed, the end reached."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from motionlang.planners.ramp_down import stop_under_way
 def judge(
     made: Profile, v0: float, a0: float, accel: float, decel: float, jerks: tuple[float, float]
 ) -> None:
-    """Piece by piece: continuous to the acceleration, rates and jerks within what holds for that direction."""
+    """Check piece by piece: continuous acceleration, rates and jerks within limits.
+
+    The limits are those of the direction.
+    """
     state = made.at(0.0)
     assert (state.velocity, state.acceleration) == pytest.approx((v0, a0), rel=1e-9, abs=1e-9)
     velocity, acceleration = v0, a0
@@ -36,7 +39,7 @@ def judge(
 
 
 def limits(random: Random) -> tuple[float, float, float, tuple[float, float]]:
-    """Speed, acceleration, deceleration and jerks."""
+    """Return speed, acceleration, deceleration and jerks."""
     return (
         random.uniform(5, 100),
         random.uniform(50, 500),
@@ -51,7 +54,7 @@ def state(random: Random, made: Profile) -> tuple[float, float, float]:
 
 
 def moved(seed: int) -> None:
-    """A move is given another target in its middle."""
+    """Change the target of a move in its middle."""
     random = Random(seed)
     speed, accel, decel, jerks = limits(random)
     first = plan("scurve", 0.0, random.uniform(-100, 100), speed, accel, decel, 0.0, 0.0, *jerks)
@@ -66,7 +69,7 @@ def moved(seed: int) -> None:
 
 
 def stopped(seed: int) -> None:
-    """A move is stopped in its middle, or a jog changes its speed."""
+    """Stop a move in its middle, or change the speed of a jog."""
     random = Random(seed)
     speed, accel, decel, jerks = limits(random)
     first = plan("scurve", 0.0, random.uniform(1, 100), speed, accel, decel, 0.0, 0.0, *jerks)
@@ -81,7 +84,7 @@ def stopped(seed: int) -> None:
 
 
 def coursed(seed: int) -> None:
-    """A course over several paces is planned anew from its middle."""
+    """Plan a course over several paces again from its middle."""
     random = Random(seed)
     _, accel, decel, jerks = limits(random)
     stretches = [
@@ -115,7 +118,7 @@ def test_changes_in_the_middle(case: object) -> None:
 
 
 def test_rounding_leaves_no_stretch_of_less_than_no_time() -> None:
-    moved(12_566)  # its first stretch would take -2e-17 s
+    moved(12_566)  # its first section would take -2e-17 s
 
 
 @pytest.mark.long
@@ -127,7 +130,10 @@ def test_many_changes_in_the_middle(case: object) -> None:
 
 
 def test_a_stop_out_of_a_ramp_takes_each_side_back_at_its_own_jerk() -> None:
-    """From 0.08 s of a ramp at 4000: 25.6 after another 0.08 s, 2.048 in all, then twice 25.6 / 0.2613 s at 1500."""
+    """From 0.08 s of a ramp at 4000: 25.6 after another 0.08 s, 2.048 in all.
+
+    Then it takes twice 25.6 / 0.2613 s at 1500.
+    """
     made = plan_stop("scurve", 4000.0 * 0.08**3 / 6.0, 12.8, 250.0, 0.0, 1500.0, 320.0, 4000.0)
     assert made.end == pytest.approx(2.048 + 25.6 * math.sqrt(25.6 / 1500.0), rel=1e-12)
 
@@ -161,7 +167,10 @@ def test_a_stop_late_in_the_last_ramp_changes_nothing() -> None:
 
 
 def test_a_move_planned_anew_in_its_middle_takes_the_time_it_had_left() -> None:
-    """What is best from the beginning is best from every state on the way, ramps and slew alike."""
+    """The best plan from the beginning is the best from every state in between.
+
+    This applies to ramps and slew.
+    """
     random = Random(3)
     for _ in range(300):
         speed, accel, decel, jerks = limits(random)
@@ -209,9 +218,10 @@ def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
 
 
 def test_a_stop_that_has_hardly_begun_takes_its_own_time_whatever_its_velocity() -> None:
-    """From v without an acceleration it takes 2 sqrt(v/j), and from a nanosecond later on a nanosecond less.
+    """From v without an acceleration it takes 2 sqrt(v/j), or a nanosecond less.
 
-    A velocity of 1e-9 is a trillionth of what a ramp to 100 000 passes in easing out, and was dropped as rounding.
+    It is a nanosecond less. A velocity of 1e-9 is a trillionth of that in a ramp to 100 000 while easing out,
+    and was dropped as rounding.
     """
     for velocity in (1e-3, 1e-9, 1e-11):
         whole = 2.0 * math.sqrt(velocity / 1e6)

@@ -1,4 +1,4 @@
-"""The judge finds what it is there to find."""
+"""The checker detects every kind of violation."""
 
 from __future__ import annotations
 
@@ -54,7 +54,10 @@ def test_not_a_number_is_a_complaint() -> None:
 
 
 def test_a_ramp_of_microseconds_late_in_a_long_move_is_judged_by_what_it_is() -> None:
-    """34 µs of braking after a day: the clock resolves its end to a part in a million, its limits still count."""
+    """34 µs of braking after a day: its end has a resolution of a part in a million.
+
+    Its limits still count.
+    """
     speed, decel, end = 0.10057264266491435, 2980.9579870417283, 8103.083927575384
     made = plan_trapezoid(0.0, end, speed, 1.0, decel)
     again = made.cut(0.0).then(made.after(0.0))

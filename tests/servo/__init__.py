@@ -1,1 +1,1 @@
-"""The servo: held against a plain step loop, the golden figures of chapter 12, and the control library."""
+"""The servo against a plain step loop, chapter 12, and the control library."""

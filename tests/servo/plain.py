@@ -1,6 +1,7 @@
-"""The servo as one would write it down first: one object, one step, nothing clever. The oracle of the real one.
+"""The servo in its simplest form: one object, one step.
 
-It shares no code with the package: the plant is integrated by a matrix exponential of its own, one regime at a time.
+The reference of the real one. It shares no code with the package: the plant is integrated by a matrix
+exponential of its own, one regime at a time.
 """
 
 from __future__ import annotations
@@ -17,7 +18,10 @@ Array = NDArray[np.float64]
 
 
 def expm(m: Array) -> Array:
-    """e to a matrix, as the definition says: (1 + m/2^k + ...)^(2^k), in extended precision."""
+    """Return e to a matrix by its definition: (1 + m/2^k + ...)^(2^k).
+
+    It uses extended precision.
+    """
     k = max(0, int(np.ceil(np.log2(max(1e-12, float(np.abs(m).sum(axis=1).max()))))) + 4)
     x: Any = m.astype(np.longdouble) / 2.0**k
     total: Any = np.eye(len(m), dtype=np.longdouble)
@@ -36,7 +40,10 @@ def clamp(value: float, low: float, high: float) -> float:
 
 
 class PlainPlant:
-    """States: position, velocity, current, twist, load velocity; those that a plant does not have stay zero."""
+    """States: position, velocity, current, twist, load velocity.
+
+    Missing ones stay zero.
+    """
 
     def __init__(self, plant: Motor | Drive, h: float, position: float) -> None:
         self.plant, self.h = plant, h
@@ -62,7 +69,7 @@ class PlainPlant:
         return float((plant.amplifier_gain * u - back) / plant.resistance)
 
     def torques(self, u: float, contact: int) -> float:
-        """Everything on the motor shaft but Coulomb friction and its own damping, N m."""
+        """Return the torque on the shaft without Coulomb friction and own damping, N m."""
         plant = self.plant
         assert isinstance(plant, Motor)
         total = plant.torque_constant * self.current(u)
@@ -193,7 +200,7 @@ class PlainLoop:
         return clamp(-u if loop.reversed else u, -loop.output_limit, loop.output_limit)
 
     def whole_sum(self, e: float) -> float:
-        """In Python's own integers."""
+        """Return the integer sum, in Python's own integers."""
         loop = self.loop
         e, change = int(e), int(self.change)
         kp, ki, kd = int(loop.proportional), int(loop.integral), int(loop.derivative)
@@ -232,7 +239,10 @@ def _truncated(value: int, divisor: int) -> int:
 
 
 def run_plain(loop: Loop, plant: Motor | Drive, points: Array, demanded: Array) -> dict[str, Array]:
-    """A sample for every demanded position; `points` of the trajectory decide what depends on the cycle."""
+    """Return a sample for every commanded position.
+
+    `points` of the trajectory are for the terms that depend on the cycle.
+    """
     controller, motor = PlainLoop(loop, points[0]), PlainPlant(plant, loop.period, points[0])
     ratio, rows = loop.ratio, []
     for n, demand in enumerate(demanded.tolist()):

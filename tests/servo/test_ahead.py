@@ -1,4 +1,7 @@
-"""A motor that is seen before its time and taken back stands where it was seen, to the last bit, whatever it is."""
+"""A motor simulated ahead and rolled back is exactly where it was simulated.
+
+This applies to every plant.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ ROUGH = PLANTS["everything"]
 
 
 def renamed() -> Track:
-    """The same motion, during whose first rest the program gives the position another name."""
+    """Return the same motion with a new zero during its first rest."""
     before = track()
     return Track(
         [*before.starts[:4], 0.9, *before.starts[4:]],
@@ -65,7 +68,7 @@ def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, part
     assert along[1] == listed[1]
 
 
-# --------------------------------------------------------------------------------------------------- there and back
+# --------------------------------------------------------------------------------------------------- rollback
 
 
 @given(
@@ -76,7 +79,7 @@ def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, part
 )
 @settings(max_examples=60)
 def test_what_is_run_again_is_what_was_seen(seen: int, count: int, name: str, plant: str) -> None:
-    """By plain steps also where the loop has a closed form: with a plant that is not linear."""
+    """Plain steps are included, for a loop with a closed form and a nonlinear plant."""
     if PLANTS[plant].is_linear and ALL[name].is_linear:
         plant = "encoder"
     servo, twin = (Ahead(ALL[name], PLANTS[plant], renamed()) for _ in range(2))
@@ -108,7 +111,7 @@ def test_taken_back_it_runs_a_few_steps_again_and_not_the_block(
 
 
 def test_a_long_run_by_steps_goes_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What bounds its memory; a part may end within a cycle of the trajectory."""
+    """The limit bounds its memory; a chunk may end within a trajectory cycle."""
     whole = simulate(renamed(), LOOPS["feed-forward"], ROUGH, until=0.5)
     monkeypatch.setattr(stretch, "_CHUNK", 333)
     parts = simulate(renamed(), LOOPS["feed-forward"], ROUGH, until=0.5)

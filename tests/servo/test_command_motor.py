@@ -1,4 +1,4 @@
-"""The motor of the `servo` commands: named in what they print, and one option changes one thing of it."""
+"""The motor of the `servo` commands: named in their output, changed by options."""
 
 from __future__ import annotations
 

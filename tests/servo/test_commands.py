@@ -1,4 +1,4 @@
-"""`motionlang servo`: what it prints as JSON, what it draws, and how it refuses."""
+"""`motionlang servo`: its JSON, its pictures, and its rejections."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SCHEMA = "motionlang.servo/1"
 
 
 def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    """Exit status, standard output, standard error."""
+    """Return exit status, standard output, standard error."""
     try:
         status = main(["servo", *words])
     except SystemExit as ended:
@@ -172,7 +172,7 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_each_run_of_the_dac_has_a_row_of_the_picture(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """Four rows of 1.9 inches, and 0.8 for the axis of time and its label: 8.4 inches of 72 points."""
+    """Four rows of 1.9 inches, and 0.8 for the time axis: 8.4 inches of 72 points."""
     file = tmp_path / "dac.svg"
     said(capsys, "dac", "--plot", str(file))
     assert 'height="604.8pt"' in file.read_text()

@@ -1,4 +1,7 @@
-"""The gains of both languages come to the same loop; the machine file's keys make loops and motors."""
+"""Equal loops from the gains of both languages.
+
+Loops and motors from the machine file.
+"""
 
 from __future__ import annotations
 
@@ -19,17 +22,20 @@ WORDS = {language: gain_words(language, dialect(language).table()) for language 
 
 
 def mint_loop(values: dict[str, float]) -> Loop:
-    """The loop of gains by Mint's words."""
+    """Return the loop of gains by Mint's keywords."""
     return gains.mint_loop(written(WORDS["mint"], values))
 
 
 def mccl_loop(values: dict[str, float], model: str = "multiflex", scale: float = 1.0) -> Loop:
-    """The loop of gains by MCCL's commands."""
+    """Return the loop of gains by MCCL's commands."""
     return gains.mccl_loop(written(WORDS["mccl"], values), model, scale)
 
 
 def test_mints_worked_example() -> None:
-    """MN1274: KPROP 2, 100 counts of error, KVELFF for 7000 rpm on a resolver: 46.72 counts a tick more speed."""
+    """MN1274: KPROP 2, 100 counts of error, KVELFF for 7000 rpm on a resolver.
+
+    The result is 46.72 counts per tick of additional speed.
+    """
     counts_per_loop = 7000.0 / 60.0 * 4096.0 / 1000.0
     kvelff = 2048.0 / counts_per_loop
     loop = mint_loop({"KPROP": 2.0, "KVELFF": kvelff})
@@ -38,7 +44,10 @@ def test_mints_worked_example() -> None:
 
 
 def test_kvelff_alone_makes_a_velocity_drive_follow() -> None:
-    """MN1957, 5.8.1: with KVELFF right the motor moves at the speed demanded, whatever the other gains do."""
+    """MN1957, 5.8.1: with the right KVELFF the motor runs at the commanded speed.
+
+    The other gains have no influence on that.
+    """
     full = 120_000.0
     loop = mint_loop({"KVELFF": 2048.0 / (full / 1000.0)})
     drive = Drive(full / 10.0, 1e-4)
@@ -79,7 +88,10 @@ def test_the_derivative_period_is_seconds(seconds: float, samples: int) -> None:
 
 
 def test_a_dcx_module_computes_like_its_chip() -> None:
-    """Working values of a real DCX-PCI100: gain 2211, derivative 6000, FR 3: 4 x 341 us."""
+    """Working values of a real DCX-PCI100: gain 2211, derivative 6000, FR 3.
+
+    The latter is 4 x 341 us.
+    """
     loop = mccl_loop({"SG": 2211, "SD": 6000, "FR": 3}, "dcx")
     assert loop.arithmetic == "lm628"
     assert pytest.approx(341.33e-6, rel=1e-4) == 1.0 / LM628_RATE
@@ -170,7 +182,7 @@ def test_every_gain_is_that_of_one_word(language: str) -> None:
 
 @pytest.mark.parametrize("language", TABLES)
 def test_gains_at_power_up_are_those_of_the_rows(language: str) -> None:
-    """FR is 0 in its row, which is one sample as well."""
+    """FR is 0 in its row, which is also one sample."""
     for row in dialect(language).table():
         if row.tunes and row.default is not None and row.name != "FR":
             assert row.default == TABLES[language][row.tunes], row.name

@@ -1,4 +1,4 @@
-"""A servo that goes along with the controller's clock, and one that runs a whole track: the same numbers."""
+"""A servo that follows the controller's clock equals one for a complete track."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ def test_what_is_not_recorded_is_not_there() -> None:
 
 
 def test_far_from_zero_nothing_is_lost() -> None:
-    """The same move a thousand million counts away: the same errors to a millionth of a count."""
+    """A move a thousand million counts away has equal errors to 1e-6 counts."""
     far = 1e9
     shifted = Track(track().starts, [profile.shifted(far) for profile in track().profiles])
     near, there = simulate(track(), PID, Motor(), until=1.0), simulate(shifted, PID, Motor(), until=1.0)
@@ -150,7 +150,7 @@ def test_far_from_zero_nothing_is_lost() -> None:
 
 
 def test_a_servo_that_goes_along_needs_no_numpy() -> None:
-    """A program that reads POS now and then should not wait for its import."""
+    """A program that reads POS occasionally should not wait for its import."""
     code = """
 import sys
 from motionlang.servo import Loop, Motor, Servo, Track

@@ -1,4 +1,4 @@
-"""Runs whose machine file gives axes a motor: what the program reads, waits for and suffers is the motor's."""
+"""Runs with motors in the machine file, which readings, waits and faults follow."""
 
 from __future__ import annotations
 
@@ -27,7 +27,10 @@ GAINS: dict[str, object] = {"proportional": 0.02, "integral": 2e-5, "derivative"
 
 
 def run(text: str, plant: dict[str, object], dialect: str = "mint", **sections: Any) -> Run:
-    """A program on a machine whose first axis has a motor; `servo` is its section, the rest plain settings."""
+    """Return the run of a program on a machine whose first axis has a motor.
+
+    `servo` is its section, the rest plain settings.
+    """
     axis = 0 if dialect == "mint" else 1
     servo = sections.pop("servo", {})
     assert isinstance(servo, dict)
@@ -52,7 +55,8 @@ def fitted(plant: dict[str, object], section: dict[str, object]) -> tuple[Contro
     return controller, a.feedback
 
 
-# --------------------------------------------------------------------------------- the same as a later simulation
+# --------------------------------------------------------------------------------- equality with a later
+# simulation
 
 
 CHAPTER_12: dict[str, object] = {
@@ -96,7 +100,7 @@ def test_what_is_read_live_is_what_a_later_simulation_gives(
 
 
 def test_everything_done_to_a_loop_is_in_its_history() -> None:
-    """Gains, a new zero, off, on, torque: the live readings are those of the replay, by sample."""
+    """Gains, a new zero, off, on, torque: live readings equal those of the replay."""
     controller, feedback = fitted(ROUGH, GAINS)
     seen = []
 
@@ -129,7 +133,7 @@ def test_everything_done_to_a_loop_is_in_its_history() -> None:
         )
 
 
-# ------------------------------------------------------------------------------------------------- what is read
+# ------------------------------------------------------------------------------------------------- readings
 
 MOVE = "SCALE(0) = 100 : SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 20 : GO(0)\n"
 
@@ -141,7 +145,7 @@ def test_position_lags_behind_the_demand() -> None:
         servo={"proportional": 0.02, "derivative": 0.5},
     )
     assert demand == pytest.approx(5.0, abs=0.01)
-    assert demand - pos == pytest.approx(error, abs=0.11)  # the loop is told a cycle later
+    assert demand - pos == pytest.approx(error, abs=0.11)  # the loop gets the command a cycle later
     assert 0.05 < error < 1.0
     assert 50.0 < vel < 101.0
 
@@ -171,11 +175,11 @@ def test_new_zero_renames_the_motor_s_position() -> None:
         {**ROUGH, "load_torque": 0.01},
         servo={"proportional": 0.02, "derivative": 0.5},
     )
-    assert before[0] < 20.0  # gravity holds it back
+    assert before[0] < 20.0  # gravity opposes it
     assert after == later == [3.0]
 
 
-# ------------------------------------------------------------------------------------------------ what waits wait for
+# ------------------------------------------------------------------------------------------------ waits
 
 
 def test_a_wait_for_a_position_ends_at_the_sample_of_the_motor() -> None:
@@ -230,7 +234,7 @@ STALLED = {**MOTOR, "coulomb": 5.0}
 
 
 def test_a_stalled_motor_faults_at_the_very_sample() -> None:
-    """The trip comes at the time that a servo with the same limit gives, though nobody reads anything."""
+    """The trip is at the time of a servo with the same limit, without any reading."""
     result = run(
         "FOLERRORFATAL(0) = 3\n" + MOVE + "WAIT = 1000\nPRINT AXISERROR(0), DRIVEENABLE(0)",
         STALLED,
@@ -269,7 +273,7 @@ def test_no_limit_no_trip() -> None:
 
 
 def test_a_hard_limit_is_where_the_motor_is() -> None:
-    """The switch opens when the motor comes to it, which is later than the demand does."""
+    """The switch opens when the motor reaches it, which is after the command does."""
     machine: dict[str, Any] = {"axis__0__travel": [-1000.0, 1000.0]}
     ideal = motionlang.run(
         Source("x", "JOG(0) = 5000 : PAUSE IDLE(0)"),
@@ -285,14 +289,14 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
     assert real.controller.faults(0) == 4
 
 
-# ------------------------------------------------------------------------------------------------ looking ahead
+# ------------------------------------------------------------------------------------------------ speculation
 
 
 @pytest.mark.parametrize("plant", [MOTOR, ROUGH], ids=["linear", "rough"])
 def test_the_rest_behind_a_move_is_what_was_seen_of_it(
     plant: dict[str, object], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing is thrown away at the end of a move, and nothing would be otherwise if it were."""
+    """Nothing is rolled back at the end of a move; a rollback would change nothing."""
     text = (
         "Dim n As Integer\nFor n = 1 To 3\n"
         + MOVE
@@ -418,14 +422,14 @@ def test_the_rate_of_the_loop_cannot_change_in_motion() -> None:
 
 
 def test_a_motor_at_rest_costs_nothing() -> None:
-    """Hours of rest are a handful of blocks: a motor that stands for good is not watched any more."""
+    """Hours of rest are a few blocks: a motor at standstill for good is not simulated."""
     result = run(MOVE + "PAUSE IDLE(0) : WAIT = 20000000 : PRINT POS(0)", ROUGH, servo=GAINS)
     assert result.time == pytest.approx(20000.3, abs=0.2)
 
 
 @pytest.mark.parametrize("plant", [MOTOR, DRIVE], ids=["closed form", "steps"])
 def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: dict[str, object]) -> None:
-    """Whoever reads during the rest makes no difference to the move behind it."""
+    """Readings during the rest do not affect the following move."""
 
     def told(*reads: float) -> list[tuple[float, float]]:
         controller, feedback = fitted(plant, {"proportional": 0.02, "derivative": 0.2})
@@ -445,7 +449,10 @@ def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: 
 
 
 def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
-    """A loop that is too stiff for its backlash swings for ever: the run ends, and a wait for more is found out."""
+    """A loop that is too stiff for its backlash oscillates for ever: the run ends.
+
+    An endless wait is detected.
+    """
     plant = {**MOTOR, "quantised": True, "resonance": 60.0, "backlash": 40.0, "encoder": "load"}
     loose: dict[str, object] = {"proportional": 0.02, "derivative": 0.5, "output_limit": 2.0}
     result = run("MOVER(0) = 200 : GO(0)\nPAUSE IDLE(0)\nPAUSE POS(0) > 5000", plant, servo=loose)
@@ -457,7 +464,7 @@ def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
 
 
 def test_a_motor_that_no_longer_stands_is_watched_again() -> None:
-    """An unstable loop amplifies a tenth of a millionth of a count: for a while that is a motor at rest."""
+    """An unstable loop amplifies 1e-7 counts: at first that is a motor at rest."""
     controller, feedback = fitted(MOTOR, {"proportional": 0.0225})
     trips: list[float] = []
 
@@ -476,11 +483,11 @@ def test_a_motor_that_no_longer_stands_is_watched_again() -> None:
     assert any(calm)
     assert max(error) > 10.0
     (at,) = trips
-    assert 1.0 < at < 2.0  # at the sample that was beyond the limit, not where the next reading was
+    assert 1.0 < at < 2.0  # at the sample beyond the limit, not at the next reading
 
 
 def test_blocks_do_not_depend_on_who_reads() -> None:
-    """A program that reads all the time ends where one does that reads nothing."""
+    """A program that reads continuously ends like one that reads nothing."""
     quiet = run(MOVE + "PAUSE IDLE(0)", MOTOR, servo=GAINS)
     busy = run(MOVE + "Dim x As Float\nRepeat\n x = POS(0)\nUntil IDLE(0)", MOTOR, servo=GAINS)
     traces = [servo_trace(each.controller.axes[0], 0.25) for each in (quiet, busy)]
@@ -501,5 +508,5 @@ def test_trace_has_columns_of_the_motor() -> None:
 
 
 def test_a_move_that_comes_after_a_long_rest() -> None:
-    """What has been seen of the motor at rest is dropped while the new move asks where it is."""
+    """The samples of the rest are dropped while the new move reads the position."""
     assert printed("1MN,1MR400,WA2\nWA2.1\n1MR10\n1WS,1TP", {"inertia": 1e-5}, "mccl") == [[1.0, 410.0]]

@@ -1,4 +1,4 @@
-"""Every engine gives the numbers of the plain step loop."""
+"""Every engine equals the plain step loop."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def there_and_back() -> Track:
 
 
 def points_of(loop: Loop, track: Track, seconds: float) -> Array:
-    # Like the generator: a profile shows from the first cycle that begins after it.
+    # Like in the generator a profile takes effect in the first cycle that begins after it.
     rate = loop.trajectory_rate
     made = []
     for i in range(round(seconds * rate) + 2):
@@ -86,7 +86,7 @@ def points_of(loop: Loop, track: Track, seconds: float) -> Array:
 
 
 def assert_plain(loop: Loop, plant: Motor | Drive, tolerance: float = 1e-9) -> None:
-    """A long move through the package and through the plain loop: every column the same."""
+    """Check every column of a long move in the package against the plain loop."""
     track = there_and_back()
     trace = simulate(track, loop, plant, until=LONG)
     points = points_of(loop, track, LONG)

@@ -1,4 +1,4 @@
-"""Step figures, bandwidth, margins and first gains against the `control` library, which knows nothing of us."""
+"""Step figures, bandwidth, margins and gains against the `control` library."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ PAIRS: dict[str, tuple[Loop, Motor | Drive]] = {
 
 @cache
 def control() -> Any:
-    """The library, which takes a second to import."""
+    """Return the library, which takes a second to import."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return pytest.importorskip("control")
 
 
 def plant_of(plant: Motor | Drive, period: float) -> Any:
-    """The plant as `control` would discretise it, from the textbook's equations."""
+    """Return the plant discretised by `control`, from textbook equations."""
     if isinstance(plant, Drive):
         a = [[0, 1], [0, -1 / plant.time_constant]]
         b = [[0], [plant.speed_per_volt / plant.time_constant]]
@@ -77,7 +77,7 @@ def plant_of(plant: Motor | Drive, period: float) -> Any:
 
 
 def closed_by_control(loop: Loop, plant: Motor | Drive) -> tuple[Any, Any]:
-    """Open and closed loop; velocity feedback is an inner loop of a difference."""
+    """Return open and closed loop; velocity feedback is an inner loop of a difference."""
     h = loop.period
     made = plant_of(plant, h)
     change = control().tf([1, -1], [1, 0], h)
@@ -120,7 +120,7 @@ def test_bandwidth_and_margins_are_controls(name: str) -> None:
         10 ** (-3 / 20), abs=1e-6
     )
     if loop.velocity_feedback:
-        return  # control opens the loop outside the velocity feedback, we at the position: other margins
+        return  # control opens the loop outside the velocity feedback, we at the position, so margins differ
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         gains, _, _, _, _, _ = control().stability_margins(opened, returnall=True)
@@ -209,5 +209,8 @@ def test_an_unstable_loop_is_known_as_one() -> None:
 
 
 def test_a_loop_that_is_there_in_one_sample_has_all_the_frequencies_that_there_are() -> None:
-    """5000 counts/s a volt are 1.25 counts a sample of 0.25 ms: at 0.8 volts a count an error is gone by the next."""
+    """5000 counts/s per volt are 1.25 counts per sample of 0.25 ms.
+
+    At 0.8 volts per count an error is gone in the next sample.
+    """
     assert bandwidth(Loop(0.8), Drive(5000.0, 1e-6)) == 2000.0

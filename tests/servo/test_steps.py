@@ -1,4 +1,4 @@
-"""The step of a loop and a motor: the matrix exponential that it is made of, and a loop that runs away."""
+"""The step of a loop and a motor: its matrix exponential, and a divergent loop."""
 
 from __future__ import annotations
 

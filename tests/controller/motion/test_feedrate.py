@@ -1,4 +1,7 @@
-"""Speeds that change under way: the three worked cases of the FEEDRATE page (MN1270 p. 79-81), and what follows."""
+"""Speeds that change in motion: the worked cases of the FEEDRATE page, and more.
+
+The page is MN1270 p. 79-81.
+"""
 
 from __future__ import annotations
 

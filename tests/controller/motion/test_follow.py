@@ -1,4 +1,7 @@
-"""Master and slave: gearing, ramps into it, cams, flying shears, offsets on top; figures, and exactness at any time."""
+"""Master and slave: gearing, ramps, cams, flying shears, offsets.
+
+Exact at any time.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +44,7 @@ def test_a_slave_repeats_its_master_at_the_ratio() -> None:
     until(c, 9.0)
     assert c.position(1) == pytest.approx(-5.0)
     assert c.master_of(1) == 0
-    assert c.moving() == []  # a slave at rest holds no run up
+    assert c.moving() == []  # a slave at rest does not delay the end of a run
     c.move_to(0, 0.0)
     assert c.moving() == [0, 1]
     assert until(c, 20.0).position(1) == pytest.approx(5.0)
@@ -203,7 +206,7 @@ def shear(c: Controller, *segments: tuple[float, float]) -> None:
 
 
 def test_a_flying_shear_by_its_figures() -> None:
-    """Up to the speed of the web in 200, with it for 500, down in 200, and back in two times 400."""
+    """Up to the speed of the web in 200, with it for 500, down in 200, back in 800."""
     c = machine(buffer_size=10, speed=100.0, accel=1e6)
     shear(c, (100.0, 200.0), (500.0, 500.0), (100.0, 200.0), (-350.0, 400.0), (-350.0, 400.0))
     c.jog(0, 100.0)
@@ -234,7 +237,7 @@ def test_a_shear_whose_master_goes_back_first_ends_where_it_should() -> None:
     c = machine()
     shear(c, (5.0, 10.0))
     c.move_to(0, -4.0)
-    c.clock.at(0.1, lambda: c.retarget_to(0, 10.0))  # it turns round before 0 is reached again
+    c.clock.at(0.1, lambda: c.retarget_to(0, 10.0))  # it reverses before 0 is reached again
     until(c, 9.0)
     assert c.position(1) == pytest.approx(5.0)
     assert c.is_idle(1)
@@ -316,7 +319,10 @@ def test_a_cam_once_ends_by_itself() -> None:
 
 @pytest.mark.parametrize("rise", [2.0, 0.5])
 def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> None:
-    """At the end it has `rise` counts/s, as its master takes a second for the table; it brakes at 1 count/s²."""
+    """At the end it has `rise` counts/s, as its master takes a second for the table.
+
+    It brakes at 1 count/s².
+    """
     c = machine()
     c.configure(1, "decel", 1.0)
     c.jog(0, 10.0)
@@ -501,7 +507,7 @@ def test_an_offset_on_a_cam() -> None:
 
 
 def test_a_slave_of_a_slave_on_a_curve_follows_it_to_the_last_bits() -> None:
-    """Not the pieces that a picture of that motion is drawn with."""
+    """The pieces for drawing that motion are not used."""
     c = machine(3, shape="scurve", accel_jerk=1000.0, decel_jerk=6000.0)
     c.load_fly(1, 0, 30.0, 20.0)
     c.go([1])

@@ -1,4 +1,4 @@
-"""Ready-made profiles, such as splines: suspended and stopped without leaving their course."""
+"""Ready-made profiles, such as splines, are suspended and stopped on their course."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TIMES = [0.0, 0.5, 1.0, 1.5, 2.0]
 
 
 def playing(on_path: bool = True) -> Controller:
-    """Two axes on a spline of half a second a point."""
+    """Return two axes on a spline of half a second per point."""
     c = machine(suspend_time=0.2)
     c.play(0, table_curve(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0], "cubic"), "SPLINE", 3, on_path)
     c.play(1, table_curve(TIMES, [0.0, -1.0, 4.0, 4.0, 1.0], "cubic"), "SPLINE", 3, on_path)
@@ -39,7 +39,7 @@ def test_suspended_its_time_slows_down_and_stands() -> None:
     assert not c.is_idle(0)
     for axis in (0, 1):
         c.resume(axis)
-    # The rest of the segment, 0.8 to 1.0, in the 0.2 s of suspending, and two segments more.
+    # The rest of the segment, 0.8 to 1.0, in the 0.2 s of suspending, and two more segments.
     assert c.idle_time(0) == pytest.approx(3.0 + 0.2 + 1.0)
     until(c, 9.0)
     assert (c.position(0), c.position(1)) == (8.0, 1.0)
@@ -65,7 +65,7 @@ def test_axes_that_play_together_stay_together(pauses: list[float]) -> None:
     for k in range(100):
         t = 0.05 * k
         x, y = c.axes[0].position(t), c.axes[1].position(t)
-        # where the first axis is on its spline tells the time of the spline, up to its first turning point
+        # the position of the first axis on its spline gives the time of the spline, up to its first extremum
         if t < pauses[0] and t < 0.9:
             assert (x, y) == pytest.approx((plain(0, t), plain(1, t)), abs=1e-9)
     first = playing().axes[0].profiles[-1]
@@ -119,7 +119,7 @@ def test_without_a_time_to_slow_down_in_it_stands_at_once() -> None:
 
 
 def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
-    """From 1 to a half in 0.1 s and back in as much: 0.75 of that time is gone on the way."""
+    """From rate 1 to a half in 0.1 s and back in as much: 0.75 of that time passes."""
     c = playing(on_path=False)
     for time, told in ((0.7, c.suspend), (0.8, c.resume)):
         until(c, time)
@@ -129,7 +129,10 @@ def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
 
 
 def test_the_rest_of_the_last_segment_too_takes_the_time_of_suspending() -> None:
-    """Suspended from 1.7 to 1.8 of the spline's time: the 0.2 left take 0.2 s, as in any other segment."""
+    """Suspended from 1.7 to 1.8 of the spline's time: the 0.2 left take 0.2 s.
+
+    Any other segment takes that time, too.
+    """
     c = playing()
     until(c, 1.6)
     for axis in (0, 1):

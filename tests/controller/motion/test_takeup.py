@@ -1,4 +1,4 @@
-"""Play that is taken up: how fast, by hand."""
+"""Backlash that is taken up: its rate, by hand."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ def test_play_is_taken_up_while_the_axis_moves_and_at_its_rate() -> None:
 
 
 def test_no_play_is_taken_up_while_a_spline_stands_on_its_way() -> None:
-    """Play of 2 is taken up in 0.2 s of motion: half of it in the first 100 ms, and none in the 100 ms that follow."""
+    """Backlash of 2 takes 0.2 s of motion: half in the first 100 ms, then none.
+
+    The next 100 ms are at rest.
+    """
     text = (
         "Dim way(4) As Float = 3, 10, 0, 10\nDim slow(4) As Float = 3, 0, 0, 0\n"
         "BACKLASH(0) = 2 : BACKLASHINTERVAL(0) = 200 : BACKLASHMODE(0) = 1\n"

@@ -1,8 +1,8 @@
-"""Blended paths: whatever changes motion acts on all of them, and the log has each of them as it ended.
+"""Blended paths: every change of motion acts on all, and the log has each end.
 
-All paths here are straight, along one axis each, at 10 units/s with rates of 100 units/s². So a path that began t ago
-has gone 50 t² at a speed of 100 t, and from 0.1 s on 0.5 + 10 (t - 0.1) at 10. A stop at rate d adds v² / 2d and v / d.
-Axis 1 has 50 counts a unit.
+All paths here are straight, along one axis each, at 10 units/s with rates of 100 units/s². So a path that
+began t ago has covered 50 t² at a speed of 100 t, and from 0.1 s on 0.5 + 10 (t - 0.1) at 10. A stop at rate
+d adds v² / 2d and v / d. Axis 1 has 50 counts per unit.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ COUNTS = (1.0, 50.0)
 
 
 class Path:
-    """A path along one axis: where it stands at the moment of the test, in units and seconds; `over` if it is done."""
+    """A path along one axis: its state at the time of the test, in units and seconds.
+
+    `over` is set if it is done.
+    """
 
     def __init__(self, axis: int, length: float, age: float) -> None:
         self.axis, self.length, self.age, self.over = axis, length, age, False
@@ -36,7 +39,10 @@ class Path:
 
 
 class Case:
-    """Paths that are blended, each along one of `axes`: `begin` loads them and gives the blends, up to `moment`."""
+    """Blended paths, each along one of `axes`.
+
+    `begin` loads and blends them to `moment`.
+    """
 
     def __init__(
         self, axes: Sequence[int], lengths: Sequence[float], begins: Sequence[float], moment: float
@@ -61,7 +67,10 @@ class Case:
         return until(c, self.moment)
 
     def places(self, more: Sequence[float]) -> list[list[float]]:
-        """Where each path ends that goes so much further, in counts; each begins where the one before it ends."""
+        """Return the ends of the paths, each `more` further on, in counts.
+
+        Each begins where the one before it ends.
+        """
         here, found = [0.0, 0.0], []
         for path, way in zip(self.paths, more, strict=True):
             here = list(here)
@@ -78,7 +87,7 @@ CASES = {
 
 
 def at_rest(c: Controller, case: Case, more: Sequence[float], seconds: Sequence[float], ended: str) -> None:
-    """All paths have ended so much further and later than at the moment, and axes, log and targets agree."""
+    """Check that all paths ended that much further and later, in all records."""
     c.clock.advance(100.0)
     ends = case.places(more)
     entries = list(c.log.moves)
@@ -135,7 +144,7 @@ def test_a_stop_brakes_on_all_paths(name: str, way: str) -> None:
     c = case.begin()
     act(c)
     speeds = [path.speed for path in case.paths]
-    for axis in (0, 1):  # where it will come to rest is known at once
+    for axis in (0, 1):  # its rest position is known at once
         end = case.places([v * v / (2.0 * rate) for v in speeds])[-1]
         assert c.target(axis) == pytest.approx(end[axis], abs=1e-9)
         assert c.room(axis) == 20
@@ -163,7 +172,7 @@ def test_a_suspend_holds_all_paths_and_a_resume_takes_all_to_their_ends(name: st
 
 
 def _later(path: Path, speed: float) -> float:
-    """How long a path still takes at another speed."""
+    """Return how long a path still takes at another speed."""
     if path.over:
         return 0.0
     ramp = abs(path.speed**2 - speed**2) / (2.0 * RATE)
@@ -175,7 +184,7 @@ def _later(path: Path, speed: float) -> float:
 @pytest.mark.parametrize("setting", ["override", "feedrate_mode", "speed"])
 @pytest.mark.parametrize("to", [4.0, 20.0])
 def test_a_new_speed_is_that_of_all_paths(name: str, setting: str, to: float) -> None:
-    """SPEED and FEEDRATEOVERRIDE at once, or an override that FEEDRATEMODE puts in force."""
+    """SPEED and FEEDRATEOVERRIDE act at once, or when FEEDRATEMODE permits it."""
     case = CASES[name]
     c = case.begin(0 if setting == "feedrate_mode" else 2)
     if setting == "speed":
@@ -223,7 +232,10 @@ def test_what_a_path_allows_of_no_other_motion_it_allows_while_it_is_blended(nam
 
 
 def test_what_an_axis_says_of_itself_while_two_paths_come_to_rest() -> None:
-    """Stopped at 0.55 s, the second path is at rest at 0.60, the first one at 0.65; at 0.62 that is at 3."""
+    """Stopped at 0.55 s, the second path rests at 0.60, the first one at 0.65.
+
+    At 0.62 that is at 3.
+    """
     c = CASES["two"].begin()
     c.stop(0)
     until(c, 0.62)
@@ -241,18 +253,21 @@ def test_what_an_axis_says_of_itself_while_two_paths_come_to_rest() -> None:
 
 
 def test_a_stop_after_the_second_path_is_over_leaves_that_complete() -> None:
-    """The second one takes 0.2 s from 0.5 s on; at 0.8 s the first one has gone 7.5 and stops within 0.5."""
+    """The second one takes 0.2 s from 0.5 s on.
+
+    At 0.8 s the first one has covered 7.5 and stops within 0.5.
+    """
     case = Case([0, 1], [40.0, 1.0], [0.0, 0.5], 0.8)
     c = case.begin()
     c.stop(1)
     at_rest(c, case, [0.5, 0.0], [0.1, 0.0], "stop")
 
 
-# ----------------------------------------------------------------------------------------- two at the most
+# ----------------------------------------------------------------------------------------- at most two
 
 
 def row(distance: float, lengths: Sequence[float], **settings: float) -> Controller:
-    """Paths along axis 0 that are blended into each other."""
+    """Return paths along axis 0 that are blended into each other."""
     c = machine(2, buffer_size=20, blend_mode=True, blend_distance=distance, **settings)
     for line, length in enumerate(lengths, 1):
         c.load_line_by([0, 1], [length, 0.0], "VECTORR", line)
@@ -266,13 +281,16 @@ def begins(c: Controller) -> list[float]:
 
 
 def shortened(c: Controller) -> list[float | None]:
-    """The distance that each blend was to have and the one that it had, where these differ, in a row."""
+    """Return commanded and actual distance of each shortened blend, in a row."""
     events = [each for each in c.log.events if (each.kind, each.text) == ("clamp", "blend distance")]
     return [figure for each in events for figure in (each.value, each.limit)]
 
 
 def test_no_more_than_half_of_a_path_is_blended_into_the_next_one() -> None:
-    """Half of 10 at 40 is gone after 0.04 + 4.2 / 40 s: then the path before, which takes 0.29 s, has just ended."""
+    """Half of 10 at 40 is covered after 0.04 + 4.2 / 40 s.
+
+    The path before, which takes 0.29 s, has just ended then.
+    """
     c = row(10.0, [10.0] * 5, speed=40.0, accel=1000.0, decel=1000.0)
     half = 0.04 + 4.2 / 40.0
     assert begins(c) == pytest.approx([k * half for k in range(5)])
@@ -290,7 +308,10 @@ def test_a_distance_up_to_half_of_a_path_is_kept_and_nothing_is_said() -> None:
 
 
 def test_a_path_is_not_blended_before_the_one_before_it_has_ended() -> None:
-    """The second begins at 0.4 and has gone its half at 0.4775, but the first one ends at 0.5 s; it ends at 0.5549."""
+    """The second begins at 0.4 and has covered half at 0.4775; the first ends at 0.5.
+
+    It ends at 0.5549.
+    """
     c = row(0.5, [4.0, 0.6, 4.0])
     assert begins(c) == pytest.approx([0.0, 0.4, 0.5])
     left = 50.0 * (2.0 * 0.006**0.5 - 0.1) ** 2
@@ -298,7 +319,10 @@ def test_a_path_is_not_blended_before_the_one_before_it_has_ended() -> None:
 
 
 def test_a_path_that_ends_before_the_one_before_it_is_not_blended() -> None:
-    """The first one, blended at 0.4 s, ends at 0.5 s; the second one has taken 0.02 s by 0.42."""
+    """The first one, blended at 0.4 s, ends at 0.5 s.
+
+    The second takes 0.02 s until 0.42.
+    """
     c = row(0.5, [4.0, 0.01, 4.0])
     assert begins(c) == pytest.approx([0.0, 0.4, 0.5])
     assert shortened(c) == [0.5, 0.0]
@@ -306,7 +330,10 @@ def test_a_path_that_ends_before_the_one_before_it_is_not_blended() -> None:
 
 
 def test_a_blend_waits_until_the_one_before_it_is_over() -> None:
-    """The first path ends at 4.1 s; the second one, begun at 0.5 s, has 39.5 left at 0.6 s, and 4.5 at 4.1 s."""
+    """The first path ends at 4.1 s; the second, begun at 0.5 s, has 4.5 left then.
+
+    It has 39.5 left at 0.6 s.
+    """
     c = machine(2, buffer_size=20)
     for _ in range(3):
         c.load_line_by([0, 1], [40.0, 0.0])

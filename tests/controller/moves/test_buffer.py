@@ -1,4 +1,7 @@
-"""What else travels in the move buffer: dwells, outputs, pulses; marks, and being told that it runs low."""
+"""Other buffer entries: dwells, outputs, pulses.
+
+Identifiers, and low-buffer events.
+"""
 
 from __future__ import annotations
 

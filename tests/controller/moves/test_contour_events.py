@@ -1,6 +1,6 @@
-"""Contours with events in mid-motion: every axis keeps its limits, nothing jumps, and the run arrives.
+"""Contours with events in motion: limits are observed, nothing jumps, all arrive.
 
-The judge knows nothing of the planners: it reads the tracks of the axes, finely, and takes differences.
+The checker is independent of the planners: it samples the tracks of the axes finely, and takes differences.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ JERK = 2000.0
 
 
 def straight(random: Random, shape: str) -> Controller:
-    """Three to twelve paths on one line, each of its own speed and length, half of them loaded."""
+    """Return three to twelve paths on one line, with own speeds, half of them loaded."""
     c = plane(contour_mode=True, contour_angle=1.0, feedrate_mode=3, shape=shape)
     for name in ("accel", "decel"):
         c.configure(0, name, 100.0 * random.uniform(40, 200))
@@ -30,7 +30,7 @@ def straight(random: Random, shape: str) -> Controller:
 
 
 def load(c: Controller, random: Random) -> float:
-    """One path more; its length."""
+    """Load one more path and return its length."""
     c.configure(0, "speed", 100.0 * random.choice([5, 10, 20, 40]))
     length = random.choice([1.0, 5.0, random.uniform(0.2, 30)])
     c.load_line_by([0, 1], [60.0 * length, 40.0 * length])
@@ -39,7 +39,7 @@ def load(c: Controller, random: Random) -> float:
 
 
 def act(c: Controller, random: Random) -> str:
-    """Something that changes the motion under way."""
+    """Change the motion in progress."""
     event = random.choice(["override", "more", "more", "suspend", "stop"])
     if event == "override":
         c.configure(0, "override", random.choice([0.3, 0.7, 1.0, 1.5]))
@@ -51,7 +51,7 @@ def act(c: Controller, random: Random) -> str:
 
 
 def rates(c: Controller, times: list[float], h: float) -> list[tuple[float, float, float]]:
-    """Speed along the path, its first and its second difference by time, of a line without corners."""
+    """Return speed along the path and its two differences, for a line without corners."""
     found = []
     for time in times:
         v = [path_speed(c, time + k * h) for k in (-1, 0, 1)]
@@ -72,7 +72,7 @@ def judge(c: Controller, shape: str, end: float) -> None:
     for v, a, j in rates(c, sorted([*(step * (k + 0.5) for k in range(800)), *knots]), h):
         assert v <= 60.0 * SLACK
         assert -decel * SLACK - 1e-5 <= a <= accel * SLACK + 1e-5
-        # a difference over a knot may see both sides
+        # a difference across a knot may see both sides
         assert shape != "scurve" or abs(j) <= 2.0 * jerk * SLACK + 1e-2
         bends.append(a)
     for before, after in pairwise(bends):
@@ -122,7 +122,10 @@ def test_many_contours_with_events() -> None:
 
 
 def ramped() -> Controller:
-    """One path of 40 units with an S-ramp, which obeys the override: 20 units/s, 50 units/s², 400 units/s³."""
+    """Return one path of 40 units with an S-ramp, which obeys the override.
+
+    It has 20 units/s, 50 units/s², 400 units/s³.
+    """
     c = plane(shape="scurve", feedrate_mode=3)
     for name, value in {"speed": 20.0, "accel": 50.0, "decel": 50.0}.items():
         c.configure(0, name, 100.0 * value)
@@ -135,7 +138,10 @@ def ramped() -> Controller:
 
 @pytest.mark.parametrize("how", ["stop", "suspend"])
 def test_what_stops_a_path_takes_its_acceleration_back_first(how: str) -> None:
-    """2.099 by then at 14.375, 2.057 more to 17.5 in 0.125 s, and 17.5 over half of 0.475 s to rest."""
+    """2.099 by then at 14.375, 2.057 more to 17.5 in 0.125 s, then to rest.
+
+    The last takes 17.5 over half of 0.475 s.
+    """
     c = ramped()
     getattr(c, how)(0)
     until(c, 9.0)
@@ -158,7 +164,7 @@ def test_a_new_override_takes_the_acceleration_of_a_path_back_first(override: fl
 
 @pytest.mark.parametrize("axis", [0, 1])
 def test_a_limit_that_comes_in_motion_is_kept(axis: int) -> None:
-    """From 10 units/s on each of two axes at right angles to the path's halves, down to 4 on one of them."""
+    """From 10 units/s on each of two perpendicular axes down to 4 on one of them."""
     c = plane(contour_mode=True)
     c.load_line_by([0, 1], [3000.0, 2000.0])  # 30 by 40 units: 50
     c.go([0])

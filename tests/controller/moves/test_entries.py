@@ -1,4 +1,4 @@
-"""Entries of the buffer that are neither moves nor paths: cams over tables, offsets, ready-made profiles."""
+"""Buffer entries other than moves and paths: cams, offsets, ready-made profiles."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_a_table_is_looked_at_again_for_every_cycle() -> None:
         at = controller.crossing_time(0, 20.0 * cycle + 10.0)
         controller.clock.advance(at)
         peaks.append(controller.position(1))
-    assert peaks == [pytest.approx(7.0), pytest.approx(1.0)]  # the first look was the check of the loading
+    assert peaks == [pytest.approx(7.0), pytest.approx(1.0)]  # the first call was the check at loading
 
 
 def test_a_bad_table_is_refused_when_it_is_loaded() -> None:
@@ -149,7 +149,7 @@ def test_limits_hold_for_single_moves_and_jogs() -> None:
 
 
 def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
-    """Two sides of a square run through: 1.1 s, the output on when the corner is passed, at 0.55 s."""
+    """Two sides of a square take 1.1 s, the output turns on at the corner, at 0.55 s."""
     controller = ready()
     controller.configure(0, "contour_mode", True)
     controller.configure(0, "contour_angle", 90.0)

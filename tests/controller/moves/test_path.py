@@ -1,4 +1,4 @@
-"""Paths of several axes: their figures, joins, blends, and that they never leave their geometry."""
+"""Paths of several axes: figures, joins, blends, and an exact geometry."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ INFINITY = float("inf")
 
 
 def plane(axes: int = 2, **settings: float | str) -> Controller:
-    """100 counts a unit on the first axis, 50 on the second, 200 on the third; 10 units/s, 100 units/s² on each."""
+    """Return a plane: 100, 50 and 200 counts per unit; 10 units/s, 100 units/s² each."""
     c = Controller(axes)
     for axis, counts in zip(c.axes, (100.0, 50.0, 200.0), strict=False):
         c.set_scale(axis, counts)
@@ -30,7 +30,7 @@ def plane(axes: int = 2, **settings: float | str) -> Controller:
 
 
 def place(c: Controller, time: float | None = None) -> list[float]:
-    """Where the axes are, user units."""
+    """Return the positions of the axes, user units."""
     now = c.clock.now if time is None else time
     return [a.position(now) / a.scale.counts for a in c.axes.values()]
 
@@ -350,7 +350,7 @@ def test_a_path_released_while_braking_is_still_taken_up() -> None:
     c = plane(contour_mode=True, contour_angle=1.0)
     c.load_line_by([0, 1], [400.0, 0.0])
     c.go([0])
-    until(c, 0.45)  # 5 units/s, on its way to rest at 0.5 s
+    until(c, 0.45)  # 5 units/s, slowing down to rest at 0.5 s
     c.load_line_by([0, 1], [400.0, 0.0])
     c.go([0])
     until(c, 9.0)
@@ -412,7 +412,7 @@ def test_contours_keep_speed_rate_and_line(ways: list[tuple[float, float]], angl
 
 
 def _away(point: list[float], a: tuple[float, float], b: tuple[float, float]) -> float:
-    """The distance of a point from a stretch of line."""
+    """Return the distance of a point from a line segment."""
     along = (b[0] - a[0], b[1] - a[1])
     share = ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / (along[0] ** 2 + along[1] ** 2)
     share = min(1.0, max(0.0, share))
@@ -431,7 +431,7 @@ def test_a_blend_rounds_the_corner_with_a_parabola() -> None:
     assert c.log.moves[2].start_time == pytest.approx(0.4)
     assert c.axes[0].starts[-1] == pytest.approx(0.9)
     assert place(c) == pytest.approx([4.0, 4.0], abs=1e-12)
-    # half way through the corner: x has 0.125 to go, y has gone 0.125
+    # half-way through the corner: x has 0.125 to go, y has covered 0.125
     assert place(c, 0.45) == pytest.approx([3.875, 0.125])
     assert path_speed(c, 0.45) == pytest.approx(math.hypot(5.0, 5.0))
     for k in range(90):

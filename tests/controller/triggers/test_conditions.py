@@ -1,12 +1,12 @@
-"""The table of what holds an axis back: every kind of motion, every way in which a limit comes to hold, every mode.
+"""The table of conditions: every motion, every cause of a limit, every mode.
 
-The rule is worked out by hand from the same motion without a limit. At the moment at which the limit comes to hold the
-axis is at p and has the velocity v; then it rests at
+The rule is computed by hand from the same motion without a limit. When the limit becomes true the axis is at
+p and has the velocity v; then it rests at
 
-* p for a crash stop, with or without the drive going off;
-* p + v² / 2d for a stop at DECEL or at ERRORDECEL; on a path the same holds of the distance along it, and of each path
-  that is blended;
-* where it would have come to without the limit, where that is to be ignored or only told of.
+* p for a crash stop, with or without disabling the drive;
+* p + v² / 2d for a stop at DECEL or at ERRORDECEL; on a path this applies to the distance along it, and to
+  each path that is blended;
+* its end without the limit, if that is to be ignored or only reported.
 """
 
 from __future__ import annotations
@@ -53,9 +53,9 @@ def machine(motor: bool) -> Controller:
 
 
 class Kind:
-    """One kind of motion: `begin` sets it off forward, `turn` lets it go back; `moment` is a time while it is fast.
+    """One kind of motion: `begin` starts it forward, `turn` reverses it.
 
-    `along` is where the axis is after a distance on an arc.
+    `moment` is a time while it is fast. `along` is the position of the axis after a distance on an arc.
     """
 
     def __init__(
@@ -94,7 +94,7 @@ def _several(c: Controller, blend: bool) -> None:
 
 
 def _blended(c: Controller, count: int) -> None:
-    """Lines of 50 units, each blended into the next one from 0.85 s after its beginning up to its end at 1.375 s."""
+    """Load lines of 50 units, each blended from 0.85 s after its start to 1.375 s."""
     for axis in (0, 1):
         c.configure(axis, "blend_mode", True)
         c.configure(axis, "blend_distance", 20.0)
@@ -104,7 +104,10 @@ def _blended(c: Controller, count: int) -> None:
 
 
 def _there_and_back(c: Controller, axes: list[int], mode: str = "") -> None:
-    """60 forward and 60 back on axis 0, while axis 1 goes on: stopping between, as a contour, or blended."""
+    """Load 60 forward and 60 back on axis 0, while axis 1 continues.
+
+    They stop between, form a contour, or are blended.
+    """
     for axis in (0, 1):
         c.configure(axis, "contour_mode", mode == "contour")
         c.configure(axis, "contour_angle", 180.0)
@@ -182,10 +185,10 @@ KINDS = {
     ),
     "home": Kind(_home, _switch_home),
 }
-# The kinds that turn by themselves, and those that cannot.
+# The kinds that reverse by themselves, and those that cannot.
 BY_THEMSELVES = ("arc", "cam", "spline")
 SOFT = ("met", "placed", "renamed")
-# Paths turn where one that goes back follows: each with how that is begun.
+# Paths reverse if another one leads back: each with its start.
 BACK: dict[str, Callable[[Controller], None]] = {
     "path": lambda c: _there_and_back(c, [0, 1]),
     "path of another axis": lambda c: _there_and_back(c, [1, 0]),
@@ -197,7 +200,7 @@ BACK: dict[str, Callable[[Controller], None]] = {
 
 
 def _turn_of_path(name: str, action: str, motor: bool) -> tuple[Controller, float, Free, Kind]:
-    """The reverse limit is active all the while; the path that goes back is come upon at 60."""
+    """Return a case with the reverse limit active; the path back is entered at 60."""
     kind = Kind(BACK[name], None, 1.0, renamed=False)
     low, high = 0.0, 0.5 * END
     probe = Free(kind, END, motor).controller.axes[0]
@@ -215,7 +218,7 @@ def _turn_of_path(name: str, action: str, motor: bool) -> tuple[Controller, floa
 
 
 def limit(c: Controller, action: str, sign: int = +1) -> Limit:
-    """A switch without a place; the soft limit has one."""
+    """Return a switch without a position; the soft limit has one."""
     made = Limit(c, 0, sign, LIMIT_FORWARD if sign > 0 else LIMIT_REVERSE, action, True)
     c.axes[0].limits.append(made)
     return made
@@ -229,9 +232,10 @@ def soft(c: Controller, action: str, place: float) -> Limit:
 
 
 class Free:
-    """The motion without a limit up to a time: where the axis is, how fast, and how far along its path.
+    """The motion without a limit up to a time: position, speed, and distance.
 
-    `lines` are the straight paths that it is on: what the axis has of a unit of each, the speed, and what is left.
+    `lines` are the straight paths that it is on: the axis's share of a unit of each, the speed, and the
+    remaining distance.
     """
 
     def __init__(self, kind: Kind, time: float, motor: bool, turns: bool = False) -> None:
@@ -256,7 +260,7 @@ class Free:
 
 
 def rest(kind: Kind, free: Free, action: str) -> float | None:
-    """Where the axis comes to rest by the rule; None where the limit changes nothing."""
+    """Return where the axis rests by the rule; None if the limit changes nothing."""
     if action in ("ignore", "event"):
         return None
     if action in ("abort", "off"):
@@ -272,14 +276,14 @@ def rest(kind: Kind, free: Free, action: str) -> float | None:
 WAYS = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
 
 
-# The motion without a limit is the same whatever the limit would do: each is worked out once.
+# The motion without a limit does not depend on the limit: each is computed once.
 free_at = cache(Free)
 
 
 @cache
 def _on_the_way(kind: Kind, motor: bool) -> tuple[float, Free]:
-    """A place that the motion passes, and the motion as it does."""
-    # A position reference is over within a period: its motor comes upon the place when the demand has ended.
+    """Return a position that the motion passes, and the motion there."""
+    # A position reference is over within a period: its motor passes the position after the command has ended.
     before = free_at(kind, kind.moment if kind.moment > 0.01 else END, motor)
     place = 0.9 * before.controller.position(0)
     probe = machine(motor)
@@ -307,21 +311,21 @@ def _already(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, F
 
 @cache
 def _at_the_turn(kind: Kind, name: str, motor: bool) -> Free:
-    """The motion where it is furthest."""
+    """Return the motion at its extreme."""
     own = name in BY_THEMSELVES
     probe = Free(kind, END, motor, turns=not own)
     a = probe.controller.axes[0]
     tops = [a.position(k * 1e-4) for k in range(round(END * 1e4))]
     top = next(k for k, (here, after) in enumerate(pairwise(tops)) if after < here)
     free = Free(kind, top * 1e-4, motor, turns=not own)
-    # At the turn it stands, but for a reference that jumps from one velocity to another.
+    # It is at rest there, except for a reference that jumps between velocities.
     free.position, free.speed = tops[top], 0.0
     free.velocity = a.velocity(top * 1e-4 + 1e-7) if name == "position reference" else 0.0
     return free
 
 
 def _turned(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
-    """The reverse limit is active all the while."""
+    """Return a case in which the reverse limit is always active."""
     c = machine(motor)
     limit(c, action, -1).set_active(True)
     kind.begin(c)
@@ -379,7 +383,7 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
         else:
             c, shift, free = _at_moment(kind, way, action, motor)
         c.clock.advance(END)
-        # A homing runs past soft limits, and to a demand that has come to its end no limit matters.
+        # A homing passes soft limits, and limits do not affect a command that has ended.
         concerned = free.moves and not (name == "home" and way in SOFT)
         expected = rest(kind, free, action) if concerned else None
         a = c.axes[0]
@@ -388,7 +392,7 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
             assert a.position(END) - shift == pytest.approx(untouched.position, abs=1e-6), action
         else:
             assert a.velocity(END) == 0.0, action
-            # A motor is looked at once in a servo period.
+            # A motor is checked once per servo period.
             slack = 2e-3 + (1e-3 * abs(free.velocity) if motor and way == "met" else 0.0)
             assert a.position(END) - shift == pytest.approx(expected, abs=slack), action
         assert bool(c.faults(0)) is (concerned and action != "ignore"), action
@@ -401,7 +405,8 @@ def test_every_kind_turns_or_cannot() -> None:
     assert all(kind.turn is not None or name in BACK for name, kind in KINDS.items())
 
 
-# What no direction matters to: an error or analogue input, as it comes and as its mode is put in force; the drive.
+# Conditions independent of direction: an error or analogue input, as it comes and as its mode is put in
+# force; the drive.
 @pytest.mark.parametrize("name", KINDS)
 def test_an_error_of_no_direction_holds(name: str) -> None:
     for motor in (False, True):
@@ -434,7 +439,7 @@ PLAYED, REFUSING = ("spline",), ("cam", "fly")
 
 @pytest.mark.parametrize("name", KINDS)
 def test_a_suspend_holds_and_lets_go(name: str) -> None:
-    """By word and by input: to rest at DECEL, a table in its own time; then on to where it was going."""
+    """By keyword and by input: to rest at DECEL, a table in its own time, then on."""
     for reason in (BY_WORD, BY_INPUT):
         for motor in (False, True):
             kind, c = KINDS[name], machine(motor)
@@ -446,7 +451,7 @@ def test_a_suspend_holds_and_lets_go(name: str) -> None:
                 continue
             free = Free(kind, kind.moment, motor)
             expected = rest(kind, free, "stop")
-            if name in PLAYED:  # its time slows down evenly within 0.1 s
+            if name in PLAYED:  # its playback slows down linearly within 0.1 s
                 expected = Free(kind, kind.moment + 0.05, motor).position
             c.suspend(0, reason)
             c.clock.advance(END)

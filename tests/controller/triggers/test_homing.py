@@ -8,7 +8,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.io.wiring import World
 from motionlang.controller.triggers.homing import Homing, next_index
 
-# The machine's own zero is 20 counts below where it stands; the switch is active from -4 to 1, marks every 10.
+# The machine's own zero is 20 counts below its position; the switch is active from -4 to 1, marks every 10.
 SETTINGS = {"axis.0.start": 20.0, "axis.0.home_switch": [-4.0, 1.0], "axis.0.index_every": 10.0}
 
 
@@ -21,7 +21,7 @@ def machine(settings: dict[str, object] | None = None) -> Controller:
 
 
 def where(c: Controller) -> float:
-    """The position on the machine's own scale."""
+    """Return the position on the machine's own scale."""
     return c.position(0) - c.axes[0].datum + 20.0
 
 

@@ -1,4 +1,4 @@
-"""Positions captured at edges, outputs switched at positions: both to the moment."""
+"""Positions captured at edges and outputs switched at positions, both exactly."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from tests.controller.machines import machine, until
 
 
 def pulses(c: Controller, channel: int, *times: float) -> None:
-    """The input is on for 10 ms at each of these times."""
+    """Turn the input on for 10 ms at each time."""
     for time in times:
         c.clock.at(time, lambda: c.inputs.__setitem__(channel, 1))
         c.clock.at(time + 0.01, lambda: c.inputs.__setitem__(channel, 0))
 
 
 def captured(c: Controller) -> list[float]:
-    """What latch 0 captures from now on."""
+    """Return the captures of latch 0 from now on."""
     seen: list[float] = []
     c.listeners.append(lambda what, _: seen.append(c.latch(0).value) if what == "latch" else None)
     return seen

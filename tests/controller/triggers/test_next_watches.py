@@ -1,4 +1,4 @@
-"""Watches next to the axis: what is told, when and in which order is what solving all of them anew gives."""
+"""Watches next to the axis: calls, times and order equal those of solving all."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 
 def solve_all(axis: Axis, clock: Clock) -> None:
-    """The plain way: every watch is solved against every new profile, in the order in which they were set."""
+    """Solve every watch against every new profile, in order of creation."""
     for watch in tuple(axis.watches):
         if watch in axis.watches:
             arm(axis, watch, clock, clock.now)
 
 
 class Story:
-    """A random life of an axis whose watches, when they are told, end and set others and move the axis."""
+    """A random case of an axis whose watches end and set others and move the axis."""
 
     def __init__(self, seed: int) -> None:
         self.draw = random.Random(seed)
@@ -34,7 +34,7 @@ class Story:
         self.watches: list[tuple[int, Watch]] = []
         self.told: list[object] = []
         self.names = 0
-        # How much is done while something is told: little, so that stories end.
+        # The probability of an action in a call: low, so that cases end.
         self.meddling = self.draw.choice((0.0, 0.1, 0.3))
         size = self.draw.choice((1.0, 1.0, 1e3, 1e6))
         self.grid = [size * k * 0.5 for k in range(-30, 31)]
@@ -95,7 +95,7 @@ class Story:
                 c.configure(
                     0, "shape", draw.choice(("trapezoid", "trapezoid", "scurve", "sinusoidal", "parabolic"))
                 )
-            else:  # something else that happens at the time of a watch, and was entered between others
+            else:  # another event at the time of a watch, entered between others
                 due = [
                     w.event.time for _, w in self.watches if w.event is not None and w.event.call is not None
                 ]
@@ -113,7 +113,7 @@ class Story:
             self.note("time", self.c.clock.next_time(), made == self.c.clock.made)
             span = self.draw.choice((0.0, 0.01, 0.3, 1.0, 5.0))
             until = self.c.clock.now + span
-            if self.draw.random() < 0.2:  # to the very moment of what comes next
+            if self.draw.random() < 0.2:  # to the exact time of the next event
                 until = min(until, self.c.clock.next_time())
             self.c.clock.advance(until)
             self.note("then")
@@ -121,7 +121,7 @@ class Story:
 
 
 def compare(seeds: range, monkeypatch: pytest.MonkeyPatch) -> int:
-    """Tell each story in both ways; how many passes there were."""
+    """Run each case in both ways; return the number of passes."""
     passes = 0
     for seed in seeds:
         ours = Story(seed).tell()

@@ -1,4 +1,4 @@
-"""Stretches between edges: told at the exact time, turn after turn, in both directions, however the axis moves."""
+"""Intervals between edges: exact times, wraps, both directions, any motion."""
 
 from __future__ import annotations
 

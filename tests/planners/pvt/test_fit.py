@@ -1,4 +1,4 @@
-"""Any motion as PVT points: within the tolerance, on the wire's grid, and with no segment too many."""
+"""Any motion as PVT points: within tolerance, on the grid, in the fewest segments."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SHAPES = {
 
 
 def error_of(fit_points: Profile, motion: Profile, span: float) -> float:
-    """The largest difference, looked for at other times than the fit itself looks."""
+    """Return the largest difference, at other times than those of the fit itself."""
     times = np.linspace(0.0, span, 7919)
     return max(abs(fit_points.position(float(t)) - motion.position(float(t))) for t in times)
 
@@ -59,7 +59,7 @@ def test_a_looser_tolerance_never_takes_more_segments() -> None:
 
 
 def fewest_by_trial(motion: Profile, tolerance: float, milliseconds: int) -> int:
-    """The fewest segments, by trying every one of them in the plainest way."""
+    """Return the fewest segments, by exhaustive search."""
     position = [round(motion.position(k / 1000)) for k in range(milliseconds + 1)]
     velocity = [round(motion.velocity(k / 1000), 1) for k in range(milliseconds + 1)]
     velocity[-1] = 0.0

@@ -15,7 +15,7 @@ jerks, accels, speeds = st.floats(1e3, 1e7), st.floats(1e2, 1e6), st.floats(1e1,
 
 
 def largest_jerk(profile: Profile) -> float:
-    """The largest jerk, less what the rounding of the positions can make of a third difference."""
+    """Return the largest jerk, less the rounding of positions in a third difference."""
     noise = 1e-15 * abs(profile.distance) / min(s.duration for s in segments(profile)) ** 3
     return max(abs(s.jerk) for s in segments(profile)) - 12 * noise
 
@@ -44,7 +44,10 @@ def test_acceleration_never_jumps(distance: float, time: float) -> None:
 
 @given(distances, jerks, accels, speeds)
 def test_limits_are_kept_and_met(distance: float, jerk: float, accel: float, speed: float) -> None:
-    """The planner of Mint's S-ramp is the oracle: the same limits, its own arithmetic, the same duration."""
+    """The planner of Mint's S-ramp is the reference: equal limits, equal duration.
+
+    Its arithmetic is its own.
+    """
     profile = plan_points(limited_scurve(distance, jerk, accel, speed))
     oracle = plan_jerk(0.0, distance, speed, accel, accel, jerk, jerk)
     assert profile.duration == pytest.approx(oracle.duration, rel=1e-6)

@@ -1,4 +1,4 @@
-"""Velocities for points: the note's worked examples, and what must hold for any points."""
+"""Velocities for points: the note's worked examples, and general properties."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_the_ten_points_of_the_note(name: str) -> None:
 def test_the_four_points_of_the_note() -> None:
     assert average_velocities(FOUR_POINTS, T)[1:-1] == [750_000, 750_000]
     assert smooth_velocities(FOUR_POINTS, T) == pytest.approx([0, 900_000, 900_000, 0])
-    # F2 is exact for four points, whatever it starts from
+    # F2 is exact for four points, for any initial values
     assert refined_velocities(FOUR_POINTS, [0, 1, 2, 0], T) == pytest.approx([0, 900_000, 900_000, 0])
 
 
@@ -86,7 +86,7 @@ def test_the_exact_velocities_leave_no_jump(move: tuple[list[float], list[float]
 def test_the_exact_velocities_solve_the_spline(
     move: tuple[list[float], list[float]], first: float, last: float
 ) -> None:
-    """The same system by NumPy's dense solver."""
+    """NumPy's dense solver solves the same system."""
     p, h = move
     n = len(p)
     matrix, right = np.eye(n), np.zeros(n)
