@@ -1,4 +1,4 @@
-"""The extremes of a motion against arithmetic by hand, and against many looks at it; the certificate made of them."""
+"""The extremes of a motion against hand arithmetic and samples; the certificate."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from motionlang.views.certificate import _row
 
 SCRIPTS = Path(__file__).parents[2] / "scripts"
 SET = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 500 : "
-# What is done, and the lowest and highest position, speed, acceleration and jerk, user units and seconds.
+# The motion, and the lowest and highest position, speed, acceleration and jerk, user units and seconds.
 MOTIONS: dict[str, tuple[str, tuple[float, float, float, float, float]]] = {
     "nothing": ("OUTX(1) = 1", (0, 0, 0, 0, 0)),
     "a trapezoid": ("MOVEA(0) = 40 : GO(0) : PAUSE IDLE(0)", (0, 40, 100, 1000, inf)),
@@ -94,7 +94,7 @@ def test_a_certificate_says_when_and_on_which_line_and_what_is_left() -> None:
     assert [low.margin, high.margin, speed.margin, accel.margin] == pytest.approx([1.0, -10.0, 0.0, 0.2])
     assert [speed.line, speed.reached, speed.time] == pytest.approx([2, 100.0, 0.1], abs=1e-4)
     assert least_margin([low, high, speed, accel]) == pytest.approx(-1 / 3)
-    # What is left of a position is a distance, of anything else a share.
+    # The margin of a position is a distance, any other one a share.
     assert [_row(line)[-2].split()[1] for line in (low, high, accel)] == ["uu", "uu", "%"]
 
 

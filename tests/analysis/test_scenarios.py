@@ -1,4 +1,4 @@
-"""Scenarios: one machine file on top of another, and what is expected of a run."""
+"""Scenarios: merged machine files, and expectations of a run."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
     assert EXPECTED.keys() | beside == TABLES["expect"].keys()
 
 
-# By hand: the part is there at 0.5 s, the move takes 100/200 + 200/2000 = 0.6 s.
+# By hand: the part arrives at 0.5 s, the move takes 100/200 + 200/2000 = 0.6 s.
 @pytest.mark.parametrize(
     ("entry", "told"),
     [
@@ -81,7 +81,7 @@ def test_what_is_expected_is_met_or_told(entry: str, told: str) -> None:
 
 
 def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
-    """At 50 from rest with an instant ramp the switch at 20 is met after some 0.4 s."""
+    """At 50 from rest with an instant ramp the switch at 20 is reached at some 0.4 s."""
     text = "LIMITMODE(0) = 4 : SPEED(0) = 50 : ACCEL(0) = 1e6 : DECEL(0) = 1e6\nMOVER(0) = 60 : GO(0) : PAUSE IDLE(0)\n"
     made = run(Source("limit.mnt", text), machine={"axis.0.travel": [-100.0, 20.0]}, cache=False)
 

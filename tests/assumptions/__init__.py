@@ -1,1 +1,1 @@
-"""The open readings: their entries, their page, what depends on them, and the probes that settle them."""
+"""Assumptions: their entries, page and use, and the probes that settle them."""

@@ -1,4 +1,4 @@
-"""Open readings name what else may hold, and how a controller tells: how many do not may only fall."""
+"""Open assumptions have alternatives and probes; the number without may only fall."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.switch import switch
 from motionlang.source import Source
 
-# Open readings about a controller without an alternative, and those that no program tells.
+# Open assumptions about a controller without an alternative, and those without a probe.
 WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 184
-# What a controller cannot answer: the readings that are this program's own matter.
+# The number of assumptions that no controller can confirm, because they are choices of this program.
 OWN = 59
 NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
 DISTANCE = 100.0
 
 
 def open_ones() -> list[Reading]:
-    """The open readings that a controller has an answer to."""
+    """Return the open assumptions that a controller can confirm."""
     return [each for each in readings().values() if each.is_open and not each.own]
 
 
 def by_name() -> list[Reading]:
-    """The readings that a program of their own asks about."""
+    """Return the assumptions with a probe of their own."""
     return [each for each in readings().values() if each.probe is not None and each.probe.alone]
 
 
@@ -41,7 +41,7 @@ def text_of(reading: Reading) -> Source:
 
 
 def machine_of(reading: Reading) -> dict[str, object]:
-    """The machine that a probe needs, as its entry says it for the virtual controller."""
+    """The machine that a probe needs, from its entry for the virtual controller."""
     assert reading.probe is not None
     return read_machine(Source("probe.machine.toml", reading.probe.machine))
 
@@ -74,7 +74,7 @@ def test_each_answer_is_told_apart_and_belongs_to_an_alternative() -> None:
 
 @pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)
 def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: Reading) -> None:
-    """The program is taken, runs, and shows what it says; where it says that it is refused, it is."""
+    """The program compiles, runs, and prints its answer, or is rejected as stated."""
     assert each.probe is not None
     source = text_of(each)
     if each.probe.answers[0] == REFUSED:
@@ -94,7 +94,7 @@ def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: R
     ids=lambda each: each.name,
 )
 def test_a_question_fits_any_distance_that_is_allowed(each: Reading, distance: float) -> None:
-    """The virtual controller answers as the reading that it takes, however far the axis may move."""
+    """The virtual controller confirms its own assumption at any distance."""
     assert each.probe is not None
     name, axis = NAMES[each.probe.language]
     result = run(
@@ -105,7 +105,7 @@ def test_a_question_fits_any_distance_that_is_allowed(each: Reading, distance: f
 
 
 def switched() -> list[tuple[Reading, object]]:
-    """The readings that a program of their own asks about and the machine file can set, with each other value."""
+    """Return assumptions with their own probe and a switch, with each other value."""
     return [
         (each, choice)
         for each in by_name()

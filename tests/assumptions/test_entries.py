@@ -1,4 +1,4 @@
-"""The files of evidence: what stands in them is whole, and no run reads them."""
+"""The files of evidence: complete, and never read by a run."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from motionlang.assumptions.page import markdown
 from motionlang.execution import dialect, dialects
 
 PAGE = Path(__file__).parents[2] / "docs" / "fidelity.md"
-# What is no word of a table, nor of a grammar: a machine with a motor, any program, the name of a handler.
+# Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.
 BESIDE = {"@motor", "@always", "ONERROR"}
 
 

@@ -1,4 +1,4 @@
-"""What the facts of the words rest on: no evidence claims more than its source prints."""
+"""The evidence of facts of keywords: none claims more than its source prints."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
 
 LARGEST = 8388607.0
-# What the pages print, typed from them: the default, the range, None where the page has none of it.
+# The printed default and range, copied from the pages; None if a page has none.
 PRINTED: dict[str, tuple[float | None, tuple[float, float] | None]] = {
     "INPUTDEBOUNCE": (1, (1, 10)),
     "REMOTEMODE": (None, (0, 1)),
@@ -66,7 +66,7 @@ def test_a_fact_that_is_listed_is_one_of_its_word(language: str) -> None:
 
 @pytest.mark.parametrize("language", dialects())
 def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
-    """Also where it is only that somebody chose it: a fact that nobody has asked about is none."""
+    """An arbitrary choice needs evidence, too; other facts do not exist."""
     known = listed(language)
     asked = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
     assert sorted(asked - known.keys()) == []
@@ -77,7 +77,7 @@ def test_the_row_of_a_word_says_nothing_of_its_evidence() -> None:
 
 
 def test_a_default_and_a_range_are_choices_unless_a_source_has_them() -> None:
-    """The word may be printed, and what it is at power-up not."""
+    """The keyword may be printed, and its value at power-up not."""
     row = dialect("mint").table().get("ACCEL")
     assert row is not None
     found = of_word("mint", row)

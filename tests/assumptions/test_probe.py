@@ -1,4 +1,4 @@
-"""Probes: what they ask, and that a virtual controller with other readings is found out by its answers alone."""
+"""Probes: their questions, and detection of other assumptions from the answers."""
 
 from __future__ import annotations
 
@@ -19,14 +19,15 @@ from motionlang.lang.machine.switch import Switch
 from motionlang.source import Source
 from tests.cases import cases
 
-# What a program of its own asks.
+# The questions of separate programs.
 BY_NAME = {each.name for each in readings().values() if each.probe is not None and each.probe.alone}
 LANGUAGES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
-# Readings without a switch, which other keys of the machine file set, and values that a probe can tell apart.
+# Assumptions without a switch, set by other keys of the machine file, and values that a probe can
+# distinguish.
 OTHER_KEYS = {"mint": {"controller.instruction_time": [2e-5, 5e-5, 1e-4]}, "mccl": {}}
-# With fewer decimals a controller does not print enough to tell what its settings are.
+# With fewer decimals a controller does not print enough to identify its settings.
 DECIMALS = range(3, 10)
-# What cannot be at power-up: a precision mode without a table, blending beside contours.
+# Impossible at power-up: a precision mode without a table, blending alongside contours.
 IMPOSSIBLE = ("assumptions.mint.precisionmode-default", "assumptions.mint.blendmode-default")
 
 
@@ -41,7 +42,7 @@ def answers(
 
 
 def another(name: str, switch: Switch, draw: random.Random) -> object:
-    """A value of a reading, drawn."""
+    """Return a random value of an assumption."""
     if switch.choices:
         return draw.choice(switch.choices)
     if name == "mint.float-decimals":
@@ -53,7 +54,7 @@ def another(name: str, switch: Switch, draw: random.Random) -> object:
 
 
 def noise(lines: list[str], draw: random.Random) -> str:
-    """What a terminal shows around answers: other line ends, stamps, colours, prompts, the probe's own listing."""
+    """Return answers as on a terminal: line ends, stamps, colours, prompts, a listing."""
     end = draw.choice(["\n", "\r\n", "\r"])
     shown = ["\x1b[2J", "Connected.", *lines, "Goodbye."]
     stamp = draw.choice(["", "[12:01:02.345] ", "2026-01-02 12:01:02 "])
@@ -92,7 +93,7 @@ def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> N
 def test_every_reading_chosen_holds_on_the_virtual_controller(
     language: str, moves: bool, further: int
 ) -> None:
-    """Of whichever axis."""
+    """The axis does not matter."""
     motion = Motion(LANGUAGES[language][1] + further, 100.0) if moves else None
     found = read("\n".join(answers(language, {}, motion, further)))
     assert [each.message for each in found.problems] == []
@@ -129,7 +130,7 @@ def test_questions_are_marked_apart() -> None:
 
 
 def log(change: Callable[[list[str]], list[str]], language: str = "mint") -> Answers:
-    """What is read out of the answers of the virtual controller, changed."""
+    """Return the answers of the virtual controller, changed and read again."""
     return read("\n".join(change(answers(language, {}))))
 
 

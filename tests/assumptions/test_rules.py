@@ -1,4 +1,4 @@
-"""Questions that follow from the kind of a fact: its default, range, type, scale, short form or number."""
+"""Generated questions on a fact: default, range, type, scale, short form, number."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ def word(language: str, name: str) -> Keyword:
 
 
 def of(language: str, name: str) -> dict[str, Reading]:
-    """The facts of a word that are asked, by what follows its name."""
+    """Return the facts of a keyword with a question, by the suffix of their name."""
     begin = f"{language}.{name.lower()}-"
     return {each.name.removeprefix(begin): each for each in facts_asked(language, word(language, name))}
 
 
 def answered(reading: Reading, machine: dict[str, object] | None = None) -> str:
-    """What a controller shows that is asked one question."""
+    """Return a controller's output for one question."""
     assert reading.probe is not None
     name, axis = NAMES[reading.probe.language]
     result = run(Source(name, alone(reading, axis)), machine=machine or {}, cache=False)
@@ -46,7 +46,7 @@ def answered(reading: Reading, machine: dict[str, object] | None = None) -> str:
 
 @pytest.mark.parametrize("language", NAMES)
 def test_each_question_is_answered_as_the_fact_that_was_taken(language: str) -> None:
-    """The program compiles, runs, and shows what it says that it shows here."""
+    """The program compiles, runs, and prints the stated answer."""
     asked = [each for row in dialect(language).table() for each in facts_asked(language, row)]
     assert len(asked) > 50
     for each in asked:
@@ -119,7 +119,7 @@ def test_what_a_source_prints_is_not_asked() -> None:
 
 
 def test_nothing_that_switches_or_moves_is_written() -> None:
-    """Outputs, drives, brakes, jogs: a probe writes only what an axis keeps."""
+    """No output, drive, brake or jog: a probe writes only stored values of an axis."""
     for name in ("DRIVEENABLE", "DRIVEENABLEOUTPUT", "JOG", "MOTORBRAKE", "OUTX", "DAC", "RELAY", "TORQUE"):
         for each in facts_asked("mint", word("mint", name)):
             assert each.probe is not None

@@ -1,4 +1,4 @@
-"""Which open readings a program depends on: in its report, and before anything is run."""
+"""The open assumptions of a program: in its report, and before a run."""
 
 from __future__ import annotations
 

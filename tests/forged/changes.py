@@ -1,7 +1,7 @@
-"""Single changes to the arithmetic of planners: what they are, and how one is put in force and taken back.
+"""Single changes to the arithmetic of planners: their list, use and removal.
 
-A change is of one expression of one function. The text of its module is compiled with the change, and the function is
-given the code that comes out; nothing is imported anew, so thousands can be tried in one process.
+A change is of one expression of one function. The text of its module is compiled with the change, and the
+function gets the new code; nothing is imported again, so thousands can be tried in one process.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "motionlang"
-# What works out motion; `plan_move` and the moves that are planned without it stand in `core`.
+# The modules that compute motion; `plan_move` and the moves planned without it are in `core`.
 _MODULES = {
     "planners": (
         "trapezoid ramps feasibility solve scurve parabolic jerk transition ramp_down stop jerk_limited segment_speed "
@@ -28,7 +28,7 @@ _MODULES = {
     "controller/moves": "cam course entries geometry path path_run",
 }
 FILES = tuple(f"{folder}/{name}.py" for folder, names in _MODULES.items() for name in names.split())
-# Settings that are easily taken for one another.
+# Settings that are easily confused.
 _OTHERS = {
     "accel": "decel", "decel": "accel", "accel_jerk": "decel_jerk", "decel_jerk": "accel_jerk", "max_speed": "speed",
     "max_accel": "accel", "max_decel": "decel", "error_decel": "decel", "override": "ramp", "ratio": "locked",
@@ -39,7 +39,7 @@ _WORKED: dict[type[ast.operator], type[ast.operator]] = {
 
 
 class Change(NamedTuple):
-    """One change: the module, the function by its qualified name, the number of the place in it, and both texts."""
+    """One change: module, qualified function name, expression number, both texts."""
 
     module: str
     function: str
@@ -53,19 +53,19 @@ class Change(NamedTuple):
 
 
 def changes(path: str = "") -> list[Change]:
-    """All changes of a file or of all files, in the order of their text."""
+    """Return all changes of a file or of all files, in the order of their text."""
     return [each for name in FILES if path in ("", name) for each in _of_file(name)]
 
 
 def chosen(count: int) -> list[Change]:
-    """So many of all changes, evenly spread."""
+    """Return `count` of all changes, evenly spaced."""
     found = changes()
     return [found[k * len(found) // count] for k in range(min(count, len(found)))]
 
 
 @contextmanager
 def forged(change: Change) -> Iterator[None]:
-    """The change is in force."""
+    """Put the change in force."""
     function = _function(change)
     honest = function.__code__
     function.__code__ = _code(change)
@@ -83,7 +83,7 @@ def _of_file(path: str) -> Iterator[Change]:
 
 
 def _functions(tree: ast.AST, prefix: str) -> Iterator[tuple[str, ast.FunctionDef]]:
-    """The functions of a module and the methods of its classes."""
+    """Yield the functions of a module and the methods of its classes."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.ClassDef):
             yield from _functions(node, f"{prefix}{node.name}.")
@@ -92,7 +92,7 @@ def _functions(tree: ast.AST, prefix: str) -> Iterator[tuple[str, ast.FunctionDe
 
 
 def _expressions(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, str]]:
-    """The expressions of a function that may be changed, and what they become."""
+    """Yield the expressions of a function that may be changed, and their replacements."""
     for statement in function.body:
         for node in ast.walk(statement):
             if isinstance(node, ast.expr):
@@ -133,7 +133,7 @@ def _function(change: Change) -> FunctionType:
 
 
 def _code(change: Change) -> CodeType:
-    """The code of the function with the change."""
+    """Return the code of the function with the change."""
     path = PACKAGE.parent / (change.module.replace(".", "/") + ".py")
     tree = ast.parse(path.read_bytes())
     node = next(node for name, node in _functions(tree, "") if name == change.function)

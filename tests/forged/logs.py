@@ -1,7 +1,7 @@
-"""Forged logs: single changes by hand to the log of a run, each of which the proof has to reject.
+"""Forged logs: single changes of a run's log, each of which the proof must reject.
 
-A change is of one entry, in place, so that an entry that is under way stays the one of its axis. The report is made of
-the forged log: it says the same, and cannot give the log away.
+A change is of one entry, in place, so that an entry in progress stays the one of its axis. The report is made
+from the forged log, so it agrees and cannot reveal the change.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Forged(NamedTuple):
 
 
 class Log(list[Move]):
-    """Entries in the place of the log of a controller."""
+    """A list of entries in place of the log of a controller."""
 
     packed = 0
 
@@ -48,12 +48,12 @@ def _profile(move: Move) -> Profile:
 
 
 def _end(move: Move) -> float:
-    """The time that an entry takes, or a second of one that goes on and on."""
+    """Return the duration of an entry, or a second for an endless one."""
     return min(_profile(move).duration, 1.0)
 
 
 def _copy(move: Move) -> Move:
-    """Another entry that says the same."""
+    """Return an equal entry."""
     made = (OffsetMove if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
     for name in ("start_time", "profile", "scale", "zero", "ended", "offset", "asked", "action"):
         setattr(made, name, getattr(move, name))
@@ -61,7 +61,7 @@ def _copy(move: Move) -> Move:
 
 
 def _set(name: str, change: Callable[[Any, Move], object]) -> Callable[[Entries, int], None]:
-    """Change one field of an entry."""
+    """Return a function that changes one field of an entry."""
 
     def forge(entries: Entries, k: int) -> None:
         setattr(entries[k], name, change(getattr(entries[k], name), entries[k]))
@@ -78,7 +78,7 @@ def _twice(entries: Entries, k: int) -> None:
 
 
 def _swapped(entries: Entries, k: int) -> None:
-    """The profiles of an entry and of another one that has a different motion are exchanged."""
+    """Exchange the profiles of an entry and of another one with a different motion."""
     others = [each for each in entries if _shape(each) != _shape(entries[k])]
     if others:
         entries[k].profile, others[0].profile = others[0].profile, entries[k].profile
@@ -90,7 +90,7 @@ def _shape(move: Move) -> tuple[float, float, float]:
 
 
 def _split(entries: Entries, k: int) -> None:
-    """One entry is told as two that say that they ran out."""
+    """Replace one entry by two that claim to be complete."""
     first, second, half = entries[k], _copy(entries[k]), 0.5 * _end(entries[k])
     profile = _profile(first)
     first.profile, second.profile = profile.cut(half), profile.after(half)
@@ -99,7 +99,7 @@ def _split(entries: Entries, k: int) -> None:
 
 
 def _merged(entries: Entries, k: int) -> None:
-    """An entry and the next one of its axis are told as one."""
+    """Merge an entry and the next one of its axis."""
     following = next((each for each in entries[k + 1 :] if each.axis == entries[k].axis), None)
     if following is None:
         return
@@ -136,7 +136,10 @@ KINDS: dict[str, Callable[[Entries, int], None]] = {
 
 
 def candidates() -> Iterator[Forged]:
-    """All forged logs: each kind of change, of the first and the last entry and one between, of every program."""
+    """Yield all forged logs: each kind of change, program, and some entries.
+
+    The entries are the first, the last and one in between.
+    """
     for program in PROGRAMS:
         count = len(ran(program).controller.log.moves)
         for kind in KINDS:
@@ -145,13 +148,13 @@ def candidates() -> Iterator[Forged]:
 
 
 def chosen(count: int) -> list[Forged]:
-    """So many of all, evenly spread."""
+    """Return `count` of all, evenly spaced."""
     found = list(candidates())
     return [found[k * len(found) // count] for k in range(min(count, len(found)))]
 
 
 def forge(each: Forged) -> tuple[Run, bool]:
-    """The run with its forged log, and whether that says anything else of the motion."""
+    """Return the run with its forged log, and true if its motion differs."""
     result = ran(each.program)
     entries = Log(result.controller.log.moves)
     result.controller.log.moves = entries  # type: ignore[assignment]
@@ -161,7 +164,7 @@ def forge(each: Forged) -> tuple[Run, bool]:
 
 
 def _told(result: Run) -> list[dict[str, object]]:
-    """What the report says of the motion."""
+    """Return the report's statements on the motion."""
     from motionlang.report import moves
 
     return list(moves(result))

@@ -1,4 +1,4 @@
-"""The programs that forged planners run: each kind of motion, begun, changed in motion and ended."""
+"""The programs for forged planners: each kind of motion, begun, changed and ended."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""A slice of the forged planners, each with a program by which the proof rejects it; `-m long` runs all of them."""
+"""A sample of the forged planners with the program that exposes each.
+
+`-m long` runs all of them.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from tests.forged.verdicts import honest, ran, verdict
 
 _AT = "INFINITY if ramp else 0.0"
 _TIE = "action if isinstance(action, Follow) else None"
-# By their module, their function, what stands there and what is forged, and the program.
+# Module, function, original text, forged text, and program.
 SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("planners.trapezoid", "plan_trapezoid", "target - start", "target + start", "moves.mnt"),
     ("planners.trapezoid", "from_rest", "0.5 / accel", "0.5 * accel", "moves.mnt"),
@@ -78,7 +81,7 @@ def test_the_programs_of_the_honest_planners_are_proved() -> None:
 
 @pytest.mark.long
 def test_no_forged_planner_that_changes_the_motion_passes() -> None:
-    """300 of all changes, evenly spread; a path that takes longer is listed in `docs/proof.md`."""
+    """300 of all changes, evenly spaced; a longer path is listed in `docs/proof.md`."""
     motions = honest()
     passed = []
     for change in chosen(300):

@@ -1,4 +1,7 @@
-"""Forged logs: 100 single changes of entries, each of which the proof rejects; `-m long` takes all."""
+"""Forged logs: 100 single changes, each rejected by the proof.
+
+`-m long` takes all.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from tests.forged.logs import Forged, candidates, chosen, forge
 
 
 def accepted(logs: list[Forged]) -> list[str]:
-    """Those that say something else of the motion, and are not rejected."""
+    """Return those with another motion that are not rejected."""
     found = []
     for each in logs:
         result, differs = forge(each)

@@ -1,4 +1,4 @@
-"""What becomes of the programs under a forged planner: the motion is the same, is rejected, fails, or passes."""
+"""Verdicts on programs under a forged planner: same, rejected, failed, passed."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from motionlang.result import Run
 from motionlang.source import Source
 from tests.forged.programs import PROGRAMS
 
-# Moments of a run at which the motion of two planners is compared, and by which part of its size it may differ.
+# Times of a run at which the motion of two planners is compared, and the relative difference allowed.
 MOMENTS, ALIKE = 101, 1e-5
-# Verdicts, of which the last one counts of several programs; one rejection decides.
+# Verdicts, of which the last one applies to several programs; one rejection decides.
 RANKS = ("same", "failed", "slower", "passed")
-# Seconds after which a forged planner that finds no end is given up.
+# Seconds after which an endless forged planner is abandoned.
 LONGEST = 5.0
 
 
 class Entry(NamedTuple):
-    """An entry of the log: its axis, when it began, how long it took, where it ended, and whether it is of a path.
+    """An entry of the log: axis, start, duration, end, and true for a path.
 
-    What is in progress as the run ends has no duration of its own: it is inf.
+    A motion in progress at the end of the run has no duration: it is inf.
     """
 
     axis: int
@@ -37,19 +37,19 @@ class Entry(NamedTuple):
     on_path: bool
 
     def is_like(self, other: Entry) -> bool:
-        """Whether both take as long and end in the same place but for rounding."""
+        """True if both have equal durations and ends, within rounding."""
         return self.ends_like(other) and (
             self.duration == other.duration
             or abs(self.duration - other.duration) <= ALIKE * max(1.0, min(self.duration, other.duration))
         )
 
     def ends_like(self, other: Entry) -> bool:
-        """Whether both are of one axis and end in the same place but for rounding."""
+        """True if both are of one axis and end at the same position, within rounding."""
         return self.axis == other.axis and abs(self.end - other.end) <= ALIKE * max(1.0, abs(self.end))
 
 
 class Motion(NamedTuple):
-    """Where the axes of a run were and how fast at some moments, where at the end, and the entries of its log.
+    """Positions and speeds of the axes at some times and at the end, and log entries.
 
     `time` is when the run ended; `called` are the functions that it called.
     """
@@ -61,20 +61,20 @@ class Motion(NamedTuple):
     called: frozenset[str] = frozenset()
 
     def is_slower_path(self, other: Motion) -> bool:
-        """Whether this one differs in its paths alone: each ends in the same place, and none takes less time."""
+        """True if only the paths differ: equal ends, and no shorter time."""
         return len(self.entries) == len(other.entries) and all(
             a.ends_like(b) and a.duration >= b.duration * (1.0 - ALIKE) if a.on_path else a.is_like(b)
             for a, b in zip(self.entries, other.entries, strict=True)
         )
 
     def ends_like(self, other: Motion) -> bool:
-        """Whether both end in the same place but for rounding."""
+        """True if both end at the same position, within rounding."""
         return len(self.ends) == len(other.ends) and all(
             abs(a - b) <= ALIKE * max(1.0, abs(a)) for a, b in zip(self.ends, other.ends, strict=True)
         )
 
     def differs(self, other: Motion) -> bool:
-        """Whether another motion is not the same but for rounding; one that only waits longer is the same."""
+        """True if another motion differs by more than rounding and longer waits."""
         if not self.ends_like(other) or len(self.states) != len(other.states):
             return True
         if len(self.entries) != len(other.entries):
@@ -90,9 +90,10 @@ class Motion(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """`kind` is "same", "rejected", "failed", "slower" or "passed"; `program` and `message` say of which one, and how.
+    """`kind` is "same", "rejected", "failed", "slower" or "passed".
 
-    A path that is "slower" keeps its bounds and its end: `docs/proof.md` lists that its shortest time is not proved.
+    `program` and `message` are the program concerned, and the reason. A "slower" path observes its bounds and
+    its end: `docs/proof.md` lists that its shortest time is not proved.
     """
 
     kind: str
@@ -105,7 +106,7 @@ class Endless(Exception):
 
 
 def ran(name: str) -> Run:
-    """A program, run to be proved."""
+    """Run a program to be proved."""
     machine = {"controller.instruction_time": 1e-9}
     return run(Source(name, PROGRAMS[name]), machine=machine, cache=False, prove=True, until=60.0)
 
@@ -124,7 +125,7 @@ def motion(result: Run, times: list[float]) -> Motion:
 
 
 def honest(names: Iterable[str] = PROGRAMS) -> dict[str, Motion]:
-    """The motion of programs as they are planned."""
+    """Return the motion of programs under the real planners."""
     found = {}
     for name in names:
         called: set[str] = set()
@@ -144,9 +145,10 @@ def honest(names: Iterable[str] = PROGRAMS) -> dict[str, Motion]:
 
 
 def verdict(motions: dict[str, Motion], function: str = "") -> Verdict:
-    """What the planner in force does to the programs whose honest motions are given, of those that call a function.
+    """The verdict on the planner in force, for programs with given real motions.
 
-    It is rejected with the first program that is; it passes where it changes the motion of one and none is rejected.
+    Only those that call a function run. It is rejected with the first program that is; it passes if it
+    changes the motion of one and none is rejected.
     """
     told = Verdict("same")
     for name, before in motions.items():
@@ -184,7 +186,7 @@ def _times(end: float) -> list[float]:
 
 @contextmanager
 def _limited() -> Iterator[None]:
-    """An exception where it takes too long."""
+    """Raise an exception after a time limit."""
 
     def give_up(number: int, frame: FrameType | None) -> None:
         raise Endless

@@ -1,4 +1,5 @@
-"""No input ends in a traceback: programs made from the tables of words, and from the gallery with pieces changed.
+"""No input ends in a traceback: generated programs, and mutated ones.
 
-`python -m tests.fuzz mint 1000000` runs so many and prints what brought the interpreter down; the tests run a slice.
+`python -m tests.fuzz mint 1000000` runs that many and prints those that crash the interpreter; the tests run
+a sample.
 """

@@ -1,4 +1,7 @@
-"""`python -m tests.fuzz mint 1000000 [SEED]`: so many inputs, 0 for every word; prints each kind of trouble once."""
+"""`python -m tests.fuzz mint 1000000 [SEED]`: run inputs, 0 for every keyword.
+
+It prints each kind of failure once.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from tests.fuzz.inputs import WORDS, inputs
 
 
 def main(name: str, count: int, seed: int) -> int:
-    """Run the inputs; the exit status is 1 where one is trouble."""
+    """Run the inputs; the exit status is 1 if one fails."""
     seen: dict[str, str] = {}
     begun, done = monotonic(), 0
     for text in WORDS[name]() if count == 0 else inputs(name, count, seed):

@@ -1,4 +1,4 @@
-"""What brings the interpreter down, or takes it too long, in process."""
+"""Detection of crashes of the interpreter, and of time limits, in process."""
 
 from __future__ import annotations
 
@@ -14,19 +14,20 @@ from motionlang.execution import dialect
 from motionlang.source import Source
 from tests.fuzz.inputs import SUFFIX
 
-# Machine time of a run, and seconds of this process that no input of this size may take.
+# Machine time of a run, and the limit of this process's seconds for such an input.
 UNTIL, LONGEST = 0.5, 20.0
 
 
 class TooLong(Exception):
-    """An input that takes more time than any should."""
+    """An input exceeds the time limit."""
 
 
 @contextmanager
 def bounded(seconds: float) -> Iterator[None]:
-    """`TooLong` in the main thread after so many seconds of the process.
+    """Raise `TooLong` in the main thread after some seconds of the process.
 
-    It is raised again every second, because the first one may come where Python ignores exceptions: in a `__del__`.
+    It is raised again every second, because the first one may come where Python ignores exceptions: in a
+    `__del__`.
     """
 
     def end(number: int, frame: FrameType | None) -> None:
@@ -42,7 +43,7 @@ def bounded(seconds: float) -> Iterator[None]:
 
 
 def trouble(name: str, text: str) -> str:
-    """The last lines of the traceback that a program leads to, as it is checked and as it is run; "" for none."""
+    """Return the end of the traceback of a program's check or run; "" for none."""
     source = Source(f"fuzz{SUFFIX[name]}", text)
     try:
         with bounded(LONGEST):

@@ -1,4 +1,4 @@
-"""The inputs: every word in every form in every loop, and mutations of the gallery by tokens and by bytes."""
+"""The inputs: every keyword in every form and loop, and mutations of the gallery."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from motionlang.source import Source
 ROOT = Path(__file__).parents[2]
 SUFFIX = {"mint": ".mnt", "mccl": ".mcl"}
 
-# ------------------------------------------------------------------------------------------- words of Mint
+# ------------------------------------------------------------------------------------------- keywords of Mint
 
 LOOPS = {
     "for": "For i = 1 To 3\n  {}\nNext\n",
@@ -27,7 +27,7 @@ _INDICES = {"none": ("", "(0)"), "axis": ("(0)", ""), "axes": ("(0, 1)", "(0)")}
 
 
 def _spelt(row: Keyword) -> tuple[str, str]:
-    """A word as it is meant to be written, and otherwise."""
+    """Return a keyword in its normal spelling, and in another one."""
     if row.index in _INDICES:
         right, wrong = _INDICES[row.index]
     else:
@@ -36,7 +36,7 @@ def _spelt(row: Keyword) -> tuple[str, str]:
 
 
 def mint_forms(row: Keyword) -> tuple[str, str, str, str]:
-    """Four statements with a word."""
+    """Return four statements with a keyword."""
     right, wrong = _spelt(row)
     if "W" in row.access and "R" in row.access:
         return (
@@ -58,14 +58,14 @@ def mint_forms(row: Keyword) -> tuple[str, str, str, str]:
 
 
 def mint_words() -> Iterator[str]:
-    """Every word, four statements, four loops."""
+    """Yield every keyword in four statements and four loops."""
     for row in dialect("mint").table():
         for form in mint_forms(row):
             for loop in LOOPS.values():
                 yield _BEFORE + loop.format(form) + "PRINT x\n"
 
 
-# ------------------------------------------------------------------------------------------- words of MCCL
+# ------------------------------------------------------------------------------------------- keywords of MCCL
 
 _PARAMETERS = ("", "1", "-2.5", "@3")
 _LINES = (
@@ -77,7 +77,7 @@ _LINES = (
 
 
 def mccl_words() -> Iterator[str]:
-    """Every command, with and without an axis, four parameters, four kinds of line."""
+    """Yield every command, with and without an axis, with four parameters and lines."""
     for row in dialect("mccl").table():
         for axis in ("1", ""):
             for parameter in _PARAMETERS:
@@ -98,7 +98,7 @@ _NUMBERS = (
 
 @cache
 def gallery(name: str) -> tuple[list[str], ...]:
-    """The tokens of every program of a language's gallery and of its manual."""
+    """Return the tokens of every program of a language's gallery and manual."""
     suffix, language = SUFFIX[name], dialect(name)
     paths = sorted([*ROOT.glob(f"scripts/{name}/*{suffix}"), *ROOT.glob(f"tests/spec/{name}/**/*{suffix}")])
     texts = [Source.read(path).text for path in paths]
@@ -107,13 +107,13 @@ def gallery(name: str) -> tuple[list[str], ...]:
 
 @cache
 def vocabulary(name: str) -> list[str]:
-    """Every token that the gallery has, once, and every word of the language."""
+    """Return every token of the gallery, once, and every keyword of the language."""
     pieces = {piece for tokens in gallery(name) for piece in tokens if piece.strip()}
     return sorted(pieces | {row.name for row in dialect(name).table()})
 
 
 def mutated(name: str, random: Random) -> str:
-    """A program of the gallery with one to six pieces changed."""
+    """Return a program of the gallery with one to six tokens changed."""
     tokens = list(random.choice(gallery(name)))
     if random.random() < 0.2:
         return _bytes_changed("".join(tokens), random)
@@ -153,7 +153,7 @@ def _bytes_changed(text: str, random: Random) -> str:
 
 
 def inputs(name: str, count: int, seed: int) -> Iterator[str]:
-    """`count` programs of a language: mutations, a tenth of them on top of a form of a word."""
+    """Yield `count` programs of a language: mutations, a tenth with a keyword form."""
     random = Random(f"{name} {seed}")
     words = list(WORDS[name]())
     for _ in range(count):

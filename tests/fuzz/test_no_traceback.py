@@ -1,4 +1,7 @@
-"""No program ends in a traceback, and none takes for ever: a seeded slice; the long runs take all words and more."""
+"""No program ends in a traceback or takes for ever: a seeded sample.
+
+The long runs use all keywords and more.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from tests.cases import cases
 from tests.fuzz.guard import trouble
 from tests.fuzz.inputs import WORDS, inputs, mint_forms, mutated
 
-# Of a slice in CI, of words and of mutations; and of the long run for each language.
+# The sample sizes in CI, of keywords and of mutations; and of the long run for each language.
 SLICE, LONG = 300, 100_000
 
 

@@ -1,4 +1,7 @@
-"""Random jobs as Mint programs, each from a seed: contours with limits and events in motion, masters with slaves."""
+"""Random jobs as Mint programs, each from a seed: contours, masters and slaves.
+
+Contours have limits and events in motion.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,10 @@ PAUSES = ("PAUSE IDLE(0)", "PAUSE IDLE(1)", "PAUSE IDLE(2)")
 
 
 class Contour:
-    """Paths of two or three axes, `count` of them: lines, arcs and helices, contoured or blended, with limits.
+    """Paths of two or three axes, `count` of them, contoured or blended, with limits.
 
-    `events` happen while they are run: other speeds, overrides, limits, suspends, more paths.
+    They are lines, arcs and helices. `events` happen while they run: other speeds, overrides, limits,
+    suspends, more paths.
     """
 
     def __init__(self, seed: int, events: bool) -> None:
@@ -96,7 +100,10 @@ class Contour:
 
 
 class Train:
-    """Masters and slaves in a chain: a master that moves and jogs, gears, cams, flying shears, offsets, limits."""
+    """Masters and slaves in a chain, with random actions.
+
+    A master moves and jogs; there are gears, cams, flying shears, offsets, limits.
+    """
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = random.Random(seed)

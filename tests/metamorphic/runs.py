@@ -1,4 +1,4 @@
-"""What metamorphic tests run and compare: proved runs, and the times at which their places are looked at."""
+"""The runs of metamorphic tests: proved, and compared at given times."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from motionlang.source import Source
 
 
 def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: float = 1e-9) -> Run:
-    """A run without a diagnostic whose proof holds; a statement costs `fine` seconds."""
+    """Return a run without a diagnostic whose proof passes.
+
+    A statement takes `fine` seconds.
+    """
     machine = {"controller.instruction_time": fine}
     result = run(Source(name, text), machine=machine, until=until, cache=False, prove=True)
     told = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
@@ -17,5 +20,5 @@ def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: f
 
 
 def grid(result: Run, count: int = 57) -> list[float]:
-    """Moments of a run, evenly spread."""
+    """Return times of a run, evenly spaced."""
     return [result.time * k / count for k in range(count + 1)]

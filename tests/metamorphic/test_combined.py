@@ -1,6 +1,6 @@
-"""The same relations for contours, with and without events in motion, and for masters with their slaves.
+"""Relations for contours, with and without events, and for masters and slaves.
 
-`MOTIONLANG_LONG=500` asks for so many random programs a relation and kind.
+`MOTIONLANG_LONG=500` runs that many random programs per relation and kind.
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ def places(result: Run, times: list[float], first: int = 0) -> list[list[float]]
 
 
 def scaled(program: str, factor: float) -> str:
-    """The same user units, each of so many times as many counts."""
+    """Return the program in equal user units, with a multiple of the counts."""
     given = {int(axis): float(k) for axis, k in SCALED.findall(program)}
     lines = [line for line in program.split("\n") if not SCALED.match(line)]
     return "\n".join([f"SCALEFACTOR({axis}) = {given.get(axis, 1.0) * factor!r}" for axis in AXES] + lines)
 
 
 def elsewhere(program: str, by: int) -> str:
-    """The same on other axes."""
+    """Return the program on other axes."""
 
     def moved(found: re.Match[str]) -> str:
         return f"{found[1]}({', '.join(str(int(axis) + by) for axis in found[2].split(', '))}"
@@ -61,7 +61,7 @@ def near(found: list[list[float]], wanted: list[list[float]], within: float = 1e
 
 
 def mirrored(program: str) -> str:
-    """A contour turned by half a turn."""
+    """Return a contour rotated by 180 degrees."""
 
     def turned(found: re.Match[str]) -> str:
         values = found[3].split(", ")
@@ -86,9 +86,10 @@ WAYS = {"all axes": (-1.0, -1.0, -1.0), "slaves alone": (1.0, -1.0, -1.0), "the 
 
 
 def signed(program: str, ways: tuple[float, ...]) -> str | None:
-    """Masters and slaves, each axis in the direction of its sign; None for what has a direction of its own.
+    """Return masters and slaves with axes in the directions of their signs.
 
-    That is a cam whose master goes the other way, and a table that one slave reads one way and one the other.
+    None for a program with a direction of its own: a cam whose master reverses, and a table that two slaves
+    read in opposite directions.
     """
     master = {int(slave): int(m) for slave, m in re.findall(r"MASTERCHANNEL\((\d)\) = (\d)", program)}
     cams = {
@@ -183,7 +184,7 @@ def test_a_run_that_is_cut_is_the_beginning_of_the_whole(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(kind: str) -> None:
-    """A loop whose turns count is run turn by turn; one that only looks is skipped."""
+    """A loop with a counter runs every iteration; a polling one is skipped."""
     for seed in SEEDS:
         program = text(kind, seed)
         runs = []
@@ -192,13 +193,13 @@ def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(kin
             polled = POLLED.sub(turns, program.replace(" : PAUSE", "\nPAUSE"))
             runs.append(proved("Dim n As Integer = 0\n" + polled, fine=1e-3))
         ends = [places(each, [each.time]) for each in runs]
-        # What slaves do between two waits depends on when these end, which a longer turn of a loop puts off.
+        # The motion of slaves between two waits depends on the end of these, which a longer iteration delays.
         if kind != "masters and slaves":
             near(ends[1], ends[0], 1e-9)
 
 
 def absolute(program: str) -> str:
-    """The same contour with each path told from the zero of the axes."""
+    """Return the same contour with each path relative to the zero of the axes."""
     here = [0.0, 0.0, 0.0]
     lines = []
     for line in program.split("\n"):
@@ -234,7 +235,10 @@ def test_relative_paths_and_absolute_ones_come_to_the_same() -> None:
 
 
 def languages(seed: int) -> tuple[str, str]:
-    """The same contour in both languages: lines between whole counts and arcs by their angle, trapezoids, one pace."""
+    """Return the same contour in both languages: lines and arcs, trapezoids, one pace.
+
+    Lines are between whole counts, arcs by their angle.
+    """
     choose = Random(seed)
     speed, accel, decel = (
         round(choose.uniform(*range_)) for range_ in ((500, 5000), (2000, 50000), (2000, 50000))
@@ -254,7 +258,7 @@ def languages(seed: int) -> tuple[str, str]:
             mint.append(f"CIRCLER(0, 1) = {x}, {y}, {angle}")
             mccl.append(f"1CP{3 if angle > 0 else 2},1CR{x},2CR{y},1ER{abs(angle)}")
             continue
-        if kind < 0.6:  # another corner; else straight on
+        if kind < 0.6:  # another corner; without it straight on
             way = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
         mint.append(f"VECTORR(0, 1) = {way[0]}, {way[1]}")
         mccl.append(f"1CP1,1MR{way[0]},2MR{way[1]}")

@@ -1,4 +1,4 @@
-"""What random jobs have found: the least program of each kind, proved, with the figures that are due."""
+"""Findings of random jobs: the smallest program of each kind, with figures."""
 
 from __future__ import annotations
 
@@ -27,7 +27,10 @@ def ends(result: Run, *places: float) -> None:
 
 
 def test_a_word_suspends_the_axes_of_a_path_until_it_is_taken_back_whatever_path_is_run_then() -> None:
-    """The path of three axes is over before the suspend has slowed it down; the next one is of two of them."""
+    """The path of three axes is over before it has slowed down.
+
+    The next has two of them.
+    """
     paths = "VECTORR(0, 1, 2) = 3, 0, 4\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1, 2) = 0, 0, 6\nGO(0)\n"
     for word in ("SUSPEND(0) = 1\nWAIT 500\nSUSPEND(0) = 0\n", "SUSPEND(2) = 1\nWAIT 500\nSUSPEND(0) = 0\n"):
         ends(
@@ -40,7 +43,10 @@ JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 500\n"
 
 @pytest.mark.parametrize("wait", [280, 400, 430, 447, 500])
 def test_a_path_that_is_resumed_while_it_comes_to_rest_goes_on(wait: int) -> None:
-    """447 ms after SUSPEND it is in the last flank of its S-ramp: that acceleration is gone at rest, not before."""
+    """447 ms after SUSPEND it is in the last flank of its S-ramp.
+
+    That acceleration reaches zero at rest, not before.
+    """
     program = H + JERKS + "VECTORR(0, 1) = 60, 0\nGO(0)\nWAIT 600\nSUSPEND(0) = 1\n"
     ends(proved(f"{program}WAIT {wait}\nSUSPEND(0) = 0\n" + END), 60.0, 0.0)
 
@@ -53,7 +59,10 @@ def test_a_path_that_is_resumed_is_not_blended_into_the_next_one_before_its_dist
 
 
 def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> None:
-    """From 50 to a limit of 10, which is not there yet where the next path begins: it is never sped up to that."""
+    """From 50 to a limit of 10, not reached at the start of the next path.
+
+    It never speeds up to that.
+    """
     pace = Pace("trapezoid", 10.0, 100.0, 200.0)
     other = Pace("trapezoid", 9.0, 100.0, 200.0)
     for k in range(1, 60):
@@ -64,7 +73,10 @@ def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> N
 
 
 def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard() -> None:
-    """6.1 before an arc of which MAXDECEL leaves 14: a stop at 200 takes 6.25, one at 14 would come into it at 48."""
+    """6.1 before an arc where MAXDECEL leaves 14: a stop at 200 takes 6.25.
+
+    One at 14 would enter it at 48.
+    """
     paths = (
         "CONTOURMODE(0) = 1 : MAXDECEL(1) = 20 : MAXACCEL(1) = 20\nVECTORR(0, 1) = 30, 0\n"
         "CIRCLER(0, 1) = 0, 5, 3000\nGO(0)\n"
@@ -74,10 +86,10 @@ def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard()
 
 
 def test_a_short_arc_keeps_the_acceleration_of_the_axis_that_only_turns_on_it() -> None:
-    """30 degrees from the first axis: that hardly moves, and has all of the acceleration across the arc."""
+    """At 30 degrees the first axis hardly moves; its acceleration is centripetal."""
     arc = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMAXACCEL(0) = 60\nCIRCLER(0, 1) = -10, 0, 30\nGO(0)\n"
     result = proved(arc + END)
-    # Of 60 turning and speeding up may have a share of 1 / (1 + cos 30°) each, the worst being at 30 degrees.
+    # Each of the accelerations may have a share of 1 / (1 + cos 30°) of 60, the worst being at 30 degrees.
     share = 60.0 / (1.0 + 0.75**0.5)
     peak = max(abs(result.controller.axes[1].velocity(0.001 * k)) for k in range(round(1000 * result.time)))
     assert (share * 10.0) ** 0.5 * 0.866 <= peak <= (share * 10.0) ** 0.5
@@ -95,7 +107,7 @@ def test_a_slave_that_turns_round_to_its_ratio_slows_down_at_decel_and_speeds_up
 
 @pytest.mark.parametrize("hold", ["SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
 def test_a_stop_ends_a_path_that_was_to_stand_at_its_end(hold: str) -> None:
-    """It brakes for its end already when it is held: what stands there until it is resumed is over with a STOP."""
+    """It is already braking for its end when it is suspended; a STOP then ends it."""
     for wait in (1376, 1410, 1516):
         path = f"FEEDRATEMODE(0) = 2\nVECTORR(0, 1) = 59.7, 13.1\nGO(0)\nWAIT {wait}\n"
         ends(proved(H + path + f"{hold}\nWAIT 30\nSTOP(0)\n" + END), 59.7, 13.1)
@@ -113,7 +125,10 @@ TURN = (
 
 @pytest.mark.parametrize("word", ["STOP(0)", "SUSPEND(0) = 1"])
 def test_an_s_ramp_that_is_left_fades_at_the_jerk_of_its_own_side(word: str) -> None:
-    """After 0.08 s at 4000 it is at 0.3413, 12.8 and 320; these fade in 0.08 s, and 25.6 in two ramps at 1500."""
+    """After 0.08 s at 4000 it is at 0.3413, 12.8 and 320.
+
+    The acceleration reaches zero in 0.08 s, and 25.6 stop in two ramps at 1500.
+    """
     result = proved(f"{RAMP}MOVER(0) = 500 : GO(0)\nWAIT 80\n{word}\nWAIT 900\n")
     faded = 0.3413333 + 12.8 * 0.08 + 320 * 0.08**2 / 2 - 4000 * 0.08**3 / 6
     ends(result, faded + 25.6 * (25.6 / 1500) ** 0.5)
@@ -121,7 +136,10 @@ def test_an_s_ramp_that_is_left_fades_at_the_jerk_of_its_own_side(word: str) -> 
 
 @pytest.mark.parametrize("word", ["STOP(0)", "SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
 def test_a_path_that_is_left_in_its_s_ramp_fades_likewise(word: str) -> None:
-    """After 0.35 s: 0.125 s of jerk, then 50; that fades in 0.125 s, and a stop begins."""
+    """After 0.35 s: 0.125 s of jerk, then 50.
+
+    Zero again in 0.125 s, and a stop begins.
+    """
     mode = "FEEDRATEMODE(0) = 2\n" if "OVERRIDE" in word else ""
     result = proved(
         f"{TURN}{mode}VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\n{word.split(' : ')[-1]}\nWAIT 1500\n"
@@ -130,7 +148,10 @@ def test_a_path_that_is_left_in_its_s_ramp_fades_likewise(word: str) -> None:
 
 
 def test_a_flying_shear_that_ends_under_an_s_ramp_stops_alike_whenever_it_began() -> None:
-    """The stop begins with the acceleration just before the end: rounding of the master's place has no part in it."""
+    """The stop begins with the acceleration just before the end, without rounding.
+
+    The master's position has no influence.
+    """
     jerks = (
         "PROFILEMODE(1) = 1 : ACCELJERK(1) = 7000 : DECELJERK(1) = 6000 : ACCEL(1) = 440 : DECEL(1) = 230\n"
     )

@@ -1,6 +1,6 @@
-"""Random jobs of several axes, each of them proved: contours with limits, with events in motion, and trains of slaves.
+"""Random jobs of several axes, each proved: contours, and trains of slaves.
 
-`MOTIONLANG_LONG=2000` asks for so many of each.
+Contours have limits and events in motion. `MOTIONLANG_LONG=2000` runs that many of each.
 """
 
 from __future__ import annotations

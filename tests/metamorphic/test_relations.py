@@ -1,6 +1,6 @@
-"""Metamorphic tests: programs whose motions must be related are run, and are; each run is proved as well.
+"""Metamorphic tests: programs whose motions must be related; each run is proved.
 
-`MOTIONLANG_LONG=1000` asks for so many random programs a relation.
+`MOTIONLANG_LONG=1000` runs that many random programs per relation.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(see
 def test_the_same_trapezoids_in_both_languages(seed: int) -> None:
     job = Job(seed)
     job.s_ramp = job.stops = False
-    # Whole numbers: a board of PMC moves in whole counts.
+    # Integers: a board of PMC moves in whole counts.
     job.speed, job.accel, job.decel = (float(round(x)) for x in (job.speed, job.accel, job.decel))
     job.moves = [(float(round(distance)), wait) for distance, wait in job.moves]
     mint = proved(job.text())

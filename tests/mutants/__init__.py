@@ -1,5 +1,5 @@
-"""Mutation: a small change to the program that no test notices is a place that no test holds.
+"""Mutation: a small change of the program that no test detects shows a gap.
 
-`python -m tests.mutants [COUNT] [SEED]` changes one place at a time in profile, controller, operations and actions,
-runs the tests of that place, and lists the changes that lived.
+`python -m tests.mutants [COUNT] [SEED]` makes one change at a time in planners, controller, operations and
+actions, runs the tests that reach it, and lists the survivors.
 """

@@ -1,14 +1,15 @@
-"""Mutation testing: `python -m tests.mutants [COUNT] [SEED ...]` draws mutants and reports which the tests kill.
+"""Mutation testing: `python -m tests.mutants [COUNT] [SEED ...]`.
 
-Each mutant is one small change of the package: another comparison, sign, constant or operand. All of a draw are woven
-into one copy of the project, of which one at a time is switched on. Coverage is recorded first, so that a mutant meets
-only the tests that reach it (`forks.py`).
+It draws mutants and reports which the tests kill. Each mutant is one small change of the package: another
+comparison, sign, constant or operand. All mutants of a draw are woven into one copy of the project, in which
+one at a time is switched on. Coverage is recorded first, so that a mutant meets only the tests that reach it
+(`forks.py`).
 
 Several seeds are several draws of COUNT that share one recording of the coverage; each has its own score.
 
-`--only TEXT` keeps the mutants whose names contain the text; `--tests PATH` uses those tests, to see whether a new one
-kills. `--after LOG` begins with the tests that killed in an earlier run, of which LOG is the output; only what these do
-not kill meets all tests.
+`--only TEXT` selects the mutants whose names contain the text; `--tests PATH` uses those tests, to see if a
+new one kills. `--after LOG` begins with the tests that killed in an earlier run, of which LOG is the output;
+only mutants that survive these meet all tests.
 """
 
 from __future__ import annotations
@@ -77,7 +78,10 @@ def judges() -> list[str]:
 
 
 def copied(folder: Path, mutants: list[Mutant], recorded: Iterable[Path] = ()) -> Path:
-    """A copy of the project with the mutants woven into it, by their numbers; `recorded` files report their calls."""
+    """Return a copy of the project with the mutants woven into it, by their numbers.
+
+    `recorded` files report their calls.
+    """
     tree = folder / "motionlang"
     left_out = shutil.ignore_patterns(
         ".git", ".venv", "__pycache__", ".*_cache", "*.egg-info", "node_modules"
@@ -94,7 +98,7 @@ def copied(folder: Path, mutants: list[Mutant], recorded: Iterable[Path] = ()) -
 def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> subprocess.Popen[bytes]:
     """Start pytest on the copy, with the plugin; its output goes to a log."""
     command = [sys.executable, "-m", "pytest", "-p", "tests.mutants.forks", "-p", "no:cacheprovider"]
-    # Beside the copy, as some tests copy the project.
+    # Next to the copy, as some tests copy the project.
     temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
     command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
     command += ["--prove"] * prove
@@ -109,7 +113,10 @@ def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> sub
 
 
 def coverage(jobs: int) -> dict[str, dict[str, Any]]:
-    """The files of the package that each test reaches, and its CPU seconds, without the proof of every run."""
+    """Return the files of the package that each test reaches, and its CPU seconds.
+
+    Runs are not proved.
+    """
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), [], files())
         for _ in verdicts(tree, [], judges(), jobs):
@@ -119,7 +126,7 @@ def coverage(jobs: int) -> dict[str, dict[str, Any]]:
 
 
 def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> Iterator[tuple[Mutant, str]]:
-    """Each mutant, and the test that fails with it; "" if none does."""
+    """Yield each mutant, and the test that fails with it; "" if none does."""
     tasks = [
         {"number": number, "file": each.path.relative_to(ROOT).as_posix(), "imported": each.imported}
         for number, each in enumerate(mutants)
@@ -146,7 +153,7 @@ def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> 
 
 
 def judged_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
-    """The test that fails with a mutant that is reached by imports; "" if none does."""
+    """Return the test that fails with a mutant reached by imports; "" if none does."""
     tests = {
         name: each for name, each in merged(jobs, tree)["tests"].items() if task["file"] in each["files"]
     }
@@ -160,7 +167,10 @@ def judged_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
 
 
 def failing(tree: Path, number: int, durations: dict[str, float], active: int | None = None) -> str:
-    """Which of the tests fails in a process of its own with a mutant, or what else goes wrong; "" for nothing."""
+    """The test that fails in a separate process with a mutant, or another failure.
+
+    The result is "" for none.
+    """
     if not durations:
         return ""
     alone, failed = tree / f"alone.{number}.json", tree / f"failed.{number}"
@@ -178,13 +188,13 @@ def failing(tree: Path, number: int, durations: dict[str, float], active: int | 
 
 
 def killers(log: str) -> list[str]:
-    """The tests that killed a mutant in an earlier run, as far as their files are still there."""
+    """Return the tests that killed a mutant in an earlier run and still exist."""
     found = re.findall(rf"^\d+ killed by (tests/.+?): {PACKAGE.name}/", log, re.MULTILINE)
     return sorted({name for name in found if (ROOT / name.partition("::")[0]).exists()})
 
 
 def living(mutants: list[Mutant], tests: list[str], only: list[str], jobs: int) -> list[Mutant]:
-    """The mutants that no test kills, of the tests named `only` if there are any; prints a line for each mutant."""
+    """Return the mutants that survive the tests, or those named `only`; print each."""
     lived = []
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), mutants)
@@ -199,7 +209,7 @@ def living(mutants: list[Mutant], tests: list[str], only: list[str], jobs: int) 
 
 
 def table(mutants: list[Mutant], lived: list[Mutant]) -> Iterator[str]:
-    """A line for each top-level package: how many of its mutants were killed."""
+    """Yield a line for each top-level package: how many of its mutants were killed."""
     drawn, survived = Counter(each.package for each in mutants), Counter(each.package for each in lived)
     for package in sorted(drawn):
         killed = drawn[package] - survived[package]
@@ -209,10 +219,10 @@ def table(mutants: list[Mutant], lived: list[Mutant]) -> Iterator[str]:
 def main(
     count: int, seeds: list[int], only: list[str], tests: list[str], earlier: str = "", jobs: int = 2
 ) -> int:
-    """Print a line for each mutant and the score of each draw; 1 if one is below `BAR`.
+    """Print a line for each mutant and the score of each draw.
 
-    `earlier` is the output of an earlier run: the tests that killed in it run first, and only what they do not kill
-    meets all tests.
+    1 if one is below `BAR`. `earlier` is the output of an earlier run: the tests that killed in it run first,
+    and only survivors of these meet all tests.
     """
     draws = {
         seed: [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
@@ -233,7 +243,7 @@ def main(
 
 
 def print_score(seed: int, draw: list[Mutant], lived: list[Mutant]) -> float:
-    """Print the share of a draw's distinguishable mutants that the tests kill, and return it."""
+    """Print and return the share of a draw's distinguishable mutants that are killed."""
     mutants = [each for each in draw if each.name not in EQUIVALENT]
     score = 1.0 - len([each for each in mutants if each in lived]) / max(len(mutants), 1)
     print(f"seed {seed}: {len(mutants)} mutants, {len(draw) - len(mutants)} equivalent, {score:.1%} killed")

@@ -1,6 +1,6 @@
-"""Mutants that change nothing that can be seen, by their names, each with the reason.
+"""Mutants without a visible effect, by their names, each with the reason.
 
-To rounding, as two ways to the same figure may differ in their last bits.
+Effects within rounding do not count, as two computations of one figure may differ in their last bits.
 """
 
 from __future__ import annotations

@@ -1,17 +1,22 @@
-"""Pytest plugin that runs the tests against every mutant of a woven copy of the project.
+"""Pytest plugin that runs the tests against every mutant of a woven project.
 
 Several worker processes share the work. Each collects all tests once and then goes through three steps:
 
-1. Coverage. The worker runs its share of the test files in a child process and records which mutants and files each
-   test reaches, and how long it takes. Woven code appends what it reaches to the file `REACHED`; processes that a test
+1. Coverage. The worker runs its share of the test files in a child process and records which mutants and
+   files each
+   test reaches, and how long it takes. Woven code appends what it reaches to the file `REACHED`; processes
+   that a test
    starts append to the same file, so tests of the command line count as well. A test that fails here depends on the
    text of the project and cannot judge mutants.
 2. The workers exchange what they recorded (`recorded`).
-3. Verdicts. A worker claims one mutant after another, forks, and runs the tests that reach it, the quickest first, up
-   to the first that fails and passes without the mutant. A child that takes ten times the time of a test, or too much
+3. Verdicts. A worker claims one mutant after another, forks, and runs the tests that reach it, the quickest
+   first, up
+   to the first that fails and passes without the mutant. A child that takes ten times the time of a test, or
+   too much
    memory, counts as a failure. The verdict is a line of JSON in the pipe `VERDICTS`.
 
-A mutant that is reached while modules are imported cannot be switched on in a fork. It gets a process of its own, which
+A mutant that is reached while modules are imported cannot be switched on in a fork. It gets a process of its
+own, which
 runs the tests of the file `ALONE` (see `__main__`).
 """
 
@@ -32,40 +37,42 @@ import pytest
 from tests.mutants.recorder import ACTIVE, SEEN, activate, record
 
 TASKS, VERDICTS, REACHED = "mutants.json", "verdicts.fifo", "reached"
-# The names of the tests that are run, if not all of their files are.
+# The names of the tests to run, if not complete files.
 CHOSEN = "chosen.json"
-# Environment variables: the number of this worker and of all workers, and the files of a process with one mutant.
+# Environment variables: the number of this worker and of all workers, and the files of a process with one
+# mutant.
 WORKER, WORKERS = "MOTIONLANG_WORKER", "MOTIONLANG_WORKERS"
 ALONE, FAILED = "MOTIONLANG_ALONE", "MOTIONLANG_FAILED"
-# CPU seconds that a test gets in addition to ten times what it took, and bytes for a child and for a file it writes.
+# CPU seconds of a test in addition to ten times its duration, and bytes for a child and for a file it writes.
 EXTRA, MEMORY, FILE = 10.0, 6_000_000_000, 1_000_000_000
-# Seconds of real time after which a waiting test is given up.
+# Seconds of real time after which a waiting test is ended.
 MAX_WAIT = 180.0
-# CPU seconds of tests after which a mutant counts as a survivor although tests are left.
+# CPU seconds of tests after which a mutant counts as a survivor although tests remain.
 BUDGET = 240.0
-# What a child writes for each test that begins.
+# A child's output for each test that begins.
 BEGUN = "."
 KILLED, LIVED = 1, 0
 # No mutant has this number: it shows that a test passes without one.
 NONE = 1 << 30
-# A mutant that so few tests reach may be in code whose result is cached: then all tests that reach its file run.
+# A mutant that only this many tests reach may be in code whose result is cached: then all tests that reach
+# its file run.
 FEW = 5
 
 
 def recorded(worker: int) -> Path:
-    """The file with what a worker recorded of its tests."""
+    """Return the file with a worker's records of its tests."""
     return Path(f"tests.{worker}.json")
 
 
 def merged(workers: int, folder: Path = Path()) -> dict[str, Any]:
-    """What all workers recorded: the mutants reached by imports, and each test that can judge mutants."""
+    """Return the records of all workers: mutants reached by imports, and usable tests."""
     parts = [json.loads((folder / recorded(worker)).read_text()) for worker in range(workers)]
     tests = {name: each for part in parts for name, each in part["tests"].items()}
     return {"imported": {number for part in parts for number in part["imported"]}, "tests": tests}
 
 
 def reached(path: str) -> tuple[list[int], list[str]]:
-    """The mutants and the files in a file that recorders wrote."""
+    """Return the mutants and the files in a recorder's file."""
     lines = Path(path).read_text(encoding="utf-8").split("\n")[:-1]
     return (
         sorted({int(each) for each in lines if each.isdigit()}),
@@ -139,7 +146,7 @@ class Forks:
         tests: dict[str, dict[str, Any]],
         items: dict[str, pytest.Item],
     ) -> dict[str, Any]:
-        """The test that kills a mutant, "" for none; or that it needs a process of its own."""
+        """Return the verdict on a mutant: its killer, "" for none, or a separate process."""
         number, file = mutant["number"], mutant["file"]
         if mutant["imported"] or number in known["imported"]:
             return {"number": number, "alone": True}
@@ -150,12 +157,14 @@ class Forks:
             if by not in self.durations or by in self.sound or not self._fork([items[by]], NONE):
                 self.sound.add(by)
                 break
-            del self.durations[by]  # it fails without the mutant, because weaving changed what it reads
+            del self.durations[
+                by
+            ]  # it fails without the mutant, because weaving changed a file that it reads
             names.remove(by)
         return {"number": number, "by": by}
 
     def _cover(self, session: pytest.Session) -> None:
-        """Record what each test of this worker's share reaches; in a child, so that no state of the tests remains."""
+        """Record the reach of this worker's share of tests, in a child without test state."""
         assert _recorder is not None
         files = sorted({item.path for item in session.items})
         mine = {path for index, path in enumerate(files) if index % _workers == _worker}
@@ -184,7 +193,7 @@ class Forks:
         os._exit(0)
 
     def _fork(self, items: list[pytest.Item], number: int) -> str:
-        """The test that fails with a mutant, or what else goes wrong; "" for nothing."""
+        """Return the test that fails with a mutant, or another failure; "" for none."""
         reading, writing = os.pipe()
         child = os.fork()
         if child == 0:
@@ -207,7 +216,10 @@ class Forks:
         return written.decode().strip(BEGUN) or ("time or memory" if status else "")
 
     def _run(self, items: list[pytest.Item], tell: Callable[[str], object]) -> None:
-        """Run tests up to the first that fails, and end the process; writes `BEGUN` for each, and which one fails."""
+        """Run tests up to the first failure, and end the process.
+
+        Writes `BEGUN` for each test, and which one fails.
+        """
         from tests import cases
 
         def fail(name: str) -> None:
@@ -224,13 +236,13 @@ class Forks:
 
 
 def limit_resources() -> None:
-    """Limit this process and those it starts: a mutant may allocate or write without end."""
+    """Limit this process and its children: a mutant may allocate or write without end."""
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_FSIZE, (FILE, FILE))
 
 
 def claimed(number: int) -> bool:
-    """True for the first worker that asks for a mutant."""
+    """True for the first worker that claims a mutant."""
     try:
         os.close(os.open(f"claimed.{number}", os.O_CREAT | os.O_EXCL))
     except FileExistsError:
@@ -239,13 +251,13 @@ def claimed(number: int) -> bool:
 
 
 def cpu_time() -> float:
-    """CPU seconds of this process and of the children that it has waited for."""
+    """Return CPU seconds of this process and of the children that have ended."""
     times = os.times()
     return time.process_time() + times.children_user + times.children_system
 
 
 def within_budget(names: list[str], durations: dict[str, float]) -> list[str]:
-    """The first tests that together stay within `BUDGET`."""
+    """Return the first tests that together are within `BUDGET`."""
     total, chosen = 0.0, []
     for name in names:
         total += durations[name]

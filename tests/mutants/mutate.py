@@ -1,4 +1,4 @@
-"""The changes: another comparison, another sign, another constant, a condition turned round, at a place of a file."""
+"""The mutations: another comparison, sign or constant, or an inverted condition."""
 
 from __future__ import annotations
 
@@ -23,9 +23,10 @@ _WORKED: dict[type[ast.operator], type[ast.operator]] = {
 
 
 class Mutant(NamedTuple):
-    """One change: the number of the place among those of its file, a name that does not go by lines, and the change.
+    """One change: its position's index in the file, a stable name, and the change.
 
-    `imported` is whether the place is passed as its module is imported.
+    The name does not depend on line numbers. `imported` is true if the position is reached as its module is
+    imported.
     """
 
     path: Path
@@ -41,12 +42,12 @@ class Mutant(NamedTuple):
 
     @property
     def package(self) -> str:
-        """The top-level package that the mutant is in; "root" for the files beside the packages."""
+        """The top-level package of the mutant; "root" for the files outside the packages."""
         parts = self.path.relative_to(PACKAGE).parts
         return parts[0] if len(parts) > 1 else "root"
 
 
-# Files that commands write from others: their makers are mutated instead.
+# Derived files: their writers are mutated instead.
 GENERATED = (
     "mccl/syntax/tables.py",
     "mint/syntax/tables.py",
@@ -57,12 +58,12 @@ GENERATED = (
 
 
 def files() -> list[Path]:
-    """All hand-written code of the package."""
+    """Return all hand-written code of the package."""
     return sorted({*PACKAGE.rglob("*.py")} - {PACKAGE / name for name in GENERATED})
 
 
 def mutants(path: Path) -> Iterator[Mutant]:
-    """Every change of a file, in the order of its text; what is for types or for people is left alone."""
+    """Yield every change of a file, in order, except in types and messages."""
     times: Counter[str] = Counter()
     for place, (where, node, after) in enumerate(_changes(ast.parse(path.read_bytes()), "")):
         name = f"{path.relative_to(ROOT)}: {where}{ast.unparse(node)} -> {after}"
@@ -73,9 +74,9 @@ def mutants(path: Path) -> Iterator[Mutant]:
 
 
 def woven(path: Path, numbers: Mapping[int, int]) -> str:
-    """The text of a file with changes at its places, each made where `__mutant__` says so of its number.
+    """Return the text of a file with changes, each switched on by `__mutant__`.
 
-    Every function says `__seen__` of the file as it is called.
+    Every function calls `__seen__` with the file.
     """
     tree = ast.parse(path.read_bytes())
     chosen = {
@@ -103,7 +104,7 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
 
 
 def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
-    """Where a place is, its expression, and what may stand there instead."""
+    """Yield the position of each change, its expression, and its replacement."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Assert | ast.Raise) or _is_for_types(node):
             continue
@@ -154,7 +155,7 @@ def _of(node: ast.AST) -> Iterator[tuple[ast.expr, str]]:
 
 
 def chosen(count: int, seed: int) -> list[Mutant]:
-    """So many changes, each file as likely as it has places; a change elsewhere leaves them what they are."""
+    """Return `count` random changes, weighted by file; others do not affect them."""
 
     def rank(mutant: Mutant) -> bytes:
         return sha256(f"{seed} {mutant.name}".encode()).digest()

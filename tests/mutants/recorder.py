@@ -1,7 +1,7 @@
-"""The two functions that woven code calls: `__mutant__(number)` and `__seen__(file)`, installed as builtins.
+"""The functions of woven code, `__mutant__(number)` and `__seen__(file)`.
 
-With an active mutant, `__mutant__` is true for its number. While coverage is recorded, both append what they are given
-to a file that all processes of a test share.
+With an active mutant, `__mutant__` is true for its number. While coverage is recorded, both append their
+arguments to a file that all processes of a test share.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Recorder:
         return False
 
     def clear(self) -> None:
-        """Forget what was recorded."""
+        """Drop the records."""
         self._seen.clear()
         os.ftruncate(self._file, 0)
 
@@ -40,14 +40,14 @@ def activate(number: int) -> None:
 
 
 def record(path: str) -> Recorder:
-    """Record what this process reaches; no mutant is active."""
+    """Record the reach of this process; no mutant is active."""
     recorder = Recorder(path)
     builtins.__mutant__ = builtins.__seen__ = recorder.reached  # type: ignore[attr-defined]
     return recorder
 
 
 def install() -> None:
-    """Install what the environment asks for, in a process in which nothing is installed yet."""
+    """Install the functions by the environment, in a process without them."""
     if hasattr(builtins, "__mutant__"):
         return
     path = os.environ.get(SEEN)

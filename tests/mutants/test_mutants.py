@@ -1,4 +1,4 @@
-"""The mutants are changes of what runs, each one place; the long run wants 88 % of them killed."""
+"""The mutants change running code, one position each; a long run kills 88 %."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def f(a, b):
 
 
 def spelt(text: str) -> str:
-    """An expression as this Python writes it."""
+    """Return an expression in the spelling of this Python."""
     return ast.unparse(ast.parse(text, mode="eval"))
 
 

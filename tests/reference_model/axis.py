@@ -1,7 +1,7 @@
-"""One axis as a plain state machine, written from the manual alone: it shares nothing with the package.
+"""One axis as a plain state machine, written from the manual alone.
 
-Its motion is a row of stretches of constant acceleration; time is gone through stretch by stretch, and everything that
-a limit decides is decided at the moment at which the axis comes upon it.
+It shares no code with the package. Its motion is a sequence of sections of constant acceleration; time
+advances section by section, and every decision of a limit is made when the axis reaches it.
 """
 
 from __future__ import annotations
@@ -9,17 +9,18 @@ from __future__ import annotations
 from math import copysign, inf, sqrt
 
 NEAR = 1e-9
-# Counts that an axis may still go before it turns and count as having turned.
+# Counts that an axis may still move before a reversal and count as having reversed.
 TURNED = 1e-6
 
-# A stretch: how long it still lasts, and its acceleration.
+# A section: its remaining duration, and its acceleration.
 Stretches = list[tuple[float, float]]
 
 
 class Limit:
-    """An end of the travel: `sign` says which, `action` what the axis does there, `place` where it is, if anywhere.
+    """An end of the travel: `sign` is the side, `action` the reaction, `place` where.
 
-    `hit` says whether it ever was a fault; `number` is the axis that it belongs to, where several run along one path.
+    `place` may be None. `hit` is true if it ever was a fault; `number` is the axis that it belongs to, if
+    several run along one path.
     """
 
     def __init__(self, sign: int, action: str, number: int = 0) -> None:
@@ -29,7 +30,7 @@ class Limit:
 
 
 class Axis:
-    """Position, velocity, what it is doing, and the moves that wait."""
+    """Position, velocity, state, and the waiting moves."""
 
     def __init__(self, speed: float, accel: float, decel: float, error_decel: float) -> None:
         self.speed, self.accel, self.decel, self.error_decel = speed, accel, decel, error_decel
@@ -42,72 +43,75 @@ class Axis:
         self.queue: list[tuple[str, float]] = []
         self.released = 0
         self.limits = [Limit(+1, "abort"), Limit(-1, "abort")]
-        self.end: float | None = None  # where the path ends that this is the way along
+        self.end: float | None = None  # the end of the path along which this axis measures
 
     # ------------------------------------------------------------------------------------------------ commands
 
     def load(self, kind: str, value: float) -> None:
-        """Put a move into the buffer: "to" a place, or "by" a distance from where the axis is when it begins."""
+        """Load a move into the buffer: "to" a position, or "by" a distance.
+
+        The distance is relative to the axis at its start.
+        """
         self.queue.append((kind, value))
 
     def go(self) -> None:
-        """Release what is loaded."""
+        """Release the loaded moves."""
         self.released = len(self.queue)
         if self.doing == "idle":
             self._next()
 
     def jog(self, velocity: float) -> None:
-        """Run at a velocity, whatever it was doing."""
+        """Run at a velocity, from any state."""
         self.doing, self.jogging = "jog", velocity
         self._begin()
 
     def stop(self) -> None:
-        """Come to rest, and forget what waits."""
+        """Come to rest, and drop the waiting moves."""
         self.suspended = False
         self._forget()
         if self.doing not in {"idle", "stop"}:
             self._brake(self.decel)
 
     def cancel(self) -> None:
-        """Stand at once, and forget what waits."""
+        """Halt at once, and drop the waiting moves."""
         self.suspended = False
         self._forget()
         self._stand()
 
     def suspend(self, on: bool) -> None:
-        """Come to rest and keep everything, or go on."""
+        """Come to rest and keep everything, or continue."""
         if on is not self.suspended:
             self.suspended = on
             self._change()
 
     def set_override(self, factor: float) -> None:
-        """A factor of the speed of moves."""
+        """Set a factor of the speed of moves."""
         if factor != self.override:
             self.override = factor
             if self.doing == "move":
                 self._change()
 
     def set_speed(self, speed: float) -> None:
-        """Another speed, also for the move in progress."""
+        """Set another speed, also for the move in progress."""
         if speed != self.speed:
             self.speed = speed
             if self.doing == "move":
                 self._change()
 
     def retarget(self, place: float) -> None:
-        """Another end for the move in progress."""
+        """Set another end for the move in progress."""
         self.target = place
         self._change()
 
     def rename(self, position: float) -> None:
-        """The place where it is gets another number."""
+        """Give the present position another value."""
         shift = position - self.position
         self.position += shift
         self.target += shift
         self._look()
 
     def place_limit(self, number: int, place: float | None, action: str) -> None:
-        """Put a limit somewhere, with another action."""
+        """Move a limit, with another action."""
         limit = self.limits[number]
         limit.action, limit.place, limit.raised = action, place, False
         self._look()
@@ -116,7 +120,7 @@ class Axis:
 
     @property
     def endless(self) -> bool:
-        """Whether nobody knows where it will come to rest."""
+        """True if its rest position is not known."""
         return self.doing == "jog"
 
     def _forget(self) -> None:
@@ -127,7 +131,7 @@ class Axis:
         self._end()
 
     def _end(self) -> None:
-        """It rests, and what waits is next."""
+        """Rest, and start the next move."""
         self.doing, self.target = "idle", self.position
         self._next()
 
@@ -140,13 +144,13 @@ class Axis:
             self._begin()
 
     def _begin(self) -> None:
-        """A motion begins: to go into a limit is a fault again."""
+        """Begin a motion, for which entering a limit is a fault again."""
         for limit in self.limits:
             limit.raised = False
         self._change()
 
     def _change(self) -> None:
-        """Go on from here with everything as it is now."""
+        """Continue from here with all present settings."""
         if self.doing == "move":
             speed = self.speed * self.override
             if self.suspended or not speed:
@@ -161,7 +165,7 @@ class Axis:
         rest = self.position + self.velocity * abs(self.velocity) / (2.0 * rate)
         self.doing = "stop"
         if self.end is None or rest <= self.end:
-            self.way = self._to_rest(rate)  # else the path ends before, and is braked for already
+            self.way = self._to_rest(rate)  # if not, the path ends first, and is already braked for
         self._look()
 
     def _to_rest(self, rate: float) -> Stretches:
@@ -178,7 +182,10 @@ class Axis:
         return [*way, (inf, 0.0)]
 
     def _to(self, target: float, speed: float) -> Stretches:
-        """The quickest way to rest at a target: what runs the wrong way, or cannot stop there, comes to rest first."""
+        """Return the quickest motion to rest at a target, with a stop first if necessary.
+
+        The stop is needed if it moves away, or cannot stop at the target.
+        """
         v, distance = self.velocity, target - self.position
         sign = copysign(1.0, distance if distance else v)
         u, size = v * sign, abs(distance)
@@ -201,7 +208,10 @@ class Axis:
         ]
 
     def _ramps(self, size: float, speed: float, u: float) -> Stretches:
-        """Up, along and down over a way that counts from rest, of which the part up to speed u is done."""
+        """Return a ramp up, slew and ramp down over a distance from rest.
+
+        The distance up to speed u is already covered.
+        """
         peak = min(speed, sqrt(2.0 * size / (1.0 / self.accel + 1.0 / self.decel)))
         held = (size - peak * peak * (0.5 / self.accel + 0.5 / self.decel)) / peak if peak else 0.0
         return [
@@ -213,7 +223,7 @@ class Axis:
     # --------------------------------------------------------------------------------------------------- time
 
     def run(self, until: float) -> None:
-        """Let time pass."""
+        """Advance to a time."""
         for _ in range(100_000):
             while self.way and self.way[0][0] <= 0.0:
                 self.way.pop(0)
@@ -252,7 +262,7 @@ class Axis:
         self.time += step
 
     def _arrive(self) -> None:
-        """All stretches are done: it rests where it was sent."""
+        """Rest at the target, when all sections are done."""
         self.velocity = 0.0
         if self.doing == "move":
             self.position = self.target
@@ -261,7 +271,7 @@ class Axis:
     # -------------------------------------------------------------------------------------------------- limits
 
     def _meets(self, rate: float, span: float) -> tuple[Limit | None, float]:
-        """The limit that is come upon within a time, and when; infinite where none is."""
+        """Return the next limit that is reached within a time, and when; infinite if none."""
         found: tuple[Limit | None, float] = (None, inf)
         for limit in self.limits:
             if limit.place is None or limit.raised:
@@ -273,7 +283,7 @@ class Axis:
         return found
 
     def _look(self) -> None:
-        """Act on every limit that the axis is beyond, and going into."""
+        """Act on every limit that the axis is beyond and moving into."""
         rate = next((rate for time, rate in self.way if time > 0.0), 0.0)
         for limit in self.limits:
             if limit.place is None:
@@ -304,7 +314,10 @@ class Axis:
 
 
 def _first(v: float, a: float, gap: float) -> float | None:
-    """When a gap > 0 is closed at velocity v and acceleration a; None where it never is, or is closed already."""
+    """Return when a gap > 0 is closed at velocity v and acceleration a.
+
+    None if it never is, or is closed already.
+    """
     if gap <= 1e-6:
         return None
     if not a:

@@ -1,6 +1,6 @@
-"""Random jobs of several axes against the reference axis: stops, limits, suspends, overrides, new zeros, slaves.
+"""Random jobs of several axes against the reference axis: stops, limits, zeros.
 
-`MOTIONLANG_LONG=100000` asks for so many.
+They include suspends and overrides. `MOTIONLANG_LONG=100000` runs that many.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ACTIONS = ("ignore", "abort", "error-stop", "event")
 
 
 class Job:
-    """The package and the reference side by side, given the same commands at the same times."""
+    """The package and the reference, given the same commands at the same times."""
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = Random(seed)
@@ -65,7 +65,7 @@ class Job:
             assert self.c.is_idle(number) is (axis.doing == "idle"), "\n".join(self.told)
 
     def advance(self, time: float) -> None:
-        """Compare everything on the way to a time, and there."""
+        """Compare everything up to a time, and at it."""
         now = self.c.clock.now
         for share in (0.31, 0.77, 1.0):
             then = now + share * (time - now)
@@ -85,7 +85,7 @@ class Job:
         ours, theirs = (a.position(time), a.velocity(time)), (axis.position, axis.velocity)
         gaps = abs(ours[0] - theirs[0]), abs(ours[1] - theirs[1])
         said = "\n".join(self.told)
-        near = gaps[0] <= 1e-4 and gaps[1] <= 1e-3  # a rest of 1e-14 before a target takes 3e-8 s, or none
+        near = gaps[0] <= 1e-4 and gaps[1] <= 1e-3  # 1e-14 before a target takes 3e-8 s, or none
         assert near, f"axis {number} at {time!r}: {ours} for {theirs}, {axis.doing}\n{said}"
         assert bool(self.c.faults(number)) is axis.fault, (
             f"axis {number} at {time!r}: {self.c.faults(number)}\n{said}"
@@ -95,7 +95,7 @@ class Job:
         self.told.append(f"{time!r} axis {number}: {' '.join(map(str, what))}")
 
     def command(self, number: int, time: float) -> None:
-        """One random command to both."""
+        """Give one random command to both."""
         choose, c, axis = self.choose, self.c, self.axes[number]
         kind = choose.randrange(15)
         value = round(choose.uniform(-120, 120), 2)
@@ -145,7 +145,7 @@ class Job:
             self.say(time, number, "retarget", value)
             c.retarget_to(number, value)
             axis.retarget(value)
-        elif number != 0:  # a slave does not care for its master's numbers
+        elif number != 0:  # a slave does not depend on its master's numbers
             self.say(time, number, "position", value)
             c.define_position(number, value)
             axis.rename(value)
@@ -163,7 +163,7 @@ class Job:
 
 
 class PathJob:
-    """A straight path of two axes beside one reference axis along it, on which the limits of both lie."""
+    """A straight path of two axes and one reference axis along it, with both limits."""
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = Random(seed)
@@ -171,7 +171,7 @@ class PathJob:
         figures = [choose.uniform(low, high) for low, high in ((5, 90), (20, 400), (20, 400), (50, 900))]
         for number in AXES:
             for name, value in zip(("speed", "accel", "decel", "error_decel"), figures, strict=True):
-                # The path goes by its first axis: the other one has figures of its own.
+                # The path uses its first axis: the other one has figures of its own.
                 self.c.configure(number, name, value if number == 0 else choose.uniform(10, 900))
             self.c.configure(number, "feedrate_mode", 2)
         self.ends = [choose.uniform(-80, 80) for _ in AXES]
@@ -244,7 +244,7 @@ class PathJob:
             self.limit(number, time)
 
     def limit(self, number: int, time: float) -> None:
-        """A limit of one axis, ahead of it or behind."""
+        """Set a limit of one axis, ahead of it or behind."""
         slope = self.ends[number] / self.length
         sign, action = self.choose.choice((-1, 1)), self.choose.choice(ACTIONS)
         place = self.c.position(number) + sign * self.choose.uniform(-5, 30)
@@ -253,9 +253,9 @@ class PathJob:
         self.c.axes[number].limits.append(theirs)
         theirs.place(place)
         if sign * slope <= 0.0:
-            return  # the axis never goes there
+            return  # the axis never reaches it
         ours = Reference(+1, action, number)
-        # Of several that come to hold at one moment those of the first axis are looked at first.
+        # Of simultaneous limits those of the first axis are checked first.
         self.along.limits = sorted([*self.along.limits, ours], key=lambda each: each.number)
         self.along.place_limit(self.along.limits.index(ours), place / slope, action)
 

@@ -1,8 +1,8 @@
-"""The delay of a recording is found whatever its unit, its sign and its zero are, and these are then reported.
+"""The delay of a recording is found and reported for any unit, sign and zero.
 
-The recordings are written in closed form: 80 uu out and back at 100 uu/s and 1000 uu/s² are 0.1 s of acceleration,
-0.7 s at speed and 0.1 s of deceleration. A statement takes 10 µs: the first stroke begins after five of them and 0.1 s,
-the second one after 0.9 s of motion, 0.2 s of rest and three statements more.
+The recordings are written in closed form: 80 uu out and back at 100 uu/s and 1000 uu/s² are 0.1 s of
+acceleration, 0.7 s at speed and 0.1 s of deceleration. A statement takes 10 µs: the first stroke begins after
+five of them and 0.1 s, the second one after 0.9 s of motion, 0.2 s of rest and three statements more.
 """
 
 from __future__ import annotations
@@ -46,19 +46,19 @@ def simulated() -> Run:
 
 
 def travelled(t: Array) -> Array:
-    """How far a stroke has come `t` seconds after its start."""
+    """Return the distance of a stroke `t` seconds after its start."""
     rising: Array = 500.0 * np.clip(t, 0.0, 0.1) ** 2
     falling = 500.0 * np.clip(0.9 - t, 0.0, 0.1) ** 2
     return rising + 100.0 * np.clip(t - 0.1, 0.0, 0.7) + np.where(t > 0.8, 5.0 - falling, 0.0)
 
 
 def machine(t: Array) -> Array:
-    """Where the axis is at a time of the run."""
+    """Return the position of the axis at a time of the run."""
     return travelled(t - OUT) - travelled(t - BACK)
 
 
 def recorded(begin: float, end: float, *columns: Callable[[Array], Array]) -> Source:
-    """Columns t, x, y, …: functions of the times of the recording from `begin` to `end`."""
+    """Return columns t, x, y, …: functions of the times from `begin` to `end`."""
     times = np.arange(begin, end, 1.0 / RATE)
     rows = np.stack([times, *(each(times) for each in columns)], 1)
     lines = ["t,x,y,z"[: 1 + 2 * len(columns)], *(",".join(f"{cell:.9f}" for cell in row) for row in rows)]
@@ -94,9 +94,10 @@ def test_the_delay_is_found_whatever_the_unit_the_sign_and_the_zero_are(
 
 @pytest.mark.parametrize("scale", [1.0, -1.0, 1000.0, 0.001])
 def test_noise_blurs_the_delay_as_much_as_it_must(scale: float) -> None:
-    """Noise of 0.5 uu: least squares has a standard deviation of 0.5 / sqrt(sum of squared velocities).
+    """With noise of 0.5 uu, least squares has a known standard deviation.
 
-    The sum over both strokes is 2 * 1000 / s * (0.7 s * 100² + 0.2 s * 100² / 3) (uu/s)².
+    It is 0.5 / sqrt(sum of squared velocities). The sum over both strokes is 2 * 1000 / s * (0.7 s * 100² +
+    0.2 s * 100² / 3) (uu/s)².
     """
     noise = np.random.default_rng(1).normal(0.0, 0.5, 4000)
     source = recorded(0.0, 3.0, lambda t: scale * (machine(t - DELAY) + noise[: len(t)]))
@@ -108,7 +109,7 @@ def test_noise_blurs_the_delay_as_much_as_it_must(scale: float) -> None:
 
 
 def test_every_column_has_a_unit_and_a_sign_of_its_own() -> None:
-    """Position in inches, velocity in mm/min the other way round with a bias."""
+    """Position in inches, velocity in mm/min with reversed sign and a bias."""
 
     def speed(t: Array) -> Array:
         after: list[Array] = [
@@ -127,7 +128,7 @@ def test_every_column_has_a_unit_and_a_sign_of_its_own() -> None:
 
 @pytest.mark.parametrize(("scale", "stroke"), [(1.0, BACK), (2.0, BACK), (1.0, OUT), (3.0, OUT)])
 def test_a_recording_of_one_stroke_of_two_keeps_its_direction(scale: float, stroke: float) -> None:
-    """The other stroke fits exactly as well with the sign reversed."""
+    """The other stroke fits equally well with the sign reversed."""
     begin = stroke - 0.05 + DELAY
     made = found(recorded(begin, begin + 1.0, lambda t: scale * machine(t - DELAY)))
     assert made.delay == pytest.approx(DELAY, abs=1e-6)
@@ -136,10 +137,10 @@ def test_a_recording_of_one_stroke_of_two_keeps_its_direction(scale: float, stro
 
 @pytest.mark.parametrize("scale", [1.0, -1.0, 40.0])
 def test_a_recording_of_part_of_a_stroke(scale: float) -> None:
-    """Half an acceleration, the slew and half a deceleration, 0.8 s with no rest before or behind."""
+    """Half an acceleration, the slew and half a deceleration: 0.8 s without rest."""
     begin = BACK + 0.05 + DELAY
     made = found(recorded(begin, begin + 0.8, lambda t: scale * machine(t - DELAY)))
-    # Reversed, the other stroke is the same motion at the other delay; the sign that needs no reversal counts.
+    # Reversed, the other stroke is the same motion at the other delay; the sign without reversal is chosen.
     expected = DELAY if scale > 0.0 else DELAY + BACK - OUT
     assert made.delay == pytest.approx(expected, abs=1e-6)
     assert made.signals[0]["scale"] == pytest.approx(abs(scale), rel=1e-6)

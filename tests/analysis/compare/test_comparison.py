@@ -1,4 +1,4 @@
-"""A recording against a run: the delay is found, residuals and lags are what was put in, bad files are answered."""
+"""A recording against a run: found delay, residuals and lags; rejected bad files."""
 
 from __future__ import annotations
 
@@ -40,7 +40,10 @@ def simulated() -> Run:
 
 
 def recorded(values: Callable[[np.ndarray], Sequence[np.ndarray]], rate: float = 1000.0) -> Source:
-    """A recording of two seconds and a half, columns t, x, y: `values` of the times."""
+    """Return a recording of two and a half seconds, columns t, x, y.
+
+    `values` computes them from the times.
+    """
     times = np.arange(int(2.5 * rate)) / rate
     rows = np.stack([times, *values(times)], 1)
     return Source("real.csv", "t,x,y\n" + "\n".join(",".join(f"{cell:.9f}" for cell in row) for row in rows))
@@ -67,7 +70,10 @@ def test_the_same_motion_is_found_wherever_the_recording_begins(delay: float) ->
 
 
 def test_what_was_put_in_comes_out() -> None:
-    """Two axes, one 5 ms behind the other; 3 uu of overshoot; one reading that is 2 uu off while at speed."""
+    """Two axes, one 5 ms behind the other; 3 uu of overshoot; one outlier.
+
+    The outlier is 2 uu off while at speed.
+    """
     end = simulated().trace.end
     second = next(move for move in simulated().controller.log.moves if move.line == 8)
     over = second.start_time + (second.profile.duration if second.profile else 0.0) + 0.05
@@ -242,7 +248,10 @@ def test_of_our_own_columns_the_measured_position_goes_before_the_demanded_one()
 
 
 def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() -> None:
-    """The recording ends before the last 12 of 50 moves, and is 0.01 uu off: 38 and two of the others are shown."""
+    """The recording ends before the last 12 of 50 moves, and is 0.01 uu off.
+
+    38 and two of the others are shown.
+    """
     text = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor i = 1 To 50\n"
     text += "  MOVER(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)\nNext\n"
     many = run(Source("many.mnt", text), dialect="mint", cache=False)

@@ -1,7 +1,7 @@
-"""The cycle time of blended paths: each is charged to its line up to where the next one begins.
+"""The cycle time of blended paths: each counts for its line until the next begins.
 
-At 10 units/s with rates of 100 units/s² a path of 10 units takes 1.1 s: 0.1 s to speed up and 0.1 s to slow down, over
-0.5 units each.
+At 10 units/s with rates of 100 units/s² a path of 10 units takes 1.1 s: 0.1 s to speed up and 0.1 s to slow
+down, over 0.5 units each.
 """
 
 from __future__ import annotations
@@ -17,7 +17,10 @@ IDLE = "PAUSE IDLE(0) And IDLE(1)"
 
 
 def links(program: str) -> list[tuple[str, int, float]]:
-    """What took the time, at which line, and how long, in the order of time; nothing else takes any here."""
+    """Return cause, line and duration of each link in order of time.
+
+    Nothing else takes any time here.
+    """
     machine = {"controller.instruction_time": 1e-9}
     made = TimeProfile(run(Source("blend.mnt", RATES + program), machine=machine, cache=False))
     found = [(link.cause, link.place.line, link.duration) for link in made.links if link.duration > 1e-6]
@@ -31,7 +34,7 @@ def due(*rows: tuple[str, int, float]) -> list[tuple[str, int, object]]:
 
 @pytest.mark.parametrize("wait", [IDLE, "PAUSE IDLE(0)", "PAUSE POS(0) >= 20"])
 def test_each_blended_path_is_charged_to_its_line(wait: str) -> None:
-    """Blended where they begin to slow down: 1.0 s for each but the last one, which takes 1.1 s."""
+    """They blend where they begin to slow down: 1.0 s each, 1.1 s for the last one."""
     program = (
         "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 0.5\nMOVEBUFFERSIZE(0, 1) = 9;\n"
         "VECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 10\nVECTORR(0, 1) = 10, 0\nGO(0)\n"

@@ -1,4 +1,4 @@
-"""Where the time goes: every second of a run is charged once, to the line that it waited for."""
+"""The time profile: every second of a run is charged once, to its cause."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ from motionlang.views.cycle import render_profile
 ROOT = Path(__file__).parents[3]
 GALLERY = sorted((ROOT / "scripts").rglob("*.mnt")) + sorted((ROOT / "scripts").rglob("*.mcl"))
 
-# X takes 1.1 s, Z half a second, and waits for X; then a dwell, a sub that is called twice, and an input at 3 s.
+# X takes 1.1 s, Z half a second, and waits for X; then a dwell, a sub that is called twice, and an input at 3
+# s.
 PROGRAM = """\
 SPEED(0, 1) = 100;
 ACCEL(0, 1) = 1000;
@@ -93,7 +94,7 @@ def test_a_dwell_in_a_sub_knows_who_called_it() -> None:
 
 
 def test_an_axis_that_could_have_been_slower_is_told() -> None:
-    """Z is there after 0.5 s, X after 1.1 s."""
+    """Z arrives after 0.5 s, X after 1.1 s."""
     (slack,) = profiled(PROGRAM, machine=WORLD).slacks()
     assert (slack.axis, slack.other) == (1, 0)
     assert slack.seconds == pytest.approx(0.6)
@@ -119,7 +120,10 @@ def test_paths_count_once() -> None:
 
 
 def test_tasks_have_their_own_times() -> None:
-    """One waits for 10 ms at a time, the other computes for a second: each tells what it did, and its life adds up."""
+    """One waits for 10 ms at a time, the other computes for a second.
+
+    Each reports its time, which adds up to its life.
+    """
     made = profiled(
         "Run slow\nDim i As Integer\nFor i = 1 To 20000\nNext\nEnd\n"
         "Task slow\n  While 1\n    WAIT(10)\n  End While\nEnd Task\n"
@@ -155,7 +159,7 @@ def test_every_second_of_the_gallery_is_charged_once(part: int) -> None:
             assert min(task.computing, task.ready, *task.waiting.values(), 0.0) > -1e-9, name
 
 
-# ------------------------------------------------------------------------------------------ what is made of it
+# ------------------------------------------------------------------------------------------ exports
 
 
 def test_other_programs_read_it() -> None:
@@ -195,7 +199,10 @@ def test_the_trace_is_one_document_with_a_line_for_each_event(text: str, tmp_pat
 
 
 def test_a_trace_is_written_without_holding_it(tmp_path: Path) -> None:
-    """The spans of the chain take less than the text of all events; events as rows would take ten times as much."""
+    """The spans of the path take less than the text of all events.
+
+    Events as rows would take ten times as much.
+    """
     made = profiled("For k = 1 To 500\n  MOVER(0) = 3 : GO(0) : PAUSE IDLE(0)\nNext\n")
     path = tmp_path / "cycle.trace.json"
     tracemalloc.start()
@@ -259,7 +266,7 @@ def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -
 
 
 def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> None:
-    """The columns of figures and subs take 62 characters, and the source of the longest line 24 more."""
+    """Figures and subs take 62 columns, the source of the longest line 24 more."""
     made = profiled("Sub Stroke()\n  MOVER(0) = 10 : GO(0)\n  PAUSE IDLE(0)\nEnd Sub\nStroke\nEnd\n")
     wide, narrow = (render_profile(made, width=width) for width in (100, 70))
     head = "line  sub     seconds"

@@ -1,4 +1,4 @@
-"""The time before anything else is charged to the first line of a program that has more than a comment."""
+"""The initial time is charged to the first line that has more than a comment."""
 
 from __future__ import annotations
 

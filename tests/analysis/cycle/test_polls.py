@@ -1,4 +1,4 @@
-"""A wait is a wait however it is written: a loop that polls is charged as a PAUSE, one that computes to itself."""
+"""Equivalent waits: a polling loop counts like a PAUSE, a computing one does not."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from motionlang.source import Source
 # 200 at 100 with 1000 either way takes 200 / 100 + 100 / 1000 = 2.1 s.
 MOVE = "SPEED(0) = 100\nACCEL(0) = 1000\nDECEL(0) = 1000\nMOVER(0) = 200 : GO(0)\n"
 TRAVEL = 2.1
-# What stands from line 5 on, the line of the wait, and the longest time that the loop itself may add, s.
+# The lines from line 5 on, the line of the wait, and the longest time that the loop itself may add, s.
 WAITS = {
     "PAUSE": ("PAUSE IDLE(0)", 5, 1e-4),
     "While": ("While Not IDLE(0)\n  n = n + 1\nEnd While", 5, 1e-4),
@@ -57,7 +57,7 @@ def by_name(shares: list[Share]) -> dict[str, float]:
 
 
 def checked(made: TimeProfile) -> TimeProfile:
-    """A profile whose every sum is the time of its run."""
+    """Return a profile after checking that every sum is the time of its run."""
     for shares in (made.lines(), made.kinds(), made.subs()):
         assert fsum(share.seconds for share in shares) == pytest.approx(made.run.time, abs=1e-9)
     return made
@@ -89,7 +89,7 @@ def test_loops_that_are_skipped_are_charged_as_those_that_are_not(
 
 # Channel 3 comes on at 3 s, channel 4 at 5 s.
 WORLD = {"input": [{"channel": 3, "at": 3.0}, {"channel": 4, "at": 5.0}]}
-# What stands on line 1, what it waits for, and when that is over, s.
+# Line 1, its wait, and the end of that, s.
 CAUSES = {
     "input": ("While INX(3) = 0\nEnd While", "waiting for an input", 3.0),
     "bank": ("Repeat\nUntil IN(0) And 8", "waiting for an input", 3.0),
@@ -114,14 +114,20 @@ def test_a_loop_waits_for_what_ended_it(form: str) -> None:
 
 
 def test_what_a_loop_needs_to_notice_is_its_own() -> None:
-    """The motion ends at 2.1 s; with a look every 0.5 s the loop ends at 2.5 s, 0.4 s of which are its WAIT."""
+    """The motion ends at 2.1 s; with a check every 0.5 s the loop ends at 2.5 s.
+
+    0.4 s of it are its WAIT.
+    """
     made = checked(TimeProfile(ran(MOVE + "While Not IDLE(0)\n  WAIT 500\nEnd While\n")))
     assert by_name(made.kinds())["travel of axis 0"] == pytest.approx(2.1, abs=1e-4)
     assert by_name(made.lines())["6"] == pytest.approx(0.4, abs=1e-3)
 
 
 def test_a_position_that_is_passed_is_waited_for_under_way() -> None:
-    """At 100 with 1000 the axis is at 55 after 0.6 s: 5 on the first 0.1 s, then 50; the move goes on to its end."""
+    """At 100 with 1000 the axis is at 55 after 0.6 s: 5 on the first 0.1 s, then 50.
+
+    The move continues to its end.
+    """
     made = checked(TimeProfile(ran(MOVE + "While POS(0) < 55\nEnd While\nWAIT 100\nCANCEL(0)\n")))
     lines = by_name(made.lines())
     assert lines["4"] == pytest.approx(0.6, abs=1e-3)
@@ -129,7 +135,10 @@ def test_a_position_that_is_passed_is_waited_for_under_way() -> None:
 
 
 def test_a_loop_that_works_is_charged_by_what_it_does() -> None:
-    """Three strokes of 0.2 s, each with a dwell of 50 ms and a poll, in a loop that an input would end."""
+    """Three strokes of 0.2 s, each with a dwell of 50 ms and a poll, in a loop.
+
+    An input would end it.
+    """
     text = (
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
         "While INX(7) = 0 And n < 3\n"
@@ -150,7 +159,10 @@ def test_a_loop_that_works_is_charged_by_what_it_does() -> None:
 
 
 def test_a_state_machine_waits_between_its_steps() -> None:
-    """It waits for the input up to 3 s, then for a stroke of 1.1 s, and computes 2000 statements in a sub."""
+    """It waits for the input up to 3 s, then for a stroke of 1.1 s.
+
+    Then it computes 2000 statements in a sub.
+    """
     text = (
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
         "Loop\n"
@@ -177,7 +189,10 @@ def test_a_run_that_is_cut_short_in_a_loop_waits_as_in_a_pause() -> None:
 
 
 def test_tasks_that_poll_wait() -> None:
-    """The parent waits for a variable that another task sets at 2.1 s, behind its motion; both lives add up."""
+    """The parent waits for a variable that another task sets at 2.1 s, after a move.
+
+    Both lives add up.
+    """
     text = (
         "Dim ready As Integer\nRun Feed\nWhile ready = 0\nEnd While\nEnd\n"
         "Task Feed\nSPEED(0) = 100\nACCEL(0) = 1000\nDECEL(0) = 1000\nMOVER(0) = 200 : GO(0)\n"
@@ -208,7 +223,10 @@ def test_a_shift_of_polling_is_a_few_records() -> None:
 
 
 def test_computing_before_a_wait_is_charged_to_its_own_line_and_sub() -> None:
-    """A For of n iterations of k statements takes n (k + 1) + 1 statements of 10 us, its first one among them."""
+    """A For of n iterations of k statements takes n (k + 1) + 1 statements of 10 us.
+
+    Its first one is among them.
+    """
     text = (
         "For i = 1 To 1000\n  x = x + i\nNext\n"
         "WAIT(50)\n"
@@ -228,7 +246,7 @@ def test_computing_before_a_wait_is_charged_to_its_own_line_and_sub() -> None:
 
 
 def test_loops_in_loops_have_their_own_time() -> None:
-    """The inner loop of 200 x 2 statements takes 4 ms of each iteration, what is around it 200 x 1."""
+    """The inner loop of 200 x 2 statements takes 4 ms per iteration, the rest 200 x 1."""
     text = (
         "For i = 1 To 10\n  For j = 1 To 200\n    x = x + j\n  Next\n"
         "  While k < 100 * i\n    k = k + 1\n  End While\nNext\n"
@@ -241,7 +259,10 @@ def test_loops_in_loops_have_their_own_time() -> None:
 
 
 def test_a_sub_without_loops_has_what_it_computes() -> None:
-    """Fib(12) is 465 calls of two statements each, an If and an assignment; the first line has what is before it."""
+    """Fib(12) is 465 calls of two statements each, an If and an assignment.
+
+    The first line has the time before it.
+    """
     text = (
         "x = 1\ny = Fib(12)\nPAUSE INX(3)\nEnd\nFunction Fib(ByVal n As Integer) As Integer\n"
         "  If n < 2 Then\n    Fib = n\n  Else\n    Fib = Fib(n - 1) + Fib(n - 2)\n  End If\nEnd Function\n"
@@ -254,7 +275,7 @@ def test_a_sub_without_loops_has_what_it_computes() -> None:
 
 
 def test_a_loop_behind_a_sub_that_waits_has_its_own_time() -> None:
-    """1 000 iterations of two statements take 20 ms; the WAIT in the sub was over before the loop began."""
+    """1 000 iterations of two statements take 20 ms; the WAIT in the sub was before."""
     text = "Inner()\nFor i = 1 To 1000\n  x = x + i\nNext\nEnd\nSub Inner()\n  WAIT(5)\nEnd Sub\n"
     made = checked(TimeProfile(ran(text, machine=WORLD)))
     computing = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
@@ -262,7 +283,8 @@ def test_a_loop_behind_a_sub_that_waits_has_its_own_time() -> None:
     assert computing.get(7, 0.0) < 3e-5
 
 
-# ------------------------------------------------------------------------------------------------------ who asks
+# ------------------------------------------------------------------------------------------------------
+# callers
 
 
 def test_the_budget_the_difference_and_the_page_agree() -> None:
@@ -284,7 +306,7 @@ def test_the_budget_the_difference_and_the_page_agree() -> None:
 # 40000 counts at 10000 with 100000 either way take 40000 / 10000 + 10000 / 100000 = 4.1 s; channel 3 comes on at 6 s.
 MCCL_MOVE = "1MN,1SV10000,1SA100000,1DS100000\n1MR40000\n"
 MCCL_WORLD = {"input": [{"channel": 3, "at": 6.0}, {"channel": 4, "at": 7.0}]}
-# What stands from line 3 on, the cause by kind, its line of the wait, and how long, s.
+# The lines from line 3 on, the cause by kind, its line of the wait, and its duration, s.
 MCCL_WAITS = {
     "WS": ("1WS", "travel of axis 1", 3, 4.1),
     "JR": ('LU"POSITION"\nAR10\n1RV@10,IB39999.9,JR-2,NO', "travel of axis 1", 5, 4.1),
@@ -306,7 +328,10 @@ def test_a_line_of_mccl_that_polls_waits(form: str) -> None:
 
 
 def test_what_follows_a_loop_of_mccl_in_its_line_is_not_of_it() -> None:
-    """IN3 holds at 6 s; then the same line dwells for half a second, and the next one counts to 2000."""
+    """IN3 is true at 6 s; then the same line dwells for half a second.
+
+    The next line counts to 2000.
+    """
     text = "IF3,JP0,NO,WA0.5\nAL0\nAA1,RP2000\n"
     made = checked(TimeProfile(ran(text, "poll.mcl", machine=MCCL_WORLD)))
     kinds = by_name(made.kinds())

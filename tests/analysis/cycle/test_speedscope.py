@@ -1,6 +1,6 @@
-"""`--profile-to x.speedscope.json` against the file format of speedscope, as its documentation has it.
+"""`--profile-to x.speedscope.json` against the documented file format.
 
-https://www.speedscope.app/file-format-schema.json; the rules that a schema cannot say are those of its importer.
+https://www.speedscope.app/file-format-schema.json; rules outside the schema are those of its importer.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Row = dict[str, Any]
 
 SCHEMA = "https://www.speedscope.app/file-format-schema.json"
 UNITS = ("none", "nanoseconds", "microseconds", "milliseconds", "seconds", "bytes")
-# The fields of each object, those that need not be there with a "?".
+# The fields of each object, the optional ones with a "?".
 FILE = {
     "$schema": str,
     "shared": dict,
@@ -32,16 +32,16 @@ FILE = {
     "activeProfileIndex?": int,
 }
 FRAME = {"name": str, "file?": str, "line?": int, "col?": int}
-# Of the two types of profile the one that is written.
+# The type of profile that is written, of two.
 SAMPLED = {"type": str, "name": str, "unit": str, "startValue": float, "endValue": float, "samples": list,
            "weights": list}  # fmt: skip
 
-# One sub that calls another, a task beside it; paths; waits of MCCL.
+# One sub that calls another, a task alongside; paths; waits of MCCL.
 PROGRAMS = ("mint/tray-loader.mnt", "mint/palletiser.mnt", "mint/contour-glue.mnt", "mccl/contour-arcs.mcl")
 
 
 def problems(file: Row) -> Iterator[str]:
-    """What is wrong with a document."""
+    """Yield the errors of a document."""
     yield from _fields("the file", file, FILE)
     if file.get("$schema") != SCHEMA:
         yield "it is not told as one of speedscope"
@@ -103,7 +103,7 @@ def test_speedscope_opens_it(document: Row) -> None:
     assert profile["unit"] == "seconds"
     name = next(each for each in PROGRAMS if each.endswith(document["name"].rpartition("/")[2]))
     assert profile["endValue"] == pytest.approx(run(ROOT / "scripts" / name).time)
-    # A line is a frame of its own, and stands in the file that the frame names.
+    # A line is a frame of its own, and is in the file that the frame names.
     text = (ROOT / "scripts" / name).read_text(encoding="utf-8").splitlines()
     lines = [frame for frame in document["shared"]["frames"] if "line" in frame]
     assert lines
@@ -111,7 +111,7 @@ def test_speedscope_opens_it(document: Row) -> None:
         assert frame["name"] == f"line {frame['line']}: {text[frame['line'] - 1].strip()[:60]}"
 
 
-# What the check of this page must not let pass, by how it is brought about.
+# Documents that the check of this page must reject, by the change that makes them.
 BROKEN = {
     "the file has no $schema": lambda file: file.pop("$schema"),
     "it is not told as one of speedscope": lambda file: file.update({"$schema": "x"}),

@@ -1,4 +1,4 @@
-"""Changes that are accepted one by one: of the report that is made, exactly the others are otherwise."""
+"""Individually accepted changes: the merged report differs by exactly the others."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from motionlang.source import Source
 from motionlang.views.diff import change_lines
 from tests.analysis.diff.test_reports import CYCLE as TURNS
 
-# The turns of the other tests, told without the time, then a move that is stopped.
+# The iterations of the other tests, printed without the time, then a move that is stopped.
 CYCLE = TURNS.replace(', " after ", TIME', "") + (
     "MOVEA(0) = 400 : GO(0) : WAIT(300) : STOP(0) : PAUSE IDLE(0)\nWAIT(50)\n"
 )

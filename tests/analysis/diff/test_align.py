@@ -1,4 +1,4 @@
-"""Sequences aligned by content, against the longest common part found by trying all."""
+"""Sequences aligned by content, compared with an exhaustive search."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from motionlang.analysis.diff.align import aligned, common
 
 
 def longest(a: list[int], b: list[int]) -> int:
-    """How long the longest common part is, by the table of all beginnings."""
+    """The length of the longest common subsequence, by the table of all prefixes."""
     table = [[0] * (len(b) + 1) for _ in range(len(a) + 1)]
     for i, one in enumerate(a):
         for j, other in enumerate(b):

@@ -1,4 +1,4 @@
-"""Which lines a difference in time is charged to."""
+"""The lines that a time difference is charged to."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def told(text: str) -> list[tuple[int | None, int | None, float]]:
 @pytest.mark.parametrize(
     ("was", "is_", "expected"),
     [
-        ("100, 40", "100, 50", []),  # nobody waits for Z
+        ("100, 40", "100, 50", []),  # no task waits for Z
         ("100, 40", "90, 40", [(4, 4, -0.1)]),
         ("WAIT(100)", "WAIT(150)", [(6, 6, 0.05)]),
         ("SPEED", "' a remark\nSPEED", []),

@@ -1,4 +1,4 @@
-"""Where the motion of two runs parts, found by tables of pieces: as looking at every place one by one finds it."""
+"""Divergence of two runs, by tables of pieces, equal to a check of every time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"
-# What is changed in a program; motion of the cam, the contour and the shear is in formulas besides pieces.
+# The changes of a program; motion of the cam, the contour and the shear is in formulas in addition to pieces.
 CHANGES = {
     "mint/palletiser.mnt": ("= 600, 600, 300", "= 600, 500, 300"),
     "mint/pick-and-place.mnt": ("= 800, 500", "= 700, 500"),
@@ -27,7 +27,7 @@ CHANGES = {
 
 
 def looked(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
-    """One place after the other."""
+    """Return the divergence by checking each time in order."""
     edges = sorted({*WholeTrack(a).starts, *WholeTrack(b).starts, end})
     first, largest = None, (0.0, 0.0)
     for begin, finish in pairwise(edges):
@@ -61,7 +61,7 @@ def pair(name: str) -> tuple[Run, Run]:
 def test_it_is_what_looking_everywhere_finds(
     name: str, tolerance: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(motion, "TOGETHER", 7)  # short runs, too, are looked at in parts
+    monkeypatch.setattr(motion, "TOGETHER", 7)  # even short runs are checked in several batches
     old, new = pair(name)
     end, expected = min(old.time, new.time), []
     for number, a in old.controller.axes.items():
@@ -72,5 +72,5 @@ def test_it_is_what_looking_everywhere_finds(
     assert told is not None
     (mine,) = (each for each in expected if each.axis == told.axis)
     assert (told.largest, told.largest_at) == (mine.largest, mine.largest_at)
-    # The moment itself lies between the place that is elsewhere and the one before it.
+    # The exact time is between the differing sample and the one before it.
     assert min(each.time for each in expected) >= told.time

@@ -1,4 +1,4 @@
-"""What a change did, told of two runs: time, lines, prints, and where the motion parts."""
+"""The differences of two runs: time, lines, prints, and divergence of motion."""
 
 from __future__ import annotations
 
@@ -56,7 +56,8 @@ def test_a_line_that_is_put_in_somewhere_is_no_difference() -> None:
 
 def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None:
     found, lines, old, new = changed(("ACCEL(0, 1) = 1000;", "ACCEL(0, 1) = 1000, 2000"))
-    # By hand: axis 1 is up to 200 in 0.1 s instead of 0.2 s; its way of 50 is 10 + 0.15 s * 200 + 20 then … shorter.
+    # By hand: axis 1 is up to 200 in 0.1 s instead of 0.2 s; its distance of 50 is 10 + 0.15 s * 200 + 20
+    # then … shorter.
     (change,) = (each for each in found.lines if each.old == 8)
     assert (change.count, change.axis, change.command) == (3, 1, "MOVEA")
     assert change.figures["accel"][0] == pytest.approx(0.2)
@@ -106,7 +107,7 @@ def test_a_turn_more_is_moves_and_prints_that_are_new() -> None:
 
 
 def test_what_was_taken_out_is_told_at_its_place() -> None:
-    """Two loops alike on two lines, the first with a turn less; and a turn that was slower than the others."""
+    """Two equal loops on two lines: the first has one iteration less, one is slower."""
     loop = "For n = 1 To 3\n  MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\n  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\nNext\n"
     head = "Dim n\nSPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
     less = loop.replace("To 3", "To 2")
@@ -123,7 +124,7 @@ def test_what_was_taken_out_is_told_at_its_place() -> None:
 
 
 def test_events_are_aligned_by_what_happened() -> None:
-    """One stop more, one at another speed, and one that comes later because the motion before it does."""
+    """One more stop, one at another speed, and one that shifts with earlier motion."""
     text = (
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n"
         "JOG(0) = 50 : WAIT(500) : STOP(0) : PAUSE IDLE(0)\n"
@@ -187,7 +188,10 @@ def test_a_speed_that_no_move_reaches_is_commanded_and_no_motion() -> None:
 
 
 def test_motion_that_differs_elsewhere_is_first_there() -> None:
-    """The second move begins at 0.5 s, and ends 1 uu further; of the first only the command differs."""
+    """The second move begins at 0.5 s, and ends 1 uu further.
+
+    The first has a new command.
+    """
     text = SHORT + "PAUSE TIME >= 500\nMOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n"
     found = difference(build(ran(text)), build(ran(text.replace("90", "99").replace("= 1 :", "= 2 :"))))
     assert found.first is not None

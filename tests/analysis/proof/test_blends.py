@@ -1,4 +1,4 @@
-"""Paths that overlap, two at most: what the proof finds where one of them is not slowed down, or the sum is another."""
+"""Overlapping paths, two at most: the proof rejects a wrong ramp or sum."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def found(result: Run) -> list[str]:
 
 
 def forge(result: Run, made: Callable[[Order], Order]) -> None:
-    """Change what was ordered for the path that the second one is blended with."""
+    """Change the order of the path that the second one is blended with."""
     assert result.orders is not None
     for axis, records in result.orders.of.items():
         for k, order in enumerate(records):
@@ -40,7 +40,7 @@ def forge(result: Run, made: Callable[[Order], Order]) -> None:
 
 
 def test_two_paths_that_overlap_are_proved() -> None:
-    """The second axis speeds up from 0.8 s to 1.0 s, the first one slows down from then to 1.2 s."""
+    """The second axis speeds up from 0.8 s to 1.0 s, the first slows down until 1.2 s."""
     result = proved()
     assert found(result) == []
     axes = result.controller.axes
@@ -76,7 +76,7 @@ def test_three_paths_at_once_are_found() -> None:
 
 
 def test_a_sum_that_is_not_that_of_its_paths_is_found() -> None:
-    """The first path is forged to be at 21 uu/s where the axes do the sum of 20 and what the second one has."""
+    """The first path is forged to be at 21 uu/s where the sum has 20 plus the second."""
     result = proved()
     first = result.controller.log.moves[0]
     assert first.profile is not None

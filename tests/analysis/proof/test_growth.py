@@ -1,4 +1,4 @@
-"""The work of a proof grows with its run, not with its square: counted, not timed."""
+"""The work of a proof grows linearly with its run: counted, not timed."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def proved(text: str) -> Run:
 
 
 def looks(monkeypatch: pytest.MonkeyPatch, text: str) -> int:
-    """How often the proof of a program asks how far another entry has come."""
+    """Return how often the proof computes the progress of another entry."""
     count, gone = 0, judge.gone
 
     def counted(move: Move, time: float) -> tuple[float, float]:
@@ -81,7 +81,7 @@ def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
 def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """2 000 jogs without a rest between them, packed by 128: some 32 parts of moves and of profiles."""
+    """2 000 jogs without rests, packed by 128: some 32 chunks of moves and profiles."""
     count = 0
 
     def counted(data: bytes) -> object:

@@ -1,4 +1,4 @@
-"""The rows of paths: lengths and speeds by hand, corners, and how each goes over into the next."""
+"""The rows of paths: lengths and speeds by hand, corners, and transitions."""
 
 from __future__ import annotations
 

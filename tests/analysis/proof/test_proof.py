@@ -1,4 +1,4 @@
-"""The proof of a run: it finds what is forged into a track, names what was ordered, and lists what is known."""
+"""The proof of a run: rejected forgeries, named exceptions, and listed results."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def test_what_is_ordered_has_its_name(program: str) -> None:
 
 
 def test_a_position_is_given_a_new_value_at_the_moment_at_which_a_move_is_cut_off() -> None:
-    """The end of the move, its beginning and its time added up, is one rounding behind that moment."""
+    """The end of the move, a sum of beginning and time, is one rounding late."""
     program = "WA0.1\n1MN,1SV20000,1MA5000\nWA0.125,1RT\n"
     result = run(Source("reset.mcl", program), machine={}, cache=False, prove=True)
     (move,) = result.controller.log.moves
@@ -125,7 +125,7 @@ def test_a_position_is_given_a_new_value_at_the_moment_at_which_a_move_is_cut_of
     assert found(result) == []
 
 
-# Paths of more than one pace, and a stop on one: each broke a bound once.
+# Paths with several paces, and a stop on one: each violated a bound once.
 PACES = (
     # A path shorter than the ramp to its speed: 420.5 uu/s² without a forward pass.
     "FEEDRATEMODE(0) = 1 : CONTOURMODE(0) = 1 : ACCEL(0) = 90 : DECEL(0) = 60\nSPEED(0) = 29\nVECTORR(0, 1) = 1, 0\n"
@@ -133,7 +133,7 @@ PACES = (
     "SPEED(0) = 40 : ACCEL(0) = 300 : DECEL(0) = 500 : MAXACCEL(0) = 60 : MAXDECEL(0) = 60\n"
     "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 5\nVECTORR(0, 1) = 5, 0\nVECTORR(0, 1) = 40, 0.001\nGO(0)\n"
     "PAUSE IDLE(0)\n",
-    # A stop in the midst of an S-ramp.
+    # A stop in the middle of an S-ramp.
     "SPEED(0) = 20 : ACCEL(0) = 50 : DECEL(0) = 50 : PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
     "VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\nSTOP(0)\nPAUSE IDLE(0)\n",
 )  # fmt: skip
@@ -150,7 +150,7 @@ def test_a_run_that_kept_no_orders_cannot_be_proved() -> None:
         result.proof()
 
 
-# Orders that are forged afterwards: the motion then breaks them.
+# Orders that are forged afterwards, and that the motion then violates.
 ARC = "MAXACCEL(1) = 40\nCIRCLER(0, 1) = -10, 0, 300\nGO(0)\nPAUSE IDLE(0)\n"
 LINE = "VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"
 SLAVE = "MASTERSOURCE(1) = _msPOS : FOLLOW(1) = 0.5\nJOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n"
@@ -181,7 +181,7 @@ def tie_of(order: Order, **other: object) -> Order:
 
 
 def off(order: Order, place: float, value: float, kind: str) -> Order:
-    """A tie to a table of one segment."""
+    """Return a tie to a table of one segment."""
     return tie_of(order, table=((0.0, place), (0.0, value), kind))
 
 
@@ -292,7 +292,7 @@ def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
 
 
 def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A run of as many profiles as are kept is proved; one more, and nothing is kept."""
+    """A run of the maximum of profiles is proved; with one more, nothing is recorded."""
     monkeypatch.setattr("motionlang.log.orders.MANY_ALIKE", 1)
     program = (
         "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
@@ -315,7 +315,10 @@ def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.
 def test_moves_that_are_ordered_alike_are_kept_as_one(
     speed: str, orders: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Sixty moves of one order and their rests are two profiles in fifty; with a speed each there are too many."""
+    """Sixty equal moves and their rests are two profiles in fifty.
+
+    With a speed each there are too many.
+    """
     turn = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
     program = f"Dim i As Integer\nFor i = 1 To 60\n  {turn}Next\n"
     monkeypatch.setattr("motionlang.log.orders.MOST", 62)
@@ -329,7 +332,7 @@ def test_moves_that_are_ordered_alike_are_kept_as_one(
 
 
 def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of moves and profiles that the log has packed, and of a path among them."""
+    """The log has packed moves and profiles, a path among them."""
     monkeypatch.setattr("motionlang.log.log.FIRST_LOOK", 4)
     monkeypatch.setattr("motionlang.log.log.MOST_PROFILES", 40)
     monkeypatch.setattr("motionlang.log.log.LEFT_PROFILES", 4)
@@ -363,7 +366,7 @@ def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
 
 @pytest.mark.parametrize("motion", ["1MR5000", "1PS0.1,1MR5000", "1VM,1GO"])
 def test_settings_that_come_in_motion_say_nothing_of_what_goes_on_at_a_new_zero(motion: str) -> None:
-    """An axis of MCCL goes on as it began until something is ordered; a new zero orders nothing."""
+    """An axis of MCCL continues as it began until a command; a new zero is none."""
     program = f"1MN,1SV5000,1SA100000,1DS100000\n{motion},WA0.01\n1SA2.5,1DS2.5\n1DH100\nWA0.01,1AB,1WS\n"
     result = run(Source("zero.mcl", program), cache=False, prove=True)
     assert (result.status, found(result)) == ("ended", [])

@@ -1,4 +1,4 @@
-"""A planner that goes on as it had planned, whatever the program sets in motion, is rejected."""
+"""A planner that ignores settings in motion is rejected."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SETTINGS = ("SPEED(0) = 20", "FEEDRATEOVERRIDE(0) = 40", "MAXSPEED(0) = 5")
 
 @pytest.fixture
 def deaf(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
-    """Have an axis that jogs go on as it does, whatever is ordered."""
+    """Make a jogging axis ignore commands."""
 
     def forge() -> None:
         honest = jogs.jog
@@ -73,7 +73,8 @@ def test_a_move_heeds_what_makes_it_faster_and_its_rates(
 
 
 def test_rates_that_come_too_late_need_not_be_heeded() -> None:
-    # From 50 at 200 it stops within 6.25, at 40 within 31.25: 1.2 s before its end it has no room for that.
+    # From 50 at 200 it stops within 6.25, at 40 within 31.25: 1.2 s before its end the distance does not
+    # suffice.
     assert messages(f"{RATES}{MOTIONS['move']}WAIT 2200\nDECEL(0) = 40\nPAUSE IDLE(0)\n") == []
 
 

@@ -1,4 +1,4 @@
-"""Motion that begins above its speed: how fast it must slow down, worked out by hand, and planners that do not."""
+"""Motion that begins above its speed: required deceleration, and wrong planners."""
 
 from __future__ import annotations
 
@@ -26,14 +26,17 @@ def test_a_trapezoid_slows_down_at_its_rate() -> None:
 
 
 def test_an_s_ramp_slows_down_within_its_jerk() -> None:
-    """The deceleration takes 0.2 s to 100 and 0.2 s back, at 10 counts/s each; 0.2 s at 100 lie between."""
+    """The deceleration takes 0.2 s to 100 and 0.2 s back, at 10 counts/s each.
+
+    0.2 s at 100 are in between.
+    """
     slow = slowing(50.0, 0.0, 10.0, S_RAMP)
     assert slow.until == pytest.approx(0.6, rel=1e-5)
     assert [slow.due(time) for time in (0.2, 0.4, 0.6)] == pytest.approx([40.0, 20.0, 10.0])
 
 
 def test_an_acceleration_is_taken_back_first() -> None:
-    """100 counts/s² fade in 0.2 s, which adds 10 counts/s; from 60 to 10 it takes 0.7 s."""
+    """100 counts/s² take 0.2 s to zero, adding 10 counts/s; from 60 to 10 takes 0.7 s."""
     slow = slowing(50.0, 100.0, 10.0, S_RAMP)
     assert (slow.came, slow.eased) == pytest.approx((60.0, 0.2), rel=1e-5)
     assert slow.until == pytest.approx(0.9, rel=1e-5)
@@ -41,7 +44,7 @@ def test_an_acceleration_is_taken_back_first() -> None:
 
 
 def test_a_deceleration_that_is_under_way_serves() -> None:
-    """It is at 100 already: 30 counts/s in 0.3 s, the last 10 while it eases in 0.2 s."""
+    """It is at 100 already: 30 counts/s in 0.3 s, the last 10 in the final 0.2 s."""
     slow = slowing(50.0, -100.0, 10.0, S_RAMP)
     assert slow.until == pytest.approx(0.5, rel=1e-5)
     assert slow.due(0.3) == pytest.approx(20.0)
@@ -80,7 +83,7 @@ def found(result: Run) -> list[str]:
 
 @pytest.fixture
 def careless(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
-    """From when it is called, planners that never slow down to a lower speed."""
+    """Return a function that makes planners never slow down to a lower speed."""
 
     def move(
         shape: str, start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0, *more: float

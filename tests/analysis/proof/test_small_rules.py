@@ -1,4 +1,4 @@
-"""Small rules of the proof by their figures, each where nothing else would tell it from another."""
+"""Small rules of the proof by their figures, each the only test of its rule."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FREE = (inf, inf)
 
 
 def test_an_acceleration_beyond_what_is_allowed_is_taken_back_to_that_first() -> None:
-    """30 to 20 at a jerk of 100 in 0.1 s, held until 98, and taken back in 0.2 s."""
+    """30 to 20 at a jerk of 100 in 0.1 s, constant until 98, and to zero in 0.2 s."""
     time, way = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
     assert time == pytest.approx(0.1 + 4.775 + 0.2)
     assert way == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
@@ -50,7 +50,7 @@ def test_a_place_between_two_of_a_table_is_on_the_line_between_them() -> None:
     assert [_wanted(tie, hold(0.0), along) for along in (1.0, 2.0, 3.0)] == [4.0, 8.0, 9.0]
 
 
-# How a table is ordered, its places and values, how its curve is made, and what is told.
+# The kind of a table, its positions and values, the construction of its curve, and the messages.
 TABLES: dict[str, tuple[str, tuple[float, ...], tuple[float, ...], str, str]] = {
     "straight": ("linear", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "linear", ""),
     "smooth": ("cubic", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "cubic", ""),
@@ -73,7 +73,7 @@ def test_a_curve_is_joined_as_its_table_says(name: str) -> None:
 
 
 def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() -> None:
-    """The end of a move, its beginning and its time added up, may lie a rounding behind the zero."""
+    """The end of the move, a sum of two times, may be a rounding after the zero."""
     c = machine(1)
     until(c, 1000.0).define_position(0, 7.0)
     track = WholeTrack(until(c, 1001.0).axes[0])
@@ -94,7 +94,10 @@ def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: f
 
 
 def test_a_cubic_piece_is_cut_where_its_velocity_and_its_acceleration_turn() -> None:
-    """4 + 9 x - 6 x² + x³: the velocity 9 - 12 x + 3 x² is 0 at 1 and at 3, the acceleration 6 x - 12 at 2."""
+    """4 + 9 x - 6 x² + x³: the velocity 9 - 12 x + 3 x² is 0 at 1 and at 3.
+
+    The acceleration 6 x - 12 is 0 at 2.
+    """
     span = Span(0.0, 4.0, (4.0, 9.0, -6.0, 1.0, 0.0, 0.0, 0.0))
     assert span.cuts() == pytest.approx([0.0, 1.0, 2.0, 3.0, 4.0])
     assert (span.peak(1), span.peak(2), span.peak(3)) == (9.0, 12.0, 6.0)
@@ -117,8 +120,9 @@ def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
     assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
 
 
-# Paths of 0.05 counts/s, with jerks of 10 and 20: how one begins, its jerk, how long it lasts, and the violations.
-# Due after 0.25 s: 0.3 once the acceleration has eased, less 20 * 0.05² / 2; after 0.05 s: 2 * 0.05 - 10 * 0.05² / 2.
+# Paths of 0.05 counts/s, with jerks of 10 and 20: how one begins, its jerk, its duration, and the violations.
+# Due after 0.25 s: 0.3 once the acceleration has eased, less 20 * 0.05² / 2; after 0.05 s: 2 * 0.05 - 10 *
+# 0.05² / 2.
 COMING: dict[str, tuple[float, float, float, float, tuple[str, ...]]] = {
     "0.1 counts/s, and 2² / (2 * 10) more until the jerk has eased 2 counts/s²": (
         0.1,

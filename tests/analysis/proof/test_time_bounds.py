@@ -1,4 +1,7 @@
-"""The times that a proof allows: those of the planners from random states; both agree without a line in common."""
+"""The time bounds of a proof agree with the planners from random states.
+
+They share no code.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +52,10 @@ def test_a_jog_takes_as_long_as_is_due() -> None:
 
 
 def test_ramps_by_hand() -> None:
-    """100 at 50 with a jerk of 100: 2.5 s and 125; TN1069's shapes to 40 at 0.1: 628.3, 444.4 and 800 cycles."""
+    """100 at 50 with a jerk of 100: 2.5 s and 125.
+
+    TN1069's shapes to 40 at 0.1: 628.3, 444.4 and 800 cycles.
+    """
     assert ramp(0.0, 100.0, Law((50.0, 50.0), (100.0, 100.0))) == pytest.approx((2.5, 125.0))
     endless = (float("inf"),) * 2
     for shape, time, way in (

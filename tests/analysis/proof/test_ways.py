@@ -1,4 +1,4 @@
-"""The layout of a path that a proof goes by: what each axis has of the speed and of the rates, by hand."""
+"""The layout of a path in a proof: each axis's share of speed and rates, by hand."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers in the description of a sweep: how many variants are drawn, and from which seed."""
+"""Numbers in the description of a sweep: the number of samples, and their seed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A program that is compiled once with names to be given does what `--set` does with it, to the last letter."""
+"""A program compiled once for many values equals `--set`, to the last letter."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
 MOVER(0) = length : GO(0) : PAUSE IDLE(0)
 PRINT "at ", POS(0), " of ", length
 """
-# What gives a name its value, the name and its values; whether the value can be bound when the program starts.
+# The source of a name's value, the name and its values; true if the value can be bound at the start.
 WAYS: dict[str, tuple[str, str, tuple[float | str, ...], bool]] = {
     "a constant": ("Const length = 30" + MOVES, "length", (12.0, 7.25), True),
     "one with a type": ("Const length As Float = 30" + MOVES, "length", (12.0, 7.25), True),

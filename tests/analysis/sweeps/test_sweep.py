@@ -1,4 +1,4 @@
-"""Sweeps from Python: every variant once, the same on whatever runs it, and nothing lost with a worker."""
+"""Sweeps from Python: every variant once, equal on any executor, without loss."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ KEEP = (
 
 
 def stroke(length: float, rate: float) -> float:
-    """The time of a move from rest to rest at 200 uu/s at most."""
+    """Return the time of a move from rest to rest at 200 uu/s at most."""
     return length / 200 + 200 / rate if length >= 200**2 / rate else 2 * sqrt(length / rate)
 
 
@@ -149,7 +149,10 @@ def test_threads_give_what_one_after_the_other_gives() -> None:
 
 
 class Unreliable(Executor):
-    """Loses work as a cluster does whose workers are killed: `loses` says which chunks."""
+    """An executor that loses work like a cluster with killed workers.
+
+    `loses` selects the chunks.
+    """
 
     def __init__(self, loses: Callable[[int, list[int]], bool]) -> None:
         self.loses, self.count = loses, 0
