@@ -1,4 +1,4 @@
-"""A folder of its own for every test of the command line, and no cache but in it."""
+"""A separate folder for every test of the command line, with the only cache."""
 
 from __future__ import annotations
 

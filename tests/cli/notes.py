@@ -1,4 +1,4 @@
-"""The pages on PMC's and ABB's notes: `python -m tests.cli.notes` writes what their commands print anew."""
+"""The pages on PMC's and ABB's notes: `python -m tests.cli.notes` rewrites output."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NUMBER = re.compile(r"^\|.*\| `(.+)` \| (-?[0-9.]+) \|$", re.MULTILINE)
 
 
 def integral(of: Callable[[float], float], end: float, steps: int = 20_000) -> float:
-    """The area under a function from 0 to `end`, by the midpoints of strips."""
+    """Return the integral of a function from 0 to `end`, by the midpoint rule."""
     width = end / steps
     return width * sum(of((k + 0.5) * width) for k in range(steps))
 
@@ -30,7 +30,7 @@ NAMES = {"pi": pi, "sin": sin, "cos": cos, "sqrt": sqrt, "integral": integral}
 
 
 def numbers(text: str) -> Iterator[tuple[str, str]]:
-    """Each formula with the note's figures, and the number beside it."""
+    """Yield each formula with the note's figures, and its number."""
     yield from NUMBER.findall(text)
 
 
@@ -39,7 +39,7 @@ def worked_out(formula: str) -> float:
 
 
 def answer(command: str) -> str:
-    """What a command prints, standard error after standard output."""
+    """Return the output of a command, standard error after standard output."""
     program, *words = shlex.split(command)
     assert program == "motionlang", command
     out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
@@ -49,7 +49,7 @@ def answer(command: str) -> str:
 
 
 def rewritten(text: str) -> str:
-    """The page with every output as it is today."""
+    """Return the page with every output as it is now."""
 
     def fresh(match: re.Match[str]) -> str:
         ((pairs),) = blocks(match[0])

@@ -1,4 +1,4 @@
-"""Programs for the tests of the command line, and the command line called in this process."""
+"""Programs for the tests of the command line, which is called in this process."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from motionlang.cli import main
 # AN00115's ball screw in MCCL: 1200 counts/mm, 250 mm/s, 1250 mm/s², 200 mm.
 BALLSCREW = "1US1200\n1MN,1PM,1PT\n1SV250,1SA1250,1DS1250\n1MR200,1WS0\n1TP\n"
 WRONG = "1MN\n1XX3\n2MR10\n"
-# Seconds by the clock for a process to end: a loaded machine may stand still, and in the good case nobody waits.
+# Seconds of real time for a process to end: a loaded machine may stall, and normally no test waits.
 LONGEST = 300
 JOG = "1MN,1VM,1SV100,1GO\n"
 
 
 class Outcome:
-    """What a command printed and how it ended."""
+    """A command's output and how it ended."""
 
     def __init__(self, status: int, out: str, err: str) -> None:
         self.status, self.out, self.err = status, out, err
 
 
 class Cell:
-    """A folder with programs in it, in which commands are run."""
+    """A folder with programs, in which commands are run."""
 
     def __init__(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.folder, self._capsys = folder, capsys

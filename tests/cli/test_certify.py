@@ -39,7 +39,7 @@ def test_what_has_no_bound_is_infinite_and_where_limits_would_stand_is_named(cel
     cell.write("stroke.machine.toml", "[axis.0.limits]\njerk = 1e6\n")
     ran = cell("run", "stroke.mnt", "--certify")
     assert ran.status == 1
-    # From its first moment on; the margin of what has no bound is none.
+    # From the start; there is no margin for an infinite value.
     assert "   0  jerk   uu/s³    1e+06      inf  0.000040     3    none  exceeded" in ran.out
     assert "the jerk of axis 0 is infinite at 0.000040 s, where its acceleration jumps" in ran.err
 

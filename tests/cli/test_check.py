@@ -1,4 +1,4 @@
-"""`motionlang check`: every mistake of every file."""
+"""`motionlang check`: every error of every file."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def test_a_model_by_the_name_of_its_product(cell: Cell) -> None:
 
 
 def test_standard_input_has_one_name(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In the line of a check, in its messages, in its document and in that of a run."""
+    """It is used in the line of a check, its messages, its document and that of a run."""
     for arguments, where in [
         (("check", "-", "--dialect", "mint"), "out"),
         (("check", "-", "--dialect", "mint"), "err"),

@@ -1,4 +1,4 @@
-"""What a shell completes is what the parser knows."""
+"""Shell completion matches the parser."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`motionlang diff`: programs, reports, golden files and variants, one beside the other."""
+"""`motionlang diff`: programs, reports, golden files and variants, compared."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) ->
     assert "the motion parts at 0.000" in ran.out
     assert cell("diff", "pick.mnt", "--set-b", "rate=2000").out == ran.out
     cell.write("pick.mnt", PICK.replace("= 1000", "= 2000"))
-    assert cell("diff", "pick.mnt").out.startswith("time: 0.700050 → 0.600050 s")  # what was comes first
+    assert cell("diff", "pick.mnt").out.startswith("time: 0.700050 → 0.600050 s")  # the old one comes first
     document = json.loads(cell("diff", "pick.mnt", "--json").out)
     assert (document["schema"], document["same"]) == ("motionlang.diff/1", False)
     assert document["lines"][0]["command"] == "MOVEA"
@@ -86,7 +86,7 @@ def test_a_run_against_a_recording(cell: Cell) -> None:
         "--set-a",
         "controller.instruction_time=0.1",
     )
-    assert ran.status == 0  # later as a whole, which is found
+    assert ran.status == 0  # a common shift, which is detected
     assert cell("diff", "pick.mnt", "none.csv").status == 1
     assert cell("diff", "pick.json", "drive.csv").status == 2
     assert cell("diff", "pick.mnt", "pick.mnt", "--map", "position.0=1").status == 2

@@ -1,4 +1,4 @@
-"""What happened in a run: its events, and the exit status that they make."""
+"""The events of a run, and the exit status that they cause."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def events(
     return found
 
 
-# A program, what its machine has, and the kinds of its events with value, limit, line, and line of the motion.
+# A program, its machine, and the kinds of its events with value, limit, line, and line of the motion.
 CASES: dict[str, tuple[str, dict[str, object], list[tuple[object, ...]]]] = {
     "a limit switch": (
         SETTINGS + "MOVER(0) = 200 : GO(0)\nPAUSE IDLE(0)\n",
@@ -98,7 +98,10 @@ def test_what_happened(case: str) -> None:
 
 
 def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
-    """The switch lies beyond the travel: the homing ends at the limit; what moves there by itself has status 1."""
+    """The switch is beyond the travel: the homing ends at the limit.
+
+    Other motion into it has status 1.
+    """
     cell.write("home.machine.toml", "[axis.0]\ntravel = [-10.0, 100.0]\nhome_switch = [-22.0, -20.0]\n")
     for word, text, status in (
         ("HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_SWITCH", "homing", 0),

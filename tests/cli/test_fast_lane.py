@@ -1,4 +1,4 @@
-"""Plain `run` lines are read without argparse, and mean the same."""
+"""Plain `run` lines are parsed without argparse, with equal results."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_everything_else_is_left_to_argparse(line: list[str]) -> None:
     assert quick_options(line) is None
 
 
-# Asks for the line of an error.
+# Reads the line of an error.
 CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n"
 
 
@@ -81,9 +81,10 @@ CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egA
 def test_a_plain_run_imports_nothing_slow(
     tmp_path: Path, name: str, text: str, options: tuple[str, ...], needed: list[str]
 ) -> None:
-    """First sight may compile; the second run imports nothing that costs milliseconds but the patterns of MCCL.
+    """The first run may compile; the second imports nothing that costs milliseconds.
 
-    A profile has lines and blocks from the compiled program, and parses nothing.
+    The patterns of MCCL are an exception. A profile has lines and blocks from the compiled program, and
+    parses nothing.
     """
     program = tmp_path / name
     program.write_text(text)

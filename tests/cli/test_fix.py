@@ -1,4 +1,7 @@
-"""`check --fix`: what is certain is written, line ends and all the rest of a file stay."""
+"""`check --fix`: certain corrections are written.
+
+Line ends and the rest do not change.
+"""
 
 from __future__ import annotations
 
@@ -72,7 +75,7 @@ BLOCKS = {
 
 @pytest.mark.parametrize("name", BLOCKS)
 def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
-    """The program compiles on MintMT, and there is nothing left to fix."""
+    """The program compiles on MintMT, and nothing is left to fix."""
     old, new = BLOCKS[name]
     head = "Dim a, b As Integer\n".replace("\n", "\r\n" if "\r" in old else "\n")
     path = cell.write("old.prg", head + old)
@@ -84,7 +87,7 @@ def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
 
 
 def test_more_fixes_than_a_check_tells_mistakes(cell: Cell) -> None:
-    """A check stops at 100 mistakes, in the middle of a block."""
+    """A check stops at 100 errors, in the middle of a block."""
     path = cell.write("old.prg", "a = 1\n" + "IF a DO\n a = SPEED.0\nENDIF\n" * 150 + "PRINT a\n")
     assert cell("check", "old.prg", "--model", "mintmt", "--fix").out == "old.prg: 450 fixed, no mistakes\n"
     assert path.read_text() == "a = 1\n" + "IF a Then\n a = SPEED(0)\nEnd If\n" * 150 + "PRINT a\n"
@@ -92,7 +95,7 @@ def test_more_fixes_than_a_check_tells_mistakes(cell: Cell) -> None:
 
 @pytest.mark.parametrize("path", V4, ids=[path.stem for path in V4])
 def test_a_fixed_program_means_the_same(path: Path, cell: Cell) -> None:
-    """The programs of the gallery and of the manual that are in the notation of Mint v4."""
+    """The programs are those of the gallery and the manual in the notation of Mint v4."""
     old, check = path.read_text(encoding="utf-8"), ("check", "old.mnt", "--model", "mintmt", "--fix")
     written = cell.write("old.mnt", old)
     cell(*check)

@@ -1,4 +1,7 @@
-"""`--format`: what `check` and `verify` say to other tools; and many files at once are told as one by one."""
+"""`--format` of `check` and `verify`.
+
+Many files at once give the same as one by one.
+"""
 
 from __future__ import annotations
 

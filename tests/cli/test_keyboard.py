@@ -1,4 +1,4 @@
-"""A person at the keyboard of a run in real time, played by the far side of a pseudo-terminal."""
+"""An operator at the keyboard of a real-time run, simulated on a pseudo-terminal."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ PRINT "bye"
 
 
 def played(tmp_path: Path, program: str, *turns: tuple[str, str]) -> tuple[int, str, str]:
-    """Run a program and type after what it prints; (exit status, rest of the output, errors)."""
+    """Run a program and type after its prompts.
+
+    Return status, remaining output, errors.
+    """
     file = tmp_path / "asks.mnt"
     file.write_text(program)
     ours, theirs = pty.openpty()

@@ -1,4 +1,4 @@
-"""`motionlang keywords`: the vocabulary, and the page of a word."""
+"""`motionlang keywords`: the vocabulary, and the page of a keyword."""
 
 from __future__ import annotations
 

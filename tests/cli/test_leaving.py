@@ -1,4 +1,4 @@
-"""The end of a process: nothing is lost by its leaving at once, and who waits for the end is not forgotten."""
+"""The end of a process: an immediate exit loses nothing, and exit handlers run."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 
 PROGRAM = "Dim n As Integer\nFor n = 1 To 20000\n  PRINT n\nNext\n"
 CALL = "import sys\nfrom motionlang.__main__ import main\n"
-# What is put before the call, and whether the process is to leave at once by it.
+# Code before the call, and true if the process then exits at once.
 BEFORE = {
     "": True,
     "import atexit\natexit.register(print, 'called')\n": False,
@@ -19,7 +19,7 @@ BEFORE = {
     "sys.settrace(lambda *each: None)\n": False,
     "sys.setprofile(lambda *each: None)\n": False,
 }
-# Says so where the process is left.
+# Reports where the process exits.
 WITNESS = "import os\nleave = os._exit\nos._exit = lambda status: (os.write(2, b'at once'), leave(status))\n"
 
 

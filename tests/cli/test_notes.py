@@ -1,4 +1,4 @@
-"""docs/tn1069.md and docs/an00115.md: every command prints what they show, every formula gives the number beside it."""
+"""docs/tn1069.md and docs/an00115.md: every command and every formula is right."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_a_command_prints_what_it_shows(
 
 @cases(("formula", "number"), FORMULAS)
 def test_a_formula_gives_its_number(formula: str, number: str) -> None:
-    """To half a step of the last place that is printed, and what its own rounded figures leave."""
+    """The tolerance is half a step of the last printed digit, plus input rounding."""
     places = len(number.partition(".")[2])
     value = float(number)
     assert worked_out(formula) == pytest.approx(value, rel=2e-9, abs=0.51 * 10.0**-places)

@@ -1,4 +1,4 @@
-"""Output of a server that waits for no reader: what does not fit is dropped and counted."""
+"""Output of a server without a blocking write: excess text is dropped and counted."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Pipe:
         self.queue = OutputQueue(self.writer, "standard error")
 
     def fill(self) -> int:
-        """Write numbered lines until one is dropped; how many were written before that."""
+        """Write numbered lines until one is dropped; return how many were written before."""
         for number in range(10 * CAPACITY):
             self.queue.write(f"{number}\n")
             if self.queue.dropped:
@@ -53,9 +53,12 @@ def test_lines_come_in_order(pipe: Pipe) -> None:
 
 
 def test_a_gap_is_reported_where_it_is(pipe: Pipe) -> None:
-    """Nothing reads: at most `CAPACITY` and the pipe's own buffer are kept. Then someone reads it all."""
+    """Without a reader at most `CAPACITY` and the pipe's buffer are stored.
+
+    Then a reader takes it all.
+    """
     written = pipe.fill()
-    for number in range(7):  # there may be room by now for some, but the gap goes on until it is reported
+    for number in range(7):  # there may be space for some by now, but the gap continues until it is reported
         pipe.queue.write(f"lost {number}\n")
     assert pipe.queue.dropped == 8
     assert [pipe.reader.readline() for _ in range(written)] == [f"{number}\n" for number in range(written)]
@@ -97,7 +100,7 @@ def test_a_reader_that_has_gone_is_no_error(pipe: Pipe) -> None:
 
 
 def test_files_are_written_to_directly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pipe: Pipe) -> None:
-    """Every line of a regular file is wanted, and a write to one does not wait for a reader."""
+    """Every line of a regular file is wanted, and a write to one does not block."""
     with open(tmp_path / "out.txt", "w", encoding="utf-8") as file:
         monkeypatch.setattr("sys.stdout", file)
         monkeypatch.setattr("sys.stderr", pipe.writer)

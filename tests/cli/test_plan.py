@@ -111,7 +111,10 @@ def test_figures_that_make_no_move(cell: Cell, line: tuple[str, ...], message: s
 
 
 def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> None:
-    """10 at 300 with 2000: it turns round at sqrt(10 * 2000) = 141.4 after 0.0707 s; 300 needs 300^2/2000 = 45."""
+    """10 at 300 with 2000: it peaks at sqrt(10 * 2000) = 141.4 after 0.0707 s.
+
+    300 needs 300^2/2000 = 45.
+    """
     document = json.loads(
         cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--json"]).out
     )

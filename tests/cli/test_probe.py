@@ -1,4 +1,4 @@
-"""`motionlang probe`: what it writes, what it says of answers, and what is wrong with a command line."""
+"""`motionlang probe`: its programs, evaluated answers, and command line errors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def probe(tmp_path: Path, capsys: pytest.CaptureFixture[str], *options: str) -> 
 
 
 def test_the_whole_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The probe is run by a controller that has something otherwise, and its answers make another one like it."""
+    """A different controller runs the probe; its answers reproduce the difference."""
     status, text, _ = probe(tmp_path, capsys, "mint", "--axis", "2")
     assert status == 0
     assert "HOMESPEED(2)" in text

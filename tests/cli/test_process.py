@@ -1,4 +1,4 @@
-"""What only a process of its own can show: a closed pipe, Ctrl-C, the module as a program."""
+"""Behaviour of separate processes: a closed pipe, Ctrl-C, the module as a program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_a_reader_that_goes_away_is_no_error(tmp_path: Path) -> None:
     assert (ran.returncode, ran.stderr) == (141, "")
 
 
-# Programs for commands whose reader goes away: one prints more than a pipe's buffer holds, one moves.
+# Programs for commands whose reader disappears: one prints more than a pipe's buffer, one moves.
 LOUD = 'Dim i As Integer\nFor i = 1 To 2000\nPRINT "line "; i\nNext\n'
 MOVES = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
 WRITERS = """\
@@ -90,7 +90,7 @@ def test_a_full_disk_under_standard_output_is_said_once() -> None:
 
 
 def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
-    """The position is printed before the pace sleeps, so its line says that the run is under way."""
+    """The position is printed before the pace sleeps, so the run is in progress."""
     program = tmp_path / "ballscrew.mcl"
     program.write_text("1MN,1TP\n" + BALLSCREW.replace("SV250", "SV0.5"))
     command = [*COMMAND, "run", str(program), "--realtime"]
@@ -105,7 +105,7 @@ def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
 
 
 def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
-    """From the first second on; Ctrl-C then takes the line away and reports."""
+    """It starts after the first second; Ctrl-C then removes the line and reports."""
     pty = pytest.importorskip("pty")
     program = tmp_path / "shuttle.mcl"
     program.write_text("1MN,1PM,1SV1000,1SA10000,1DS10000\n1MR10,1WS,1MR-10,1WS,RP\n")
@@ -129,7 +129,7 @@ TOLD = "JOG starts motion after motion and waits for none"
 
 
 def test_a_loop_that_never_waits_is_told_while_it_runs(tmp_path: Path) -> None:
-    """Before the run ends, with its line, and not once more at the end."""
+    """It comes before the run ends, with its line, and not again at the end."""
     program = tmp_path / "hurry.mnt"
     program.write_text(HURRY)
     command = [*COMMAND, "run", str(program)]

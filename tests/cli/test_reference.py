@@ -1,4 +1,4 @@
-"""docs/cli.md names every command, and in the section of a command every option that it has and no other."""
+"""docs/cli.md lists every command, and for each its exact options."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`motionlang repl`: which language is spoken."""
+"""`motionlang repl`: the selection of the language."""
 
 from __future__ import annotations
 

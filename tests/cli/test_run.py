@@ -1,4 +1,4 @@
-"""`motionlang run` as a person or a program calls it."""
+"""`motionlang run` as used by a person or a program."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ error[disabled-axis]: axis 2 is off
 
 
 def without_hints(text: str) -> str:
-    """What the language advises is the language's own matter."""
+    """Return a text without hints, which belong to the language."""
     return "".join(line for line in text.splitlines(keepends=True) if "hint: " not in line)
 
 
@@ -297,7 +297,7 @@ def test_a_full_disk_ends_in_a_diagnostic(cell: Cell) -> None:
 
 
 def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With a clock that only sleeping moves, a run of 1 s at twice the speed sleeps for half a second."""
+    """Only sleeping advances the clock: 1 s at twice the speed sleeps half a second."""
     import time
 
     clock = [100.0]

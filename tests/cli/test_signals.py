@@ -1,4 +1,7 @@
-"""Signals at every stage of a run, and crashes: a whole report, whole files, and no traceback."""
+"""Signals at every stage of a run, and crashes: complete reports and files.
+
+No traceback is shown.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +36,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 
 @pytest.fixture(autouse=True)
 def no_signal_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """SIGHUP may be off where the tests run; each test's time stands still unless it says so."""
+    """Enable SIGHUP, which may be off in the tests, and freeze the time by default."""
     before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
     monkeypatch.setattr(signals, "monotonic", lambda: 0.0)
     yield
@@ -41,7 +44,7 @@ def no_signal_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
-    """The same call, and the signal comes, twice, when it begins."""
+    """Return the same call, at whose begin the signal arrives twice."""
 
     def do(*given: object, **named: object) -> object:
         signal.raise_signal(number)
@@ -133,7 +136,7 @@ def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.Monke
 
 
 def test_what_is_switched_off_stays_off(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As nohup has it."""
+    """An example is nohup."""
     signal.signal(signal.SIGHUP, signal.SIG_IGN)
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr(Scheduler, "run", sending(signal.SIGHUP, Scheduler.run))
@@ -149,7 +152,10 @@ def test_handlers_are_put_back(cell: Cell) -> None:
 
 
 def test_a_signal_that_python_drops_comes_again() -> None:
-    """What a callback of the garbage collector raises is shown and forgotten, unless somebody looks."""
+    """An exception in a callback of the garbage collector is shown and dropped.
+
+    Our hook detects it.
+    """
 
     class Falls:
         def __del__(self) -> None:
@@ -183,7 +189,7 @@ def test_a_process_that_is_told_to_end(number: int, who: str, status: int, tmp_p
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: str, tmp_path: Path) -> None:
-    """Its reader is slow, so that it waits in the middle of a write, which the signal cuts short."""
+    """Its reader is slow, so that a signal interrupts a write in the middle."""
     fcntl, termios = pytest.importorskip("fcntl"), pytest.importorskip("termios")
     program = tmp_path / "many.mnt"
     text = "Dim i As Integer\nFor i = 1 To 500\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\n"
@@ -205,7 +211,7 @@ def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: s
 
 
 def test_a_signal_while_the_command_line_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With options that argparse reads: the report comes all the same."""
+    """With options that need argparse the report comes, too."""
     from motionlang.cli import commands
 
     cell.write("a.mnt", MOVE)

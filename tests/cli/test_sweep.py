@@ -1,4 +1,4 @@
-"""`motionlang sweep`: rows, the best of them, the bad ones apart, and going on after an interruption."""
+"""`motionlang sweep`: rows, the best, failures separately, and resuming."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_a_sweep_that_was_ended_goes_on(stroke: Cell, monkeypatch: pytest.Monkey
     assert (first.status, first.err) == (130, "ended after 3 of 8 variants; --resume goes on\n")
     assert len((stroke.folder / "rows.csv").read_text().splitlines()) == 4
     with open(stroke.folder / "rows.csv.part", "a", encoding="ascii") as file:
-        file.write("[7, [0.")  # a line that was cut off
+        file.write("[7, [0.")  # a truncated line
     other = stroke(*VARY, "--keep", "peak.0", "--out", "rows.csv", "--resume")
     assert other.status == 2
     assert "has the rows of another sweep" in other.err

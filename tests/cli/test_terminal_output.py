@@ -1,4 +1,4 @@
-"""What a program prints, on a terminal and through a pipe: no escape sequence of a program's own has power there."""
+"""A program's output on a terminal and in a pipe: escape sequences are harmless."""
 
 from __future__ import annotations
 

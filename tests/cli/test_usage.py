@@ -1,4 +1,4 @@
-"""Command lines that name no command, or not enough of one."""
+"""Command lines without a command, or with an incomplete one."""
 
 from __future__ import annotations
 

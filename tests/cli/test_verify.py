@@ -30,7 +30,7 @@ def test_a_difference_is_named_by_its_place(cell: Cell) -> None:
     golden = cell.folder / "ballscrew.golden.json"
     document = json.loads(golden.read_text())
     document["moves"][0]["phases"][0]["duration"] = 0.25
-    document["moves"][0]["peak_speed"] += 1e-9  # less than a billionth of 250: the same figure
+    document["moves"][0]["peak_speed"] += 1e-9  # less than a billionth of 250: an equal figure
     del document["axes"][0]["error"]
     golden.write_text(json.dumps(document))
     (cell.folder / "ballscrew.golden.txt").write_text("01 199.000000\n")
@@ -74,7 +74,7 @@ def golden(cell: Cell, name: str) -> str:
 
 @pytest.fixture
 def changed(cell: Cell) -> Cell:
-    """Three programs; since their golden files were written, each goes slower and prints something more."""
+    """Return three programs that are slower and print more than their golden files."""
     for name in ("wrong.mcl", "jog.mcl", "ballscrew.mcl"):
         (cell.folder / name).unlink()
     for name in ("a.mnt", "b.mnt", "c.mnt"):
@@ -87,16 +87,16 @@ def changed(cell: Cell) -> Cell:
 
 
 def test_changes_are_accepted_one_by_one(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of the first program the move, of the second the line that is printed, of the third both."""
+    """The move of the first program, the line of the second, both of the third."""
     before = golden(changed, "c")
     answers(monkeypatch, "y\nn\nn\nx\nn\ny\ny\na\n")
     ran = changed("verify", ".", "--review", "--jobs", "1")
     assert ran.status == 1
-    assert ran.out.count("accept change 1 of 3?") == 4  # x is no answer: that is told, and asked again
+    assert ran.out.count("accept change 1 of 3?") == 4  # x is no answer: that is reported, and asked again
     assert "y  accept this change" in ran.out
     ran = changed("verify", ".")
     first, _, second = ran.out.partition("./b.mnt: differs\n  time: ")
-    # A statement more takes its 10 us: that is a change of its own, which was refused as well.
+    # A further statement takes its 10 us: that is a change of its own, which was rejected as well.
     assert "the run ends +0.000010 s after its last motion\n  new: printed line 2, 'at last'\n" in first
     assert "MOVEA" not in first
     assert "line 2: MOVEA of axis 0, 1 move: duration 0.7" in second
@@ -140,7 +140,7 @@ def test_new_golden_files_are_asked_for(cell: Cell, monkeypatch: pytest.MonkeyPa
     answers(monkeypatch, "y\n")
     assert cell("verify", "ballscrew.mcl", "--review").status == 0
     assert cell("verify", "ballscrew.mcl").status == 0
-    cell.write("ballscrew.golden.json", '{"schema": "motionlang.report/2", "mo')  # cut off
+    cell.write("ballscrew.golden.json", '{"schema": "motionlang.report/2", "mo')  # truncated
     answers(monkeypatch, "n\n")
     assert cell("verify", "ballscrew.mcl", "--review").status == 1
     answers(monkeypatch, "y\n")
@@ -174,7 +174,7 @@ def test_a_folder_that_is_not_there(cell: Cell) -> None:
     assert (ran.status, ran.err) == (1, "error[file]: scripts cannot be read: no such file or directory\n")
 
 
-# A process whose files can get no larger than 64 bytes: the same as a disk on which there is no more room.
+# A process whose files are limited to 64 bytes, like a full disk.
 SMALL_DISK = """
 import resource, signal, sys
 from motionlang.cli import main

@@ -1,4 +1,4 @@
-"""Commands with worker processes: however the command ends, no worker outlives it."""
+"""Commands with worker processes: no worker outlives its command."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ import pytest
 from tests.cli.programs import LONGEST
 
 JOBS = 2
-# The command line, in which each new process says so on standard error. Workers inherit that, so its end is theirs.
+# The command line, in which each new process reports on standard error. Workers inherit that, so its end is
+# theirs.
 ANNOUNCED = """
 import os, sys
 from motionlang.cli import main
 os.register_at_fork(after_in_child=lambda: os.write(2, b"worker\\n"))
 sys.exit(main(sys.argv[1:]))
 """
-# The same, and SIGTERM comes as soon as the first process is started.
+# Here SIGTERM comes as soon as the first process is started.
 AT_ONCE = ANNOUNCED.replace(
     "sys.exit(main",
     "os.register_at_fork(after_in_parent=lambda: os.kill(os.getpid(), 15))\nsys.exit(main",
@@ -35,7 +36,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="pools fork on L
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A program to vary, and two that never come: reading them blocks a worker for good."""
+    """Return a program to vary, and two endless pipes: reading them blocks a worker."""
     (tmp_path / "stroke.mnt").write_text(
         "Const rate = 1000\nACCEL(0) = rate\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
     )
@@ -46,7 +47,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def started(script: str, verb: str, folder: Path) -> subprocess.Popen[str]:
-    """A command with `JOBS` worker processes, all in a process group of their own."""
+    """Start a command with `JOBS` worker processes, all in a separate process group."""
     command = [sys.executable, "-c", script, *COMMANDS[verb], "--jobs", str(JOBS)]
     return subprocess.Popen(
         command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, process_group=0
@@ -54,7 +55,7 @@ def started(script: str, verb: str, folder: Path) -> subprocess.Popen[str]:
 
 
 def told_until_all_have_ended(process: subprocess.Popen[str]) -> str:
-    """What comes on standard error until the command and every worker have closed it."""
+    """Return standard error until the command and every worker have closed it."""
     try:
         return process.communicate(timeout=LONGEST)[1]
     finally:
@@ -70,7 +71,7 @@ def test_no_worker_outlives_a_command_that_is_ended(number: int, verb: str, fold
     process = started(ANNOUNCED, verb, folder)
     assert process.stderr is not None
     assert [process.stderr.readline() for _ in range(JOBS)] == ["worker\n"] * JOBS
-    if number == signal.SIGINT:  # a terminal sends it to the whole group
+    if number == signal.SIGINT:  # a terminal sends it to the complete group
         os.killpg(process.pid, number)
     else:
         process.send_signal(number)

@@ -1,4 +1,4 @@
-"""One client, four ways to a board: in this process, over TCP, at a serial device, at an address of pyserial."""
+"""One client, four connections: in process, TCP, serial device, pyserial address."""
 
 from __future__ import annotations
 
@@ -103,7 +103,10 @@ def test_what_was_answered_before_the_code_is_not_lost(board: Client) -> None:
 
 @pytest.mark.parametrize("way", ["virtual", "tcp"])
 def test_a_wait_that_takes_too_long_is_abandoned(console: Console, way: str) -> None:
-    """Time-outs are machine seconds in this process, wall seconds elsewhere. The motion goes on, the client too."""
+    """Time-outs are machine seconds in this process, real time elsewhere.
+
+    The motion continues, and so does the client.
+    """
     with Server(console, RealTime(console)) as server:
         address = server.listen("127.0.0.1", 0)
         thread = threading.Thread(target=server.run, daemon=True)
@@ -128,7 +131,7 @@ def test_a_wait_that_nothing_can_end(board: Client) -> None:
 
 
 def test_an_axis_that_runs_into_its_limit(board: Client) -> None:
-    """Waiting for it says why it has stopped."""
+    """A wait for it reports why it has stopped."""
     board.send("1LM2,1LN3,1MN,1MR200000")
     with pytest.raises(AxisFault, match="axis 1: hard plus tripped") as error:
         board.wait_for_stop(1, timeout=60)
@@ -137,7 +140,7 @@ def test_an_axis_that_runs_into_its_limit(board: Client) -> None:
 
 
 def test_a_download(board: Client) -> None:
-    """Comments stay at home; an error names its line."""
+    """Comments are not sent; an error names its line."""
     assert board.download("; homing\nMD1,1MN,1MR300,1WS,1TP\n\n# by MX\nMC1 ; go\n") == ["01 300"]
     with pytest.raises(CommandError, match=r"line 2: 1QQ: \?1, unrecognised command") as error:
         board.download("1TP\n1QQ\n1TP\n")
@@ -155,7 +158,10 @@ def test_what_background_tasks_say_between_lines_is_kept_apart(console: Console)
 
 @pytest.mark.parametrize("model", ["multiflex", "dcx-at200"])
 def test_a_board_that_never_keeps_silent(model: str) -> None:
-    """A background task that reports all the time: answers are found between its lines, in real time too."""
+    """A background task reports continuously: answers are found between its lines.
+
+    This applies to real time, too.
+    """
     console = Console(Machine({"controller.model": model}, first_axis=1))
     with Server(console, RealTime(console, 20.0)) as server:
         address = server.listen("127.0.0.1", 0)
@@ -205,7 +211,7 @@ def test_two_clients_at_one_virtual_board(console: Console) -> None:
 
 @pytest.mark.parametrize("model", ["dcx-pc100", "dcx-at200", "dcx-pci100", "dcx-pci300", "multiflex"])
 def test_every_model(model: str) -> None:
-    """With and without a prompt, whatever the line end."""
+    """It works with and without a prompt, and for any line end."""
     with Client.virtual({"controller.model": model}) as board:
         assert board.prompts is (model != "dcx-pc100")
         assert board.send("1MN,1MR400") == []
@@ -223,7 +229,7 @@ def test_a_virtual_board_takes_no_wall_time() -> None:
         assert board.position(1) == 3600
 
 
-# ---------------------------------------------------------------------------------------- nobody there
+# ---------------------------------------------------------------------------------------- no peer
 
 
 def test_nobody_there() -> None:
@@ -286,7 +292,7 @@ def test_settings_of_a_virtual_board_that_make_no_sense(settings: dict[str, obje
 
 @pytest.fixture
 def loop() -> Iterator[SerialWire]:
-    """A line whose two ends are one."""
+    """Yield a line whose two ends are one."""
     pytest.importorskip("serial")
     wire = SerialWire("loop://", 115200, 5.0)
     yield wire
@@ -313,7 +319,7 @@ def test_a_serial_line_that_is_gone(loop: SerialWire) -> None:
 
 
 def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As pyserial is asked for it; here there is none, and the message says so."""
+    """pyserial is asked for it; there is none here, as the message states."""
     serial = pytest.importorskip("serial")
     asked: list[tuple[str, int]] = []
     real = serial.serial_for_url

@@ -1,4 +1,4 @@
-"""`motionlang pvt` called as the command line calls it, in this process."""
+"""`motionlang pvt` with the interface of the command line, in this process."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""The console blocks of a page: read, run, and (`python -m tests.copley.docs`) written anew.
+"""The console blocks of a page: read, run, and rewritten.
 
-Only `motionlang pvt` is run; `cat FILE` makes the file that it shows.
+`python -m tests.copley.docs` rewrites them. Only `motionlang pvt` is run; `cat FILE` makes the file that it
+shows.
 """
 
 from __future__ import annotations
@@ -24,14 +25,17 @@ BLOCK = re.compile(r"^```console\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
 def blocks(text: str) -> Iterator[list[tuple[str, str]]]:
-    """Each block as commands with what the page says that they print."""
+    """Yield each block as commands with their output on the page."""
     for match in BLOCK.finditer(text):
         parts = re.split(r"^\$ (.*)\n", match[1], flags=re.MULTILINE)
         yield list(zip(parts[1::2], parts[2::2], strict=True))
 
 
 def answer(command: str, shown: str) -> str:
-    """What a command prints, standard error after standard output; `cat` makes its file of what is shown."""
+    """Return the output of a command, standard error after standard output.
+
+    `cat` makes its file of the shown text.
+    """
     program, *words = shlex.split(command)
     if program == "cat":
         Path(words[0]).write_text(shown, encoding="utf-8")
@@ -43,7 +47,7 @@ def answer(command: str, shown: str) -> str:
 
 
 def rewritten(text: str) -> str:
-    """The page with every output as it is today."""
+    """Return the page with every output as it is now."""
 
     def fresh(match: re.Match[str]) -> str:
         ((pairs),) = blocks(match[0])

@@ -1,4 +1,4 @@
-"""`motionlang pvt`: what it prints, what it refuses, and how it ends."""
+"""`motionlang pvt`: its output, its rejections, and its exit."""
 
 from __future__ import annotations
 

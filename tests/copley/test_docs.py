@@ -1,4 +1,4 @@
-"""Every command of `docs/copley.md` prints what the page says, and the page's tables are those of the code."""
+"""Every command of `docs/copley.md` prints as shown; its tables match the code."""
 
 from __future__ import annotations
 

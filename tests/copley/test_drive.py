@@ -1,4 +1,4 @@
-"""The drive: what it does with the points in its buffer, in virtual time."""
+"""The drive: its motion by the points in its buffer, in virtual time."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def loaded(points: list[WirePoint], position: float = 0.0) -> Drive:
 
 
 def places(drive: Drive, milliseconds: list[int]) -> list[float]:
-    """Where the drive is at each time."""
+    """Return the positions of the drive at times."""
     found = []
     for time in milliseconds:
         drive.run_until(time * 1000)
@@ -60,7 +60,7 @@ wire_points = st.builds(
 
 @given(st.lists(wire_points, min_size=1, max_size=20), wire_points, st.integers(-100, 100))
 def test_the_motion_is_that_of_the_points(points: list[WirePoint], last: WirePoint, position: int) -> None:
-    """Cubic and linear, absolute and relative in one move: the closed form is the oracle."""
+    """Cubic and linear, absolute and relative in one move, against the closed form."""
     move = [*points, WirePoint(last.position, last.velocity, 0, last.relative)]
     drive = loaded(move, float(position))
     drive.start()

@@ -1,4 +1,4 @@
-"""The CANopen objects without a bus: what each accepts, what it refuses, and what it does."""
+"""The CANopen objects without a bus: accepted values, rejections, and effects."""
 
 from __future__ import annotations
 

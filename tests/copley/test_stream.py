@@ -1,4 +1,7 @@
-"""A master streams to the simulated drive over a real CANopen stack on a virtual bus, in lockstep."""
+"""A master streams to the simulated drive over a CANopen stack, in lockstep.
+
+The bus is virtual.
+"""
 
 from __future__ import annotations
 
@@ -24,14 +27,14 @@ if TYPE_CHECKING:
 
 
 def winding(count: int, milliseconds: int = 2) -> list[WirePoint]:
-    """A move that winds about: positions from two sines, exact velocities, rounded for the wire."""
+    """A move of many turns: positions from two sines, exact velocities, rounded."""
     places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(count)]
     velocities = smooth_velocities(places, milliseconds / 1000)
     return to_wire(points_from(places, velocities, milliseconds / 1000))
 
 
 def departure(drive: Drive, points: Sequence[Point]) -> float:
-    """The largest difference between what the drive did and what the points say, counts."""
+    """Return the largest difference between the drive's motion and the points, counts."""
     begin = next(time for time, what in drive.log if what.startswith("move started"))
     return track_error([begin], [plan_points(points)], drive.starts, drive.profiles, begin, drive.now)
 
@@ -76,7 +79,10 @@ def test_linear_moves(way: str) -> None:
 
 
 def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
-    """One position each 10.1 ms for segments of 10 ms: the drive stretches its times and never runs dry."""
+    """One position each 10.1 ms for segments of 10 ms: the drive stretches its times.
+
+    It never underruns.
+    """
     points, drive = winding(300, 10), Drive()
     with LockstepBus(drive, step=10_100) as bus:
         Master(bus).stream(points, "0")
@@ -89,7 +95,10 @@ def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
 @pytest.mark.parametrize("way", ["0", "-1"])
 @pytest.mark.parametrize("places", [(0, 100, 0), (0, 10, 40, 10, 0, -30, 0), (5, 5, 5)])
 def test_a_move_that_ends_where_it_began_is_made_to_its_end(way: str, places: tuple[int, ...]) -> None:
-    """In the sub-modes without an end of their own the master asks how far the drive is, not where it stands."""
+    """In the sub-modes without an end of their own the master polls the progress.
+
+    The position of the drive would not suffice.
+    """
     points = [WirePoint(place, None, 10) for place in places[:-1]] + [WirePoint(places[-1], None, 0)]
     drive = Drive(places[0])
     with LockstepBus(drive, step=10_000) as bus:
@@ -123,7 +132,7 @@ def test_positions_beyond_24_bits() -> None:
 
 @pytest.mark.parametrize("lost", [{3}, {40}, {40, 41, 47}, {99}, set(range(60, 70))])
 def test_lost_frames_are_sent_again(lost: set[int]) -> None:
-    """The running number tells the drive that a segment is missing, and the master which."""
+    """The running number shows the drive a missing segment, and the master which one."""
     points, drive = winding(100), Drive()
     with LockstepBus(drive) as bus:
         send, count = bus.network.send_message, [0]
@@ -206,7 +215,10 @@ def test_the_node_answers_as_a_canopen_device() -> None:
 
 
 def test_the_record_can_come_by_pdo_too() -> None:
-    """Position and time in one PDO, the velocity in another: object 0x60C1, sub-mode -3, mapped by the master."""
+    """Position and time in one PDO, the velocity in another, mapped by the master.
+
+    They are object 0x60C1, sub-mode -3.
+    """
     drive = Drive()
     with LockstepBus(drive) as bus:
         master = Master(bus)
@@ -237,19 +249,25 @@ def test_the_status_comes_on_every_event() -> None:
 
 
 class FencedBus(RealBus):
-    """The real master's bus, its drive in this process: each wait moves virtual time and lets the frames settle."""
+    """The real master's bus with its drive in this process.
+
+    Each wait advances virtual time and lets the frames settle.
+    """
 
     drive: Drive
     node: canopen.RemoteNode
 
     def wait(self) -> None:
         self.drive.run_until(self.drive.microseconds + 1000)
-        # what is read after an event arrives after it
+        # a value read after an event arrives after it
         self.node.sdo.upload(0x2011, 0)
 
 
 def test_the_master_of_a_real_bus() -> None:
-    """Threads of python-can on both ends, as with hardware; only the time is virtual."""
+    """Threads of python-can on both ends, like with hardware.
+
+    Only the time is virtual.
+    """
     points, drive = winding(120), Drive()
     far = canopen.Network()
     far.NOTIFIER_CYCLE = 0.01

@@ -1,4 +1,4 @@
-"""Points in CSV files: read, written, and every mistake answered with its line."""
+"""Points in CSV files: read, written, and every error reported with its line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where history lies, and who may read it."""
+"""The location of history, and its permissions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The prompt as a person meets it: keys go in, the screen is not looked at."""
+"""The prompt for a person: keys are sent, the screen is not checked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a transcript cannot show: being interrupted, being paced, being a file."""
+"""Sessions beyond transcripts: interrupts, pacing, files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from motionlang.repl.session import Session
 
 
 def after(polls: int) -> object:
-    """Somebody who presses Ctrl-C once a command has been running for so many polls."""
+    """Return a user who presses Ctrl-C after a command has run for some polls."""
     left = iter(range(polls))
     return lambda: next(left, None) is None
 
@@ -40,7 +40,10 @@ def test_pace_is_told_of_the_time_that_is_about_to_be_reached() -> None:
 
 
 def test_pace_is_told_of_the_moments_at_which_a_background_task_goes_on() -> None:
-    """The command waits, too, and is interrupted every 0.25 s: no task runs then, and the next to go on is Other."""
+    """The command waits, too, and is interrupted every 0.25 s: Other runs next.
+
+    No task runs then.
+    """
     session = Session(dialect("mint"))
     session.feed("Task Other\nLoop\n  WAIT(300)\nEnd Loop\nEnd Task")
     session.feed("Run Other")

@@ -1,8 +1,8 @@
-"""Sessions as they look on the screen: what is typed after the prompt, and below it what appears.
+"""Sessions as on the screen: input after the prompt, and output below it.
 
-A transcript begins with what it is about. A line that begins with `mint> ` or `mccl> ` is typed, one that begins with
-dots instead of the name goes on with a block, everything else is the answer. Files are named from this folder.
-`pytest --update` writes the answers anew.
+A transcript begins with its subject. A line that begins with `mint> ` or `mccl> ` is typed, one that begins
+with dots instead of the name continues a block, everything else is output. Files are named from this folder.
+`pytest --update` rewrites the output.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PROMPTS = {f"{name}> ": name for name in dialects()}
 
 
 def replay(transcript: str) -> str:
-    """The transcript as it looks today."""
+    """Return the transcript with its present output."""
     shown: list[str] = []
     session: Session | None = None
     for line in transcript.splitlines():

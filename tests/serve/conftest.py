@@ -13,12 +13,12 @@ from motionlang.mccl.hosts.console import Console
 from motionlang.serve import Limits, LockStep, RealTime, Server
 from motionlang.serve.pace import Pace
 
-# Seconds after which a test that waits has failed; none waits that long when all is well.
+# Seconds after which a waiting test has failed; a successful one never waits that long.
 PATIENCE = 20.0
 
 
 class Wire:
-    """A host: a socket that reads what it expects, no more and no less."""
+    """A host: a socket that reads exactly the expected bytes."""
 
     def __init__(self, address: tuple[str, int]) -> None:
         self.socket = socket.create_connection(address, PATIENCE)
@@ -29,7 +29,7 @@ class Wire:
         self.socket.sendall(data)
 
     def expect(self, wanted: bytes) -> None:
-        """Read as much as is expected; it must be that."""
+        """Read the length of the expected bytes, and compare."""
         while len(self._rest) < len(wanted) and self._rest == wanted[: len(self._rest)]:
             piece = self.socket.recv(len(wanted) - len(self._rest))
             if not piece:
@@ -39,7 +39,7 @@ class Wire:
         assert found == wanted
 
     def until(self, mark: bytes) -> bytes:
-        """Everything up to and with `mark`."""
+        """Return everything up to and including `mark`."""
         while mark not in self._rest:
             piece = self.socket.recv(65536)
             assert piece, self._rest
@@ -48,25 +48,25 @@ class Wire:
         return found + mark
 
     def ask(self, line: bytes) -> bytes:
-        """Send a line; its answer with the prompt behind it."""
+        """Send a line; return its answer with the prompt after it."""
         self.send(line + b"\r")
         return self.until(b"\n>")
 
     def all(self) -> bytes:
-        """Everything until the server closes the connection."""
+        """Return everything until the server closes the connection."""
         found, self._rest = self._rest, b""
         while piece := self.socket.recv(65536):
             found += piece
         return found
 
     def break_off(self) -> None:
-        """As a process that is killed with something unread: the connection is reset."""
+        """Reset the connection, like a killed process with unread data."""
         self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
         self.socket.close()
 
 
 class Board:
-    """A board that is being served, in a thread of its own."""
+    """A served board, in a thread of its own."""
 
     def __init__(self, server: Server) -> None:
         self.server, self.console = server, server.console
@@ -77,7 +77,7 @@ class Board:
         self._thread.start()
 
     def connect(self) -> Wire:
-        """A further host, past its first prompt."""
+        """Return a further host, after its first prompt."""
         wire = Wire(self.address)
         self.wires.append(wire)
         wire.expect(b">")
@@ -97,7 +97,7 @@ Serve = Callable[..., Board]
 
 @pytest.fixture
 def serve() -> Iterator[Serve]:
-    """Serves a board: `serve(model="multiflex", clock="lockstep", limits=None)`."""
+    """A server of boards: `serve(model="multiflex", clock="lockstep", limits=None)`."""
     boards: list[Board] = []
 
     def begin(

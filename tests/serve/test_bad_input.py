@@ -1,4 +1,7 @@
-"""Nothing that a host sends, or leaves undone, ends the server, grows without end, or reaches beyond the board."""
+"""No input of a host, or its absence, ends the server or grows without bound.
+
+It cannot reach beyond the board.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ def board(request: pytest.FixtureRequest, serve: Serve) -> Board:
 
 
 def test_half_a_line_is_forgotten_with_its_host(board: Board) -> None:
-    """The next host finds a clean line; the motor that was switched on stays on."""
+    """The next host gets an empty line; the motor that was enabled stays enabled."""
     first = board.connect()
     assert first.ask(b"1MN,1MR100,1WS") == b"\n>"
     first.send(b"1MR50000,1V")
@@ -50,7 +53,7 @@ def test_a_background_task_outlives_its_host_and_tells_nobody(board: Board) -> N
 
 
 def test_a_line_whose_host_is_gone_has_ten_seconds(serve: Serve) -> None:
-    """Here none: a connection that nobody can answer on does not keep its place, nor its line the board."""
+    """Here it has none: a dead connection occupies neither its slot nor the board."""
     board = serve(clock="real", limits=Limits(linger=0.05))
     first, second = board.connect(), board.connect()
     first.send(b"AL@20,AA1,AR20,RP\r")
@@ -105,7 +108,7 @@ def test_a_host_that_sends_without_end_is_read_no_further(serve: Serve) -> None:
 
 
 def test_programs_without_end_do_not_keep_others_waiting(board: Board) -> None:
-    """Loops in the foreground and in the background, and tasks up to the board's limit."""
+    """Loops in the foreground and the background, and tasks up to the board's limit."""
     board.connect().send(b"AA1,RP\r")
     assert board.connect().ask(b"MD1,AA1,RP") == b"\n>"
     other = board.connect()
@@ -117,7 +120,10 @@ def test_programs_without_end_do_not_keep_others_waiting(board: Board) -> None:
 
 
 def test_no_command_reaches_the_file_system() -> None:
-    """Every command of the table, plain and with a text: nothing is opened, made, removed, connected or started."""
+    """No command, plain or with a text, opens, makes or removes a file.
+
+    It does not connect or start anything either.
+    """
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
     lines = [row.example for row in table()] + [f'{row.name}"../../etc/passwd"' for row in table()]
@@ -129,9 +135,9 @@ def test_no_command_reaches_the_file_system() -> None:
         if watching and event.startswith(watched):
             seen.append((event, arguments))
 
-    import_module("motionlang.controller.triggers.next_watches")  # which the second round alone comes to
+    import_module("motionlang.controller.triggers.next_watches")  # which only the second round needs
     sys.addaudithook(look)
-    for again in (False, True):  # the first round imports what the commands need
+    for again in (False, True):  # the first round imports the commands' modules
         watching = again
         answered = 0
         for line in lines:
@@ -162,7 +168,10 @@ def test_an_error_of_our_own_is_told_and_costs_a_line(serve: Serve, monkeypatch:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_hosts_at_random(board: Board, seed: int) -> None:
-    """Pieces of lines, control characters, noise, broken connections: the last host is served as the first."""
+    """Partial lines, control characters, noise, broken connections.
+
+    The last host is served like the first.
+    """
     rng = random.Random(seed)
     pieces = [row.example.encode() for row in table()]
     pieces += [

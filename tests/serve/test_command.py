@@ -1,4 +1,4 @@
-"""`motionlang serve` as a process: what it prints, what ends it, what it refuses."""
+"""`motionlang serve` as a process: its output, its end, its rejections."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def running(*options: str) -> Iterator[subprocess.Popen[str]]:
 
 
 def line_with(process: subprocess.Popen[str], start: str) -> str:
-    """The rest of the first line that begins so."""
+    """Return the rest of the first line with this beginning."""
     assert process.stdout is not None
     for line in process.stdout:
         if line.startswith(start):
@@ -43,7 +43,7 @@ def line_with(process: subprocess.Popen[str], start: str) -> str:
 
 @pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
 def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
-    """A file first, whose refused commands are shown; then a host; then the end, in good order."""
+    """A file first, whose rejected commands are shown; then a host; then a normal end."""
     macros = tmp_path / "press.mcl"
     macros.write_text("; press\nMD1,1MN,1MR800,1WS,1TP\nMC1\n1QQ\n")
     with running(str(macros), "--tcp", "0", "--log", "--factor", "50", "--set", "R20=7") as process:
@@ -62,7 +62,10 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
 
 
 def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """More than the pipe and the queue hold is logged; hosts are answered, and SIGTERM ends the server."""
+    """More than the pipe and the queue hold is logged; hosts are answered.
+
+    SIGTERM ends the server.
+    """
     logged = 2 * (CAPACITY + 65536)
     with running("--tcp", "0", "--log", "--clock", "lockstep") as process:
         with Client.open(line_with(process, "listening on "), timeout=LONGEST) as board:
@@ -78,7 +81,7 @@ def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
 
 
 def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> None:
-    """A suffix of PMC's names the board, unless a setting does."""
+    """A suffix of PMC's selects the board, unless a setting does."""
     macros = tmp_path / "press.pc1"
     macros.write_text("1TP\n")
     for options, title in [

@@ -1,6 +1,7 @@
-"""Twelve days of a served machine take little more memory than a day: servers in lock step, each a process of its own.
+"""Twelve days of a served machine take little more memory than one day.
 
-`python -m pytest -m long tests/serve/test_days.py` runs them.
+The servers run in lock step, each a process of its own. `python -m pytest -m long tests/serve/test_days.py`
+runs them.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from tests.test_weeks import BEFORE_THE_DISK
 
 DAY = 86_400
 DAYS = 12
-# Moves as far as a client says, and counts its moves; in lock step each request takes five seconds.
+# Moves by a client's distance, and counts its moves; in lock step each request takes five seconds.
 COUNTER = """\
 SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
 Loop
@@ -38,7 +39,10 @@ PROGRAM = ("serve", "counter.mnt", "--clock", "lockstep", "--step", "5", "--modb
 
 
 def hosts(address: str, days: int) -> None:
-    """A host that moves an axis every ten seconds, beside one that makes mistakes and one that comes and goes."""
+    """Run a host that moves an axis every ten seconds, with two others.
+
+    One makes errors, one connects repeatedly.
+    """
     with Client.open(address) as main, Client.open(address) as other:
         assert main.send("1MN,1SV1000,1SA10000,1DS10000") == []
         for count in range(days * DAY // 10):
@@ -51,7 +55,7 @@ def hosts(address: str, days: int) -> None:
 
 
 def client(address: str, days: int) -> None:
-    """A Modbus client that has the axis moved every ten seconds and reads how often it was."""
+    """Run a Modbus client that moves the axis every ten seconds and reads the count."""
     host, _, port = address.rpartition(":")
     with socket.create_connection((host, int(port))) as wire:
         for count in range(days * DAY // 10):
@@ -62,7 +66,7 @@ def client(address: str, days: int) -> None:
 
 
 def memory(command: tuple[str, ...], load: Callable[[str, int], None], days: int, folder: Path) -> int:
-    """The most memory, in kilobytes, that a server takes under a load of so many machine days."""
+    """Return the peak memory, kilobytes, of a server under a load of machine days."""
     (folder / "counter.mnt").write_text(COUNTER)
     with open(folder / "out.txt", "w+b") as out:
         process = subprocess.Popen(

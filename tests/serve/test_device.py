@@ -29,7 +29,7 @@ def device() -> Iterator[str]:
 
 
 def until(line: int, mark: bytes) -> bytes:
-    """Everything up to `mark`, which must be the last."""
+    """Return everything up to `mark`, which must be the last."""
     found = b""
     while not found.endswith(mark):
         ready, _, _ = select.select([line], [], [], 20.0)
@@ -39,7 +39,7 @@ def until(line: int, mark: bytes) -> bytes:
 
 
 def test_a_terminal_program(device: str) -> None:
-    """Keys are echoed as the board does, and the first thing to see is the prompt."""
+    """Keys are echoed like the board's, and the first output is the prompt."""
     line = os.open(device, os.O_RDWR | os.O_NOCTTY)
     assert until(line, b">") == b">"
     for key in b"1TX\x08P\r":
@@ -49,7 +49,7 @@ def test_a_terminal_program(device: str) -> None:
 
 
 def test_the_board_does_not_notice_that_a_program_has_ended(device: str) -> None:
-    """As on a serial line: half a line is still there, and ESC forgets it."""
+    """Like on a serial line half a line is still there, and ESC clears it."""
     line = os.open(device, os.O_RDWR | os.O_NOCTTY)
     os.write(line, b"EF\r")
     until(line, b"\n>")
@@ -65,7 +65,7 @@ def test_the_board_does_not_notice_that_a_program_has_ended(device: str) -> None
 
 
 def test_all_bytes_pass(device: str) -> None:
-    """No line discipline takes Ctrl-C, Ctrl-D, or a carriage return for itself."""
+    """No line discipline consumes Ctrl-C, Ctrl-D, or a carriage return."""
     line = os.open(device, os.O_RDWR | os.O_NOCTTY)
     until(line, b">")
     os.write(line, b"\x03\x04\x1a\x1c\x00\xff1TP\r")

@@ -1,4 +1,4 @@
-"""Many hosts at one board: all are served, and one too many is told so."""
+"""Many hosts at one board: all are served, and one too many gets a message."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from tests.serve.conftest import Serve, Wire
 
 @pytest.mark.parametrize("clock", ["lockstep", "real"])
 def test_fifty_hosts_at_once_none_starved(serve: Serve, clock: str) -> None:
-    """Each asks as fast as it is answered; when the first has 200 answers the last has more than half as many."""
+    """Each sends as fast as it is answered, with similar shares.
+
+    When the first has 200 answers the last has more than half as many.
+    """
     board = serve(clock=clock)
     wires = [board.connect() for _ in range(50)]
     counts = dict.fromkeys(wires, 0)
@@ -44,7 +47,10 @@ def test_a_host_that_sends_much_ahead_does_not_hold_up_one_that_asks(serve: Serv
 
 
 def test_one_host_too_many(serve: Serve) -> None:
-    """It gets the code of an I/O error; when another one leaves there is room again."""
+    """It gets the code of an I/O error.
+
+    When another one leaves there is a free slot again.
+    """
     board = serve(limits=Limits(hosts=2))
     first, second = board.connect(), board.connect()
     third = Wire(board.address)
@@ -72,7 +78,7 @@ def test_hosts_come_and_go(serve: Serve) -> None:
 
 
 def test_silent_hosts_do_not_shut_out_others(serve: Serve) -> None:
-    """The one that has been silent for longest goes; one that is at work stays."""
+    """The host that has been silent for longest is dropped; a working one stays."""
     board = serve(limits=Limits(hosts=3, idle=0.0), clock="real")
     busy, silent, later = board.connect(), board.connect(), board.connect()
     assert later.ask(b"1TP") == b"01 0\n>"

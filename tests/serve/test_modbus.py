@@ -1,4 +1,7 @@
-"""A Mint program behind Modbus TCP, and a real client: the register map of ABB AN00198, events, both clocks."""
+"""A Mint program with Modbus TCP and a real client: the map of ABB AN00198.
+
+Events and both clocks are tested.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +46,7 @@ End Event
 
 
 class Served:
-    """A program that runs in a thread of its own behind a server, and a client that is connected to it."""
+    """A program in a thread of its own with a server, and a connected client."""
 
     def __init__(self, text: str, outside: Outside, settings: dict[str, object] | None = None) -> None:
         self.outside = outside
@@ -68,7 +71,7 @@ class Served:
         assert not self.client.write_registers(register, list(values)).isError()
 
     def end(self) -> Run:
-        """Tell the program to end, and wait for it."""
+        """End the program, and wait for it."""
         self.write(18, 1, 0)
         self._thread.join(10)
         assert self.result is not None
@@ -88,7 +91,7 @@ def served(request: pytest.FixtureRequest) -> Iterator[Served]:
 
 
 def halves(value: float) -> tuple[int, int]:
-    """The registers of a float, low half first."""
+    """Return the registers of a float, low half first."""
     low, high = struct.unpack("<HH", struct.pack("<f", value))
     return low, high
 
@@ -181,7 +184,10 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
 
 
 def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """The program prints without end into a pipe that is not read; clients are answered, and SIGTERM ends it."""
+    """The program prints endlessly into a pipe that is not read; clients are answered.
+
+    SIGTERM ends it.
+    """
     program = tmp_path / "chatter.mnt"
     program.write_text('Loop\n  NETINTEGER(1) = NETINTEGER(1) + 1\n  PRINT "{}"\nEnd Loop\n'.format("x" * 99))
     command = [sys.executable, "-m", "motionlang", "serve", str(program), "--modbus", "127.0.0.1:0"]
@@ -189,7 +195,7 @@ def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
         assert process.stderr is not None
         greeting = process.stderr.readline()
         with ModbusTcpClient("127.0.0.1", port=int(greeting.split()[2].rpartition(":")[2])) as client:
-            while True:  # until more has been printed than the pipe and the queue hold
+            while True:  # until the pipe and the queue are full
                 low, high = client.read_holding_registers(2, count=2).registers
                 if (low + (high << 16)) * 100 > 2 * (CAPACITY + 65536):
                     break

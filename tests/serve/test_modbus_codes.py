@@ -1,6 +1,7 @@
-"""Requests and exceptions of the Modbus application protocol V1.1b3, byte by byte over a real connection.
+"""Requests and exceptions of the Modbus application protocol V1.1b3, byte by byte.
 
-The server answers from a run that has NetData: elements 0 to 999, registers 0 to 1999.
+They use a real connection. The server answers from a run that has NetData: elements 0 to 999, registers 0 to
+1999.
 """
 
 from __future__ import annotations
@@ -42,14 +43,14 @@ def served(
 
 
 def end(outside: LockStep) -> None:
-    """Let the program end: it waits for this element."""
+    """End the program, which waits for this element."""
     assert outside.machine is not None
     outside.machine.host.write("netdata", 999, [1])
 
 
 @contextmanager
 def client(server: ModbusServer) -> Iterator[Callable[[bytes], bytes]]:
-    """What asks: it sends a request in a frame and returns the response out of its frame."""
+    """Yield a function that sends a request in a frame and returns the response."""
     with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
 
         def ask(request: bytes) -> bytes:
@@ -84,7 +85,7 @@ def words(function: int, *values: int) -> bytes:
 
 
 ZEROS = "00" * 242
-# A request, and the response that the specification has for it.
+# A request, and its response by the specification.
 ANSWERS = {
     "read holding registers": ("03 0000 0002", "03 04 0002 0003"),
     "read input registers": ("04 0001 0001", "04 02 0003"),
@@ -95,7 +96,7 @@ ANSWERS = {
     # The example of the specification, 6.16: 12 hex and F2, or 25 and not F2, is 17.
     "mask write": ("16 000a 00f2 0025", "16 000a 00f2 0025"),
     "write 121 and read": ("17 0000 0001 0020 0079 f2" + ZEROS, "17 02 0002"),
-    # 01: functions that this server does not have.
+    # 01: unsupported functions.
     "read coils": ("01 0000 0001", "81 01"),
     "read discrete inputs": ("02 0000 0001", "82 01"),
     "write a coil": ("05 ffff ff00", "85 01"),
@@ -135,8 +136,8 @@ def test_each_request_has_the_response_of_the_specification() -> None:
     with served() as server, client(server) as ask:
         found = {name: ask(bytes.fromhex(request)) for name, (request, _) in ANSWERS.items()}
         assert found == {name: bytes.fromhex(answer) for name, (_, answer) in ANSWERS.items()}
-        assert ask(words(3, 10, 1)) == bytes.fromhex("03 02 0017")  # what the mask wrote
-        # What was refused wrote nothing: 20 and 21 have what "write registers" wrote.
+        assert ask(words(3, 10, 1)) == bytes.fromhex("03 02 0017")  # written by the mask
+        # Rejected requests wrote nothing: 20 and 21 have the values of "write registers".
         assert ask(words(3, 20, 2)) == bytes.fromhex("03 04 000a 0102")
 
 
@@ -159,7 +160,10 @@ def test_frames_of_other_protocols_are_skipped_and_no_frame_ends_the_connection(
 
 
 def test_a_client_too_many_is_turned_away() -> None:
-    """The first two are served on. Each refusal is in a line, or counted in the next one."""
+    """The first two are still served.
+
+    Each rejection has a line, or is counted in the next.
+    """
     lines: list[str] = []
     with served(Limits(hosts=2), lines.append) as server:
         with client(server) as first, client(server) as second:

@@ -1,4 +1,4 @@
-"""The ways in which real clients talk to a board, as sequences on a socket."""
+"""The protocols of real clients of a board, as sequences on a socket."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ class MxError(Exception):
 
 
 def mx_command(wire: Wire, command: str) -> str:
-    """MX's beam-line driver: command and CR; one line read; a leading prompt dropped; `?code` raised.
+    """Send like MX's beam-line driver: command and CR; read one line; raise `?code`.
 
-    It blocks if no line comes, and reads past the end of its buffer if the line is empty.
+    A leading prompt is dropped. It blocks if no line comes, and reads past the end of its buffer if the line
+    is empty.
     """
     assert len(command) < 255
     wire.send(command.encode() + b"\r")
@@ -52,7 +53,10 @@ def test_mx(board: Board) -> None:
 
 
 def test_mx_finds_home_by_a_macro_in_the_background(board: Board) -> None:
-    """`GT1,TR0` must be answered with the number of the task; then the host polls the status."""
+    """`GT1,TR0` must be answered with the number of the task.
+
+    The host polls the status afterwards.
+    """
     wire = board.connect()
     mx_command(wire, "MD1,1MN,1MR2000,1WS,AL1,AR20")
     assert mx_command(wire, "GT1,TR0") == "1"
@@ -78,7 +82,7 @@ def test_the_soft_plc_sends_escapes_first(board: Board) -> None:
 
 
 def test_escape_ends_a_wait(board: Board) -> None:
-    """Whether it comes while the board waits or before it has begun to."""
+    """It may come while the board waits or before it has begun to."""
     wire = board.connect()
     wire.send(b"1MN,1VM,1GO,WN40,1TP\r")
     wire.send(b"\x1b")
@@ -95,7 +99,7 @@ def test_escape_behind_more_than_the_board_takes(board: Board) -> None:
 
 
 def test_a_blank_pauses_and_goes_on(board: Board) -> None:
-    """A counting line stands still between the blanks; another host watches it."""
+    """A counting line stops between the blanks, as another host observes."""
     wire, other = board.connect(), board.connect()
 
     def count() -> int:
@@ -129,7 +133,7 @@ def test_lines_sent_ahead_are_answered_in_order(board: Board) -> None:
 
 
 def test_a_host_that_ends_its_side_is_answered(board: Board) -> None:
-    """As `printf ... | nc -N`: the lines that have come are carried out, the half line is forgotten."""
+    """An example is `printf ... | nc -N`: complete lines run, a partial one does not."""
     wire = board.connect()
     wire.send(b"1MN,1MR500,1WS,1TP\r2TP\r3M")
     wire.socket.shutdown(socket.SHUT_WR)

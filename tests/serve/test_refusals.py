@@ -1,4 +1,4 @@
-"""Hosts that are turned away: one line at once, then one a second with the number of the others."""
+"""Rejected hosts: one line at once, then one per second with the others' count."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How machine time passes: with the wall, or with the hosts' questions."""
+"""The advance of machine time: with real time, or with the hosts' requests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.serve.conftest import Serve
 
 
 class Wall:
-    """A clock that the test turns."""
+    """A clock that the test controls."""
 
     def __init__(self) -> None:
         self.time = 1000.0
@@ -50,7 +50,7 @@ def test_a_factor() -> None:
 
 
 def test_a_long_sleep_is_one_step() -> None:
-    """A board that nobody has asked anything for a year is at once up to date."""
+    """A board without requests for a year is up to date at once."""
     wall = Wall()
     console = Console(Machine(first_axis=1))
     pace = RealTime(console, wall=wall)
@@ -61,7 +61,10 @@ def test_a_long_sleep_is_one_step() -> None:
 
 
 def test_an_answer_comes_a_little_early_and_no_more() -> None:
-    """Commands take machine time; a host is not kept waiting for it, nor is a program let run ahead."""
+    """Commands take machine time.
+
+    Neither a host waits for it, nor does a program run ahead.
+    """
     wall = Wall()
     console = Console(Machine(first_axis=1))
     pace = RealTime(console, wall=wall)
@@ -86,7 +89,7 @@ def test_a_board_with_more_to_do_than_can_be_computed_falls_behind() -> None:
 
 
 def test_many_loops_do_not_keep_a_new_host_waiting() -> None:
-    """On a computer that is slow the board is let run for less and less before hosts are heard again."""
+    """On a slow computer the board runs for shorter intervals between polls."""
     wall = Wall()
     console = Console(Machine(first_axis=1))
 
@@ -121,7 +124,10 @@ def test_time_stands_still_in_lock_step_unless_a_host_waits(serve: Serve) -> Non
 
 
 def test_the_same_lines_are_answered_the_same_in_lock_step(serve: Serve) -> None:
-    """A client that polls a move sees the same positions each time; a question takes a millisecond."""
+    """A client that polls a move sees reproducible positions.
+
+    A request takes a millisecond.
+    """
 
     def poll() -> list[bytes]:
         wire = serve().connect()

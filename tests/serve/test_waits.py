@@ -1,4 +1,4 @@
-"""What the person who serves is told of a host that waits for what cannot come."""
+"""Server messages about a host that waits for something impossible."""
 
 from __future__ import annotations
 

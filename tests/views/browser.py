@@ -1,4 +1,7 @@
-"""A headless Chromium that opens a page from a file and is used as a person uses it; tests without one are skipped."""
+"""A headless Chromium that opens a page and is used like by a person.
+
+Tests are skipped without one.
+"""
 
 from __future__ import annotations
 
@@ -46,7 +49,7 @@ class Browser:
         self.until("document.getElementById('over') !== null")
 
     def js(self, expression: str) -> Any:
-        """The value of an expression in the page."""
+        """Return the value of an expression in the page."""
         return self.driver.execute_script(f"return ({expression})")
 
     def until(self, condition: str) -> None:
@@ -54,7 +57,7 @@ class Browser:
         self._wait(self.driver, 30, 0.02).until(lambda _: self.js(condition))
 
     def settled(self) -> None:
-        """Wait until what was asked for is drawn."""
+        """Wait until the requested picture is drawn."""
         self.driver.execute_async_script(
             "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()))"
         )
@@ -63,7 +66,7 @@ class Browser:
         return self.driver.find_element("css selector", selector)
 
     def mouse(self, part: float = 0.5, height: int = 40) -> Any:
-        """Actions that begin with the mouse in the picture, `part` of its width from the left."""
+        """Actions that begin with the mouse in the picture, at a fraction of its width."""
         place = "[Math.round(scope.getBoundingClientRect().left + LEFT + %g * width), %s]"
         top = f"document.querySelector('header').getBoundingClientRect().bottom + {height}"
         x, y = self.js(place % (part, f"Math.round({top})"))
@@ -76,11 +79,11 @@ class Browser:
         self.settled()
 
     def complaints(self) -> list[str]:
-        """What the console said since it was last asked."""
+        """Return the console's output since the last call."""
         return [str(each["message"]) for each in self.driver.get_log("browser")]
 
     def requests(self) -> set[str]:
-        """The addresses that were asked for since the last call, but for files and what the page itself holds."""
+        """Return the requested addresses since the last call, without files and page data."""
         messages = [json.loads(each["message"])["message"] for each in self.driver.get_log("performance")]
         urls = [
             each["params"]["request"]["url"]

@@ -1,4 +1,4 @@
-"""Runs made by driving the controller directly, so that a view is tested without a language."""
+"""Runs made by driving the controller directly, to test a view without a language."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ class Nameless(Dialect):
 
 
 def new_run(name: str = "pick.mnt", axes: int = 4) -> tuple[Run, Controller]:
-    """A run that has not begun, and its controller."""
+    """Return a run that has not begun, and its controller."""
     machine = Machine({"controller.axes": axes})
     return Run(Source(name, ""), Nameless(), machine), machine.controller
 
 
 def ended(run: Run, status: str = "ended") -> Run:
-    """The run as it is left behind."""
+    """Return the run in its final state."""
     run.time, run.status = run.controller.clock.now, status
     run.machine.terminal.close()
     return run
@@ -41,7 +41,7 @@ def ballscrew() -> Run:
 
 
 def pick() -> Run:
-    """Three axes, three shapes, a stop, a move back, and a jog that the end of the run cuts."""
+    """Return three axes, three shapes, a stop, a return, and a jog cut by the end."""
     run, controller = new_run("pick.mnt")
     for axis, shape in enumerate(("trapezoid", "sinusoidal", "parabolic")):
         controller.set_scale(axis, 1200.0)
@@ -66,7 +66,7 @@ def pick() -> Run:
 
 
 def shift(moves: int = 400) -> Run:
-    """Many moves of four axes, no two alike, one every 1.44 s."""
+    """Return many different moves of four axes, one every 1.44 s."""
     run, controller = new_run("shift.mnt")
     for axis in range(4):
         controller.set_scale(axis, 1200.0)

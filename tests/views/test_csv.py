@@ -65,7 +65,7 @@ def rows(columns: list[list[float]], decimals: list[int]) -> list[str]:
     ]
 
 
-# What two columns do behind a time, a stretch after the other: rows, and whether the first and the second change.
+# The contents of two columns after the time, by stretches: rows, and if the first and the second change.
 STRETCHES = {
     "a rest at the begin and at the end": [(500, 0, 0), (300, 1, 1), (500, 0, 0)],
     "a rest and nothing else": [(700, 0, 0)],
@@ -116,7 +116,7 @@ def test_every_number_reads_back_within_half_a_digit(numbers: list[float], decim
 
 @pytest.mark.parametrize("decimals", [6, 9, 12])
 def test_digits_are_those_of_savetxt(decimals: int) -> None:
-    """Also where the product with 10^decimals falls near a half, as one of some thousands does of large numbers."""
+    """This includes products with 10^decimals near a half, as for large numbers."""
     draw = np.random.default_rng(16)
     for size in (1e-9, 1e-3, 1.0, 999.9999999999, 1e3, 3e4, 9_999_999.5):
         if size * 10.0**decimals >= 9e15:

@@ -1,4 +1,4 @@
-"""A mistake as a person sees it: whole messages."""
+"""Complete messages of errors, as displayed."""
 
 from __future__ import annotations
 

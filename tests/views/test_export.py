@@ -1,4 +1,4 @@
-"""Traces as files: what is in them, that they are whole or not there, that the same run gives the same bytes."""
+"""Traces as files: contents, atomic writes, and reproducible bytes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How pictures are laid out, asked of the figures themselves."""
+"""The layout of pictures, read from the figures."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from motionlang.views.plot_panel import mark_events
 
 
 def test_panels_fill_a_figure_from_its_head_to_its_foot() -> None:
-    """Two panels and one, inches: a gap within the group of two, and one between the groups."""
+    """Two panels and one, inches: a gap within the group of two, one between groups."""
     figure, groups = plot._layout([[1.0, 2.0], [1.5]], 0.7)
     height = figure.get_figheight()
     assert height == pytest.approx(0.7 + 1.0 + plot.WITHIN + 2.0 + plot.BETWEEN + 1.5 + plot.BOTTOM)
@@ -42,7 +42,7 @@ def test_of_several_axes_each_is_named(axes: tuple[int, ...], titles: list[str])
 
 @pytest.fixture
 def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
-    """The pictures of sweeps that a test draws, in place of files."""
+    """Return the pictures of sweeps that a test draws, instead of files."""
     drawn: list[Figure] = []
 
     @contextmanager
@@ -90,7 +90,7 @@ def test_an_acceleration_is_drawn_from_just_before_its_motion_to_just_behind_it(
 
 
 def test_the_steps_of_acceleration_go_from_each_to_the_next() -> None:
-    """From rest to the limit, to none, to the limit of braking and to rest: each begins where the last one ended."""
+    """From rest to the limit, to none, to the braking limit and to rest, without gaps."""
     rows = [line.split() for line in _steps_of_acceleration() if line.lstrip().startswith("A")]
     assert [row[0] for row in rows] == ["A1", "A2", "A3", "A4", "A5", "A6"]
     assert rows[0][2] == rows[-1][3] == "0.000"

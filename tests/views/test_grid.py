@@ -1,4 +1,4 @@
-"""Grids against the tables that rich itself draws: the same lines, whatever stands in the cells."""
+"""Grids against the tables of rich: equal lines for any cells."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rich.theme import Theme
 from motionlang.views.grid import GAP, Column, grid
 from motionlang.views.terminal import STYLES, styled
 
-# Nothing but a rule below the head, which runs through the gaps: rich's way to draw a box, line by line.
+# Only a rule below the head, which runs through the gaps: rich's notation of a box, line by line.
 BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"
 WORDS = (
     "",
@@ -38,7 +38,7 @@ NAMES = ("", "word", "error", "dim", "accel", "stop", "no style")
 
 
 def drawn_by_rich(columns: list[Column], rows: list[list[str]], styles: list[str], colour: bool) -> list[str]:
-    """The lines of a table for which there is room."""
+    """Return the lines of a table that fits."""
     table = Table(box=Box(BOX), show_edge=False, pad_edge=False, padding=(0, GAP - 1, 0, 0), header_style="")
     units = any(column.unit for column in columns)
     for column in columns:

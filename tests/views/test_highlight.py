@@ -1,4 +1,4 @@
-"""Mint and MCCL in Pygments: nothing is left out, words have the kinds of their rows."""
+"""Mint and MCCL in Pygments: complete text, and keyword kinds from their rows."""
 
 from __future__ import annotations
 

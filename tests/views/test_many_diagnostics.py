@@ -1,4 +1,7 @@
-"""Very many mistakes: shown in bounds, found in time that grows with them, and equal ones told once with a count."""
+"""Very many errors: bounded output, linear time, and equal ones reported once.
+
+They have a count.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ BAD = "".join(f"1XX{number}\n" for number in range(3000))
 
 
 class Counting(str):
-    """A text that counts how often it is looked through."""
+    """A text that counts how often it is searched."""
 
     looks = 0
 

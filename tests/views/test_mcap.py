@@ -18,7 +18,7 @@ reader = pytest.importorskip("mcap.reader")
 
 
 def messages(path: Path) -> dict[str, list[tuple[int, dict[str, object]]]]:
-    """Times (ns) and contents of every topic."""
+    """Return times (ns) and contents of every topic."""
     found: dict[str, list[tuple[int, dict[str, object]]]] = {}
     last = 0
     with path.open("rb") as file:

@@ -1,4 +1,4 @@
-"""What a picture is drawn from holds every peak of the motion."""
+"""The outline of a picture contains every peak of the motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures: the same bytes for the same run, every text where it belongs, nothing left open."""
+"""Pictures: reproducible bytes, every text in its position, no open files."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NO_SERVOS: Mapping[int, ServoTrace] = MappingProxyType({})
 
 @pytest.fixture
 def texts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let the svg have its texts as texts."""
+    """Make the svg contain its texts as texts."""
     monkeypatch.setitem(plot.STYLE, "svg.fonttype", "none")
 
 
@@ -143,7 +143,10 @@ def test_a_folder_that_is_not_there_is_said_of_the_file_that_was_asked_for(tmp_p
 
 @pytest.mark.usefixtures("texts")
 def test_a_part_of_a_run_has_the_peaks_of_that_part(tmp_path: Path) -> None:
-    """The ramp of 1250 mm/s² has come to 125 mm/s after a tenth of a second; the move's name stays in sight."""
+    """The ramp of 1250 mm/s² reaches 125 mm/s after a tenth of a second.
+
+    The move's name stays visible.
+    """
     write_plot(ballscrew(), str(tmp_path / "x.svg"), window=Window(0.05, 0.10005))
     found = re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "x.svg").read_text(encoding="utf-8"))
     assert "peak 125 uu/s" in found

@@ -1,4 +1,4 @@
-"""Lines that come and go on a terminal, and never come anywhere else."""
+"""Temporary lines on a terminal, which never appear elsewhere."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from motionlang.views import progress
 from motionlang.views.progress import Progress, Watcher, is_shown, run_line
 
 HOME = "\r\x1b[1A\x1b[2K"
-"""What rich takes a line away with."""
+"""The sequence by which rich removes a line."""
 
 
 class Terminal(io.StringIO):
-    """A terminal that remembers what it was told."""
+    """A terminal that records its input."""
 
     encoding = "utf-8"
 
@@ -24,7 +24,7 @@ class Terminal(io.StringIO):
         return True
 
     def words(self) -> list[str]:
-        """What was written, without the ways to place it."""
+        """Return the written text, without positioning sequences."""
         return [text for text in re.split(r"(?:\x1b\[[?\d;]*\w|[\r\n])+", self.getvalue()) if text]
 
 

@@ -1,7 +1,7 @@
-"""What is shorter than a pixel is a pixel wide: pulses, gaps between pulses, phases of moves, waits.
+"""Items shorter than a pixel are a pixel wide: pulses, gaps, phases, waits.
 
-`PULSES` runs for 200 s, of which a picture has about 1000 columns: output 1 has ten pulses of 1 to 10 ms, output 2 is
-on for 10 s five times, and is then on until the end but for ten gaps of 2 ms.
+`PULSES` runs for 200 s, of which a picture has about 1000 columns: output 1 has ten pulses of 1 to 10 ms,
+output 2 is on for 10 s five times, and is then on until the end except for ten gaps of 2 ms.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ For i = 1 To 10
   WAIT = 10000
 Next
 """
-# On for 10 s five times, on for a moment before the first gap, and on after each gap.
+# On for 10 s five times, on briefly before the first gap, and on after each gap.
 BARS = {"out1": 10, "out2": 5 + 1 + 10}
 
 
@@ -73,7 +73,7 @@ def test_spans_as_a_picture_shows_them(name: str) -> None:
 
 
 def test_a_random_train_is_shown_pixel_by_pixel() -> None:
-    """Each pulse lies under a bar; bars are in order, in the window, and a pixel wide at least."""
+    """Each pulse has a bar; bars are in order, in the window, at least a pixel wide."""
     rng = np.random.default_rng(18)
     for scale in (0.1, 1.0, 10.0):
         edges = np.sort(rng.uniform(0.0, 100.0, int(200 / scale)))
@@ -93,7 +93,7 @@ def test_each_pulse_and_each_gap_is_in_the_png(tmp_path: Path) -> None:
     pixels = np.round(255 * image.imread(tmp_path / "x.png")[:, :, :3]).astype(int)
     bar = [round(0.8 * int(ON[k : k + 2], 16) + 0.2 * 255) for k in (1, 3, 5)]
     rows = np.flatnonzero(np.all(np.abs(pixels - bar) <= 2, axis=2).any(axis=1))
-    # Over the frame a bar is darker; the frame alone is light grey.
+    # On the frame a bar is darker; the frame alone is light grey.
     is_bar = pixels[:, :, 0] <= bar[0] + 2
     for name, row in (("out1", rows[2]), ("out2", rows[-3])):
         starts = np.flatnonzero(np.diff(is_bar[row, 100:].astype(int), prepend=0) == 1)
@@ -114,7 +114,10 @@ def test_each_pulse_and_each_gap_is_in_the_svg(tmp_path: Path) -> None:
 
 
 def test_a_part_of_the_run_has_its_pulses(tmp_path: Path) -> None:
-    """Between 5 and 55 s there are five pulses, those of 20, 30, 40, 50 and 60 ms are 10 s apart."""
+    """Between 5 and 55 s there are five pulses, 10 s apart.
+
+    They have 20, 30, 40, 50 and 60 ms.
+    """
     pytest.importorskip("matplotlib")
     write_plot(pulses(), str(tmp_path / "x.svg"), window=Window(begin=5.0, end=55.0))
     text = (tmp_path / "x.svg").read_text(encoding="utf-8")
@@ -122,7 +125,7 @@ def test_a_part_of_the_run_has_its_pulses(tmp_path: Path) -> None:
 
 
 class Page:
-    """The drawing of a page, `width` pixels wide, that shows the run from `begin` to `end`."""
+    """The drawing of a page, `width` pixels wide, of the run from `begin` to `end`."""
 
     def __init__(self, made: Run, begin: float, end: float, width: int = 1000) -> None:
         racer = pytest.importorskip("py_mini_racer")
@@ -161,7 +164,7 @@ def test_the_page_shows_spans_as_the_picture_does() -> None:
 
 
 def test_each_short_move_and_each_wait_is_in_the_page() -> None:
-    """Ten moves of 6 ms lie 10 s apart; each has a band in the panels of the axis."""
+    """Ten moves of 6 ms are 10 s apart; each has a band in the panels of the axis."""
     scope = Page(pulses(), 0.0, pulses().time)
     phases = scope("phasesSvg({ axis: data.axes[0], top: 0, height: 100 })")
     shown = re.findall(r'x="([\d.]+)" y="0" width="([\d.]+)"', phases)

@@ -1,4 +1,4 @@
-"""The report as data: what a program that reads it may rely on."""
+"""The report as data: the guarantees for programs that read it."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def test_a_phase_that_does_not_occur_is_left_out() -> None:
     run, controller = new_run()
     controller.move_by(0, 100.0, "MOVER", 1)  # too short for a slew
     controller.clock.advance(1.0)
-    controller.move_by(0, 0.0, "MOVER", 2)  # no distance at all
+    controller.move_by(0, 0.0, "MOVER", 2)  # without any distance
     controller.clock.advance(2.0)
     moves = build(ended(run))["moves"]
     assert isinstance(moves, list)

@@ -1,4 +1,4 @@
-"""The page to look around in: what is in it, and that its own arithmetic is ours. A JavaScript engine reads it."""
+"""The scope page: its contents, and its arithmetic, run by a JavaScript engine."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def test_what_is_drawn_holds_every_peak(make: Callable[[], Run], columns: int) -
 
 
 def test_zooming_in_shows_more_not_less() -> None:
-    """A thousandth of the picture has as many points as the whole."""
+    """A thousandth of the picture has as many points as the complete one."""
     engine = Engine(pick())
     points = engine("trackPoints(data.axes[1].track, 1, 0.2, 0.2001, 1000)")
     assert (points[0][0], points[-1][0]) == (0.2, 0.2001)

@@ -1,4 +1,7 @@
-"""The page in a real browser: every control is used as a person uses it. Without a Chromium these are skipped."""
+"""The page in a real browser: every control is used.
+
+It is skipped without a Chromium.
+"""
 
 from __future__ import annotations
 
@@ -47,7 +50,10 @@ def started(folder: Path) -> Iterator[Browser]:
 
 @pytest.fixture
 def browser(started: Browser, folder: Path) -> Iterator[Browser]:
-    """A browser with the page of a run of two axes; afterwards it has complained of nothing and asked no network."""
+    """Yield a browser with the page of a run of two axes.
+
+    Afterwards it has reported no error and used no network.
+    """
     path = folder / "two.html"
     if not path.exists():
         write_scope(run(Source("two.mnt", TWO_AXES), dialect="mint", cache=False), str(path))
@@ -96,7 +102,7 @@ def test_two_cursors_and_what_lies_between_them(browser: Browser) -> None:
     assert [each for each in ("A ", "B ", "Δ ") if each not in told] == []
     values = browser.js("[...document.querySelectorAll('#scope .value')].map((each) => each.textContent)")
     assert all("A " in each and "Δ " in each for each in values)
-    # A cursor is moved by its line, and taken away by a click on it.
+    # A cursor is moved by its line, and removed by a click on it.
     mouse = browser.mouse(0.7).click_and_hold()
     mouse.move_by_offset(browser.js("Math.round(0.1 * width)"), 0).release().perform()
     assert browser.js("marks[1] / END") == pytest.approx(0.8, abs=0.005)
@@ -235,7 +241,10 @@ def test_it_begins_with_the_window_that_was_asked_for(started: Browser, folder: 
 
 
 def test_many_moves_are_drawn_whole(started: Browser, folder: Path) -> None:
-    """Zoomed out, what lies within a column is looked up; its peaks are those of the samples."""
+    """Zoomed out, the contents of a column are looked up.
+
+    Its peaks are those of samples.
+    """
     made = shift()
     (folder / "shift.html").write_text(page(made), encoding="utf-8")
     started.open(folder / "shift.html")

@@ -1,4 +1,4 @@
-"""The report on a terminal: whole tables, wide and narrow, of few moves and of many."""
+"""The report on a terminal: complete tables, wide and narrow, of any length."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a stream can show, and what is asked of it from outside."""
+"""The capabilities of a stream, and the environment variables for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Value change dumps: a whole file, and the file as another program reads it."""
+"""Value change dumps: a complete file, and its contents in another program."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ r0.0 "
 
 
 def switched() -> Run:
-    """10 units at 10 units/s with next to no ramps, and channels that change on the way."""
+    """Return 10 units at 10 units/s with minimal ramps, and channels that change."""
     run, controller = new_run()
     controller.set_scale(0, 100.0)
     for name, value in (("speed", 1000.0), ("accel", 1e12), ("decel", 1e12)):
@@ -97,7 +97,7 @@ def test_another_program_reads_the_samples_in_it(tmp_path: Path, make: object) -
         times, held = found[column.name.replace("_", ".", 1)]
         shown = np.array(held)[np.searchsorted(times, grid, "right") - 1]
         np.testing.assert_allclose(shown, values, rtol=0, atol=1e-6)
-        # A viewer that draws straight lines shows the same: no slope over a standstill.
+        # A viewer that draws straight lines shows the same: no slope during standstill.
         np.testing.assert_allclose(np.interp(grid, times, held), values, rtol=0, atol=1e-6)
     for lane in lanes(run.controller):
         times, held = found[f"{lane.group.replace(' ', '_')}.{lane.name}"]
@@ -105,7 +105,7 @@ def test_another_program_reads_the_samples_in_it(tmp_path: Path, make: object) -
 
 
 def read(path: Path) -> tuple[dict[str, tuple[list[int], list[float]]], int]:
-    """Times (ns) and values of every variable, by pyvcd."""
+    """Return times (ns) and values of every variable, by pyvcd."""
     reader = pytest.importorskip("vcd.reader")
     kinds = reader.TokenKind
     scope: list[str] = []
