@@ -1,1 +1,1 @@
-"""The tests; `python -m tests` is the whole check."""
+"""The tests; `python -m tests` runs the complete check."""

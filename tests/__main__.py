@@ -1,7 +1,7 @@
-"""The whole check in one command: format, lint, types, tests. Further arguments go to pytest.
+"""The complete check in one command: format, lint, types, tests.
 
-`--quick [COMMIT]` runs of the tests only those that reach what changed since a commit (HEAD), within seconds;
-`--record` finds out which these are (`tests/quick.py`).
+Further arguments go to pytest. `--quick [COMMIT]` runs only the tests that reach changes since a commit
+(HEAD), within seconds; `--record` finds out which these are (`tests/quick.py`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ STATIC = (
 
 
 def main(arguments: list[str]) -> int:
-    """Run every step, also after one has failed; 1 if any did."""
+    """Run every step, even after a failure; 1 if any failed."""
     if arguments[:1] == ["--record"]:
         from tests.quick import record
 

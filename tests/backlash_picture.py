@@ -1,6 +1,7 @@
-"""Draws docs/images/backlash.png: `python -m tests.backlash_picture`. Needs the extra `plot`.
+"""Drawing of docs/images/backlash.png: `python -m tests.backlash_picture`.
 
-The motor is what ENCODER reads while the program runs; the load is pushed by one flank of the play or the other.
+It needs the extra `plot`. The motor is the value of ENCODER while the program runs; the load is pushed by one
+flank of the backlash or the other.
 """
 
 from __future__ import annotations
@@ -24,14 +25,17 @@ End While
 
 
 def motor(mode: int) -> tuple[list[float], list[float]]:
-    """Times, ms, and where the motor is, counts."""
+    """Return times, ms, and positions of the motor, counts."""
     program = PROGRAM.format(play=PLAY, mode=mode)
     rows = [line.split() for line in run(Source("play.mnt", program), cache=False).output]
     return [float(time) for time, _ in rows], [float(position) for _, position in rows]
 
 
 def load(positions: list[float]) -> list[float]:
-    """Where the load is: the motor pushes it up when it is the whole play above, and down when it is at it."""
+    """Return the positions of the load.
+
+    The motor pushes it up from the complete backlash above it, and down when it is level with it.
+    """
     found, here = [], 0.0
     for position in positions:
         here = min(max(here, position - PLAY), position)
@@ -40,7 +44,7 @@ def load(positions: list[float]) -> list[float]:
 
 
 def main() -> None:
-    """Draw."""
+    """Draw the picture."""
     with drawing(str(PICTURE), 9.0, 4.0) as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axes, mode, title in zip(panels, (0, 1), ("without compensation", "BACKLASHMODE 1"), strict=True):

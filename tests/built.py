@@ -1,4 +1,4 @@
-"""Builds the package from a copy of the tree without ignored files, as a release does."""
+"""Build of the package from a copy of the tree without ignored files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ IGNORED = (".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", ".*_ca
 
 
 def distributions(folder: Path, *kinds: str) -> list[Path]:
-    """The files made in an empty `folder`, one for each of `kinds`: "sdist" or "wheel"."""
+    """Build in an empty `folder`; return a file for each kind: "sdist" or "wheel"."""
     pytest.importorskip("setuptools", minversion="77")
     copy, out = folder / "motionlang", folder / "dist"
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*IGNORED))

@@ -1,11 +1,11 @@
-"""`@cases`: many small cases as one test. A test of pytest's own costs more than most of what a table of cases asks.
+"""`@cases`: many small cases as one test, without pytest's cost of each.
 
     @cases("word", WORDS)
     def test_a_word_has_a_sentence(word): ...
 
-Every case runs, also after one has failed; the failures carry their cases. What the test takes besides, fixtures and
-other parameters, it gets as ever, once for all cases. For cases that need a fixture of their own, or a second or more,
-pytest's `parametrize` is right.
+Every case runs, even after a failure; failures list their cases. Fixtures and other parameters of the test
+are made once for all cases. For cases that need a fixture of their own, or a second or more, use pytest's
+`parametrize`.
 """
 
 from __future__ import annotations
@@ -16,14 +16,17 @@ from typing import Any
 
 import pytest
 
-# What `pytest.raises` raises where nothing was raised is no Exception.
+# `pytest.raises` without an exception raises something that is no Exception.
 FAILURES = (Exception, pytest.fail.Exception)
 
 
 def cases(
     names: str | tuple[str, ...], table: Iterable[Any], ids: Callable[[Any], object] | None = None
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """A test over the rows of `table`, as `parametrize` takes them; `ids` spells the parts of a row in a failure."""
+    """Return a decorator for a test over the rows of `table`, like `parametrize`.
+
+    `ids` spells the fields of a row in a failure.
+    """
     wanted = [each.strip() for each in names.split(",")] if isinstance(names, str) else list(names)
     rows = [row if len(wanted) > 1 else (row,) for row in table]
     spell = ids or repr

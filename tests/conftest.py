@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
 
-# A shell starts what runs behind it with Ctrl-C switched off, and every process of a test would inherit that.
+# A shell starts background processes with Ctrl-C disabled, which every process of a test would inherit.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)
     if _number is not None and signal.getsignal(_number) == signal.SIG_IGN:
         signal.signal(_number, signal.default_int_handler if _name == "SIGINT" else signal.SIG_DFL)
 
-# No property depends on how fast the machine is, and each run draws the same cases.
+# No property depends on the speed of the machine, and each run draws the same cases.
 settings.register_profile(
     "motionlang",
     deadline=None,
@@ -37,7 +37,10 @@ settings.load_profile("motionlang")
 
 
 def _prove_every_run() -> None:
-    """Prove every run, also of tests that do not ask for it. The proof is imported by the first run."""
+    """Prove every run, even if its test does not request it.
+
+    Import the proof on demand.
+    """
     from motionlang import execution
 
     execute = execution._execute
@@ -63,7 +66,7 @@ def _prove_every_run() -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The whole suite proves every run; named tests do with `--prove`."""
+    """Prove every run of the complete suite, and of named tests with `--prove`."""
     if config.args_source is pytest.Config.ArgsSource.TESTPATHS:
         config.option.prove = True
     if config.option.prove:
@@ -76,7 +79,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Tests that take minutes run only when they are asked for: `pytest -m long`."""
+    """Skip tests that take minutes unless requested by `pytest -m long`."""
     if "long" in (config.getoption("-m") or ""):
         return
     long = [item for item in items if item.get_closest_marker("long")]
@@ -87,7 +90,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture(scope="session")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with the unpacked wheel."""
+    """Return the folder with the unpacked wheel."""
     folder = tmp_path_factory.mktemp("wheel")
     (built,) = distributions(folder, "wheel")
     with zipfile.ZipFile(built) as archive:

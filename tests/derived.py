@@ -1,7 +1,7 @@
-"""Writes every file that is made from others: `python -m tests.derived`.
+"""Writer of every derived file: `python -m tests.derived`.
 
-Tables of grammars, the indexes that a program finds its words by, and the pages in `docs/` and `tests/spec/` that show
-the vocabulary. Each is compared with what would be written by a test of its own.
+These are tables of grammars, the indexes of keywords, and the pages in `docs/` and `tests/spec/` that show
+the vocabulary. A separate test compares each with its source.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import subprocess
 import sys
 
-# In this order: a program cannot find a new word before the grammar knows its tokens and the indexes its row.
+# In this order: a program cannot use a new keyword before the grammar has its tokens and the indexes its row.
 WRITERS = (
     "motionlang.lang.parsing.generate",
     "tests.keyword_index",
@@ -22,7 +22,10 @@ WRITERS = (
 
 
 def main() -> int:
-    """Run every writer, each in a process of its own, as it imports what the one before it wrote; 1 if one fails."""
+    """Run every writer in a process of its own; 1 if one fails.
+
+    Each imports the files that the one before it wrote.
+    """
     for module in WRITERS:
         print(f"== {module}", flush=True)
         if subprocess.run([sys.executable, "-m", module], check=False).returncode:

@@ -1,4 +1,4 @@
-"""Writes docs/fidelity.md from the files of evidence: `python -m tests.fidelity_page`."""
+"""Writer of docs/fidelity.md from the evidence: `python -m tests.fidelity_page`."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""The wheel with chosen libraries beside it, and what users do with it: the help and real uses of every command.
+"""The wheel with chosen libraries: the help and real uses of every command.
 
-The wheel is unpacked beside links to the installed libraries that are to be there, and Python is started without its
-own ones (`-S`): nothing is installed, and what is missing is really missing. One process runs all commands.
+The wheel is unpacked next to links to the installed libraries that have to be there, and Python is started
+without its own ones (`-S`): nothing is installed, and a missing library is really missing. One process runs
+all commands.
 """
 
 from __future__ import annotations
@@ -26,13 +27,13 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["
 EXTRAS: dict[str, list[str]] = PROJECT["optional-dependencies"]
 USED = sorted({extra for extra, _ in LIBRARIES.values()})
 PROGRAM = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
-# Where that move is each 20 ms: half of 500 uu/s² over 0.1 s, and the same back.
+# The positions of that move every 20 ms: half of 500 uu/s² over 0.1 s, and the same back.
 RECORDED = "time_s,axis0_position_uu\n" + "".join(
     f"{time / 100},{250 * (time / 100) ** 2 if time <= 10 else 5 - 250 * (0.2 - time / 100) ** 2}\n"
     for time in range(0, 21, 2)
 )
 HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export", "stream")), "servo step"]
-# Real uses of every command, and in brackets the extra that it needs.
+# Real uses of every command, and in brackets the extra that each needs.
 USES = """\
 run move.mnt
 run move.mnt --report json --prove
@@ -86,7 +87,7 @@ print(json.dumps(ran))
 
 
 def closure(requirements: Iterable[str]) -> set[str]:
-    """The names of installed distributions that are required, and required by those in turn."""
+    """Return the names of distributions required directly or indirectly."""
     found: set[str] = set()
     left = [(Requirement(each), {""}) for each in requirements]
     while left:
@@ -105,7 +106,7 @@ def closure(requirements: Iterable[str]) -> set[str]:
 
 
 def link(folder: Path, names: Iterable[str]) -> None:
-    """Make the top-level modules and packages of installed distributions importable from `folder`."""
+    """Make the top-level modules of installed distributions importable from `folder`."""
     for name in names:
         there = distribution(name)
         for top in {
@@ -116,7 +117,7 @@ def link(folder: Path, names: Iterable[str]) -> None:
 
 
 class Install:
-    """A folder with a program, in which the wheel runs with the distributions that are named, and no other."""
+    """A folder with a program, in which the wheel runs with named distributions only."""
 
     def __init__(self, folder: Path, wheel: Path, names: Iterable[str]) -> None:
         self.folder = folder / "work"
@@ -134,16 +135,16 @@ class Install:
         }
 
     def python(self, *flags: str) -> list[str]:
-        """Python without its own libraries."""
+        """Return the command of Python without its own libraries."""
         return [sys.executable, "-S", *flags]
 
     def environment_with(self, changes: Mapping[str, str | None]) -> dict[str, str]:
-        """The environment with some variables set, and without those that are None."""
+        """Return the environment with some variables set, and those that are None removed."""
         changed = {**self.environment, **changes}
         return {name: value for name, value in changed.items() if value is not None}
 
     def start(self, *command: str, code: str = "") -> subprocess.Popen[str]:
-        """A command, or Python code, in a process of its own."""
+        """Start a command, or Python code, in a process of its own."""
         return subprocess.Popen(
             [*self.python(), *(("-c", code) if code else ("-m", "motionlang", *command))],
             cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -152,7 +153,7 @@ class Install:
     def __call__(
         self, commands: Iterable[str], *flags: str, **changes: str | None
     ) -> dict[str, tuple[int, str, str]]:
-        """Exit status, standard output and standard error of each command, all run by one process.
+        """Return exit status, output and errors of each command, all run by one process.
 
         `flags` are Python's own, `changes` those of the environment.
         """
@@ -169,7 +170,10 @@ def write_files(folder: Path) -> None:
 def drive(
     command: list[str], commands: Iterable[str], folder: Path, environment: dict[str, str]
 ) -> dict[str, tuple[int, str, str]]:
-    """What `DRIVER`, started by `command`, prints for `commands`; Python itself has nothing to report."""
+    """Return the output of `DRIVER`, started by `command`, for `commands`.
+
+    Python itself must report nothing.
+    """
     ran = subprocess.run(
         command, input=json.dumps(list(commands)), cwd=folder, env=environment, capture_output=True, text=True,
         encoding="utf-8", check=False,
@@ -180,13 +184,13 @@ def drive(
 
 
 def needed() -> dict[str, str]:
-    """Each of `USES` and the extra that it needs, or ""."""
+    """Return each of `USES` and the extra that it needs, or ""."""
     found = (re.fullmatch(r"(.*?)(?: \[(\w+)\])?", line) for line in USES.splitlines())
     return {each[1]: each[2] or "" for each in found if each}
 
 
 def first_uses() -> list[str]:
-    """One use of each command, the first, which needs no extra but for `completion`."""
+    """The first use of each command, which needs no extra except for `completion`."""
     firsts: dict[str, str] = {}
     for command in needed():
         firsts.setdefault(command.split()[0], command)
@@ -194,12 +198,15 @@ def first_uses() -> list[str]:
 
 
 def helps() -> list[str]:
-    """The command lines that show each command's help."""
+    """Return the command lines that show each command's help."""
     return [f"{command} --help" for command in HELP]
 
 
 def check(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str], absent: set[str]) -> None:
-    """Each help is shown; each use works, or names the extra that it needs and what installs it."""
+    """Check that each help is shown, and each use works or names the missing extra.
+
+    The message also names the command that installs it.
+    """
     for command in helps():
         status, out, err = ran[command]
         assert (status, err) == (0, ""), command

@@ -1,4 +1,7 @@
-"""Writes `index.py` of both languages, which names the keywords of each file: `python -m tests.keyword_index`."""
+"""Writer of `index.py` of both languages: `python -m tests.keyword_index`.
+
+It lists the keywords of each file.
+"""
 
 from __future__ import annotations
 
@@ -19,12 +22,12 @@ FILES = {
 
 
 def place(package: str) -> Path:
-    """The file of an index."""
+    """Return the file of an index."""
     return Path(str(import_module(package).__file__)).with_name("index.py")
 
 
 def written(package: str) -> str:
-    """The text of an index; AssertionError if a keyword is in it twice."""
+    """Return the text of an index; AssertionError for a duplicate keyword."""
     files = {name: import_module(f"{package}.{name}") for name in import_module(package).ORDER.split()}
     Table(row for file in files.values() for row in file.ROWS)
     return _HEAD + "".join(_entry(name, _rows(file)) for name, file in files.items()) + "}\n"

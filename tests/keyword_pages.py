@@ -1,4 +1,4 @@
-"""Writes docs/keywords/ from the keyword tables: `python -m tests.keyword_pages`."""
+"""Writer of docs/keywords/ from the tables: `python -m tests.keyword_pages`."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from motionlang.source import Source
 from motionlang.views.keyword_pages import markdown
 
 FOLDER = Path(__file__).parent.parent / "docs" / "keywords"
-# How long an example may go on, seconds of machine time.
+# The time limit of an example, seconds of machine time.
 UNTIL = 60.0
 
-# What a machine must have for the examples of MCCL that home an axis, by the keys of the machine file.
+# Requirements of the machine for MCCL's examples of homing, by key of the machine file.
 HOMING: dict[str, object] = {
     "axis.1.index_every": 1000.0,
     "axis.1.home_switch": [500.0, 600.0],
@@ -23,23 +23,23 @@ HOMING: dict[str, object] = {
 
 
 def machine_of(row: Keyword) -> dict[str, object]:
-    """The machine on which a row's example runs: bare, but for what its help says that it must have."""
+    """Return the machine of a row's example: bare, except for the needs in its help."""
     return {key: value for key, value in HOMING.items() if key.rpartition(".")[2] in row.help}
 
 
 def shown(row: Keyword, language: str) -> list[str]:
-    """What a row's example prints."""
+    """Return the output of a row's example."""
     source = Source("example", f"{row.example}\n")
     return run(source, dialect=language, machine=machine_of(row), cache=False, until=UNTIL).output
 
 
 def page(language: str) -> str:
-    """What the page of a language must say."""
+    """Return the required text of a language's page."""
     return markdown(dialect(language).table().rows, language, lambda row: shown(row, language))
 
 
 def path(language: str) -> Path:
-    """Where the page of a language is."""
+    """Return the file of a language's page."""
     return FOLDER / f"{language}.md"
 
 

@@ -1,8 +1,9 @@
-"""The wheel with the lowest versions of its dependencies that it declares: `python -m tests.lowest [PYTHON …]`.
+"""Test of the wheel with the lowest dependencies: `python -m tests.lowest`.
 
-For each Python an environment in a temporary folder gets the wheel and those versions, and runs the help and the real
-uses of every command, with all warnings as errors. Without arguments each Python from 3.11 to 3.14 that this machine
-has is used, on PATH or of pyenv; the others are skipped. Needs a package index.
+For each Python an environment in a temporary folder gets the wheel and the lowest versions that it declares,
+and runs the help and the real uses of every command, with all warnings as errors. Without arguments each
+Python from 3.11 to 3.14 of this machine is used, on PATH or of pyenv; missing ones are skipped. It needs a
+package index.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ VERSION = "import platform; print(platform.python_version())"
 
 
 def lowest(python_version: str) -> list[str]:
-    """The declared dependencies with the lowest version that a Python may have of each: "numpy==1.26"."""
+    """Return the dependencies with the lowest version for a Python: "numpy==1.26"."""
     environment = {"python_version": ".".join(python_version.split(".")[:2])}
     found = []
     for text in PROJECT["dependencies"]:
@@ -39,7 +40,10 @@ def lowest(python_version: str) -> list[str]:
 
 
 def run(python: str, wheel: Path, folder: Path) -> str:
-    """Run every command with `python` in an environment of its own, below a new `folder`; what was installed."""
+    """Run every command with `python` in an environment of its own.
+
+    Return its packages. The environment is below a new `folder`.
+    """
     folder.mkdir()
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
     versions = lowest(version)
@@ -59,7 +63,7 @@ def run(python: str, wheel: Path, folder: Path) -> str:
 
 
 def interpreters() -> dict[str, str | None]:
-    """A Python of this machine for each version that the package supports; None where there is none."""
+    """Return a Python of this machine for each supported version; None if missing."""
     found: dict[str, str | None] = {}
     for name in SUPPORTED:
         places = [
@@ -72,14 +76,17 @@ def interpreters() -> dict[str, str | None]:
 
 
 def is_version(python: str, name: str) -> bool:
-    """True if `python` is of that version and can make environments, which takes a package of its own on Debian."""
+    """True if `python` is of that version and can make environments.
+
+    This takes a separate package on Debian.
+    """
     code = "import ensurepip, sys; print('%d.%d' % sys.version_info[:2])"
     ran = subprocess.run([python, "-c", code], capture_output=True, text=True, check=False)
     return ran.stdout.strip() == name
 
 
 def main() -> int:
-    """Build the wheel once, and run it with each Python, as many at a time as there are processors."""
+    """Build the wheel once, and run it with each Python, on all processors."""
     given: dict[str, str | None] = {each: each for each in sys.argv[1:]} or interpreters()
     present = [python for python in given.values() if python is not None]
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -1,4 +1,4 @@
-"""Writes the tables of docs/machine-file.md from the vocabulary of the machine file: `python -m tests.machine_page`."""
+"""Writer of the tables of docs/machine-file.md: `python -m tests.machine_page`."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ SERVO = {
 
 
 def written() -> str:
-    """The page as it must be: what was written by hand, and the tables."""
+    """Return the required page: its handwritten text, and the tables."""
     text = PAGE.read_text(encoding="utf-8")
     parts = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
     parts.append("`N` is the number of an axis as the language numbers it.\n")

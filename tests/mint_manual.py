@@ -1,6 +1,7 @@
-"""Writes tests/spec/mint/README.md, the contents of the manual of Mint: `python -m tests.mint_manual`.
+"""Writer of tests/spec/mint/README.md, the contents of the manual of Mint.
 
-The chapters stand here; what a page is about is the first sentence of the comment that it begins with.
+Run it with `python -m tests.mint_manual`. The chapters are listed here; the subject of a page is the first
+sentence of its initial comment.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ what the report says that the run could not know. The words themselves are in
 [docs/fidelity.md](../../../docs/fidelity.md).
 """
 
-# Titles of chapters, each with its pages in the order in which they are read.
+# Titles of chapters, each with its pages in reading order.
 CHAPTERS = {
     "The language": "first_program style_separators style_lines variables style_names shadows startup",
     "Types": "numbers style_numbers casting overflow strings arrays records style_types time_variables constants",
@@ -72,12 +73,12 @@ CHAPTERS = {
 
 
 def pages() -> list[str]:
-    """The pages that there are, as the chapters name them."""
+    """Return the existing pages, by their names in the chapters."""
     return sorted(str(path.relative_to(FOLDER).with_suffix("")) for path in FOLDER.rglob("*.mnt"))
 
 
 def heading(text: str) -> str:
-    """The comment that a page begins with, up to an empty one; "" where it begins otherwise."""
+    """Return the initial comment of a page, up to an empty one; "" without a comment."""
     lines = []
     for line in text.split("\n"):
         if not line.startswith("' "):
@@ -87,12 +88,12 @@ def heading(text: str) -> str:
 
 
 def first_sentence(text: str) -> str:
-    """The first sentence of a page's heading, with its full stop."""
+    """Return the first sentence of a page's heading, with its full stop."""
     return re.split(r"(?<! p)\. ", heading(text))[0].rstrip(".") + "."
 
 
 def row(page: str) -> str:
-    """A page's line in the contents."""
+    """Return a page's line in the contents."""
     sentence = first_sentence((FOLDER / f"{page}.mnt").read_text(encoding="utf-8"))
     name = page.rpartition("/")[2]
     title = name.removeprefix("style_").replace("_", " ") + ", all styles" * name.startswith("style_")
@@ -100,7 +101,7 @@ def row(page: str) -> str:
 
 
 def contents() -> str:
-    """The whole page of contents."""
+    """Return the complete page of contents."""
     chapters = (
         f"\n## {title}\n\n" + "\n".join(map(row, names.split())) + "\n" for title, names in CHAPTERS.items()
     )

@@ -1,13 +1,13 @@
-"""The check of one change in seconds: `python -m tests --quick`, after `python -m tests --record`.
+"""The check of one change in seconds: `python -m tests --quick`, after `--record`.
 
-Format, lint and types run for the whole tree, and at the same time those tests that reach what changed since the last
-commit. `--record` finds out which files of the package each test reaches, in a copy of the project whose functions
-report their calls (`tests/mutants`), and how long each test takes. The record is a file that git ignores. It may be
-days old: a changed test runs whether it is recorded or not, and for a module without a record the tests of the same
-name or folder run.
+Format, lint and types run for the complete tree, and at the same time the tests that reach changes since the
+last commit. `--record` finds out which files of the package each test reaches, in a copy of the project whose
+functions report their calls (`tests/mutants`), and how long each test takes. The record is a file that git
+ignores. It may be days old: a changed test runs in any case, and for a module without a record the tests of
+the same name or folder run.
 
-A test that reaches few files comes first, because it is about them. The tests together take at most `BUDGET` seconds,
-and no run is proved. The whole suite runs what is left out.
+A test that reaches few files comes first, because it is about them. The tests together take at most `BUDGET`
+seconds, and no run is proved. The complete suite runs the rest.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 RECORD = ROOT / ".pytest_cache" / "reach.json"
-# CPU seconds of the tests that are chosen, as recorded, and those that each of their files adds to be collected.
+# CPU seconds of the chosen tests, as recorded, and for collecting each of their files.
 BUDGET, PER_FILE = 4.0, 0.03
 
 
@@ -37,7 +37,7 @@ class Reach(NamedTuple):
 
 
 def record(jobs: int) -> int:
-    """Record what each test reaches."""
+    """Record the files that each test reaches."""
     from tests.mutants.__main__ import coverage
 
     found = coverage(jobs)
@@ -54,7 +54,7 @@ def record(jobs: int) -> int:
 
 
 def recorded() -> dict[str, Reach]:
-    """The record, empty if there is none."""
+    """Return the record, empty if there is none."""
     if not RECORD.exists():
         return {}
     read = json.loads(RECORD.read_text(encoding="utf-8"))
@@ -66,7 +66,7 @@ def recorded() -> dict[str, Reach]:
 
 
 def changed(since: str) -> list[str]:
-    """The Python files that differ from a commit, new ones included."""
+    """Return the Python files that differ from a commit, including new ones."""
     found: set[str] = set()
     for command in (
         ["diff", "--name-only", "--diff-filter=d", since],
@@ -78,7 +78,7 @@ def changed(since: str) -> list[str]:
 
 
 def nearest(module: str, test_files: Iterable[str]) -> list[str]:
-    """The test files of a module without a record: those of its name, else those of its folder."""
+    """Return the test files of a module without a record: by name, or by folder."""
     path = Path(module)
     names = (f"test_{path.stem.strip('_')}.py", f"test_{path.parent.name}.py")
     folder = Path("tests", *path.parent.parts[1:])
@@ -88,7 +88,7 @@ def nearest(module: str, test_files: Iterable[str]) -> list[str]:
 
 
 def importers(helper: str, test_files: Iterable[str]) -> list[str]:
-    """The test files that import a module of the tests."""
+    """Return the test files that import a module of the tests."""
     module = helper.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
     return [each for each in test_files if module in _imported(ROOT / each)]
 
@@ -101,7 +101,10 @@ def _imported(path: Path) -> set[str]:
 def chosen(
     changes: Iterable[str], tests: Mapping[str, Reach], test_files: Iterable[str], budget: float = BUDGET
 ) -> tuple[list[str], list[str]]:
-    """The test files that run whole, and the recorded tests that run because they reach a change, within the budget."""
+    """Return the test files to run, and the recorded tests that reach a change.
+
+    The latter are within the budget.
+    """
     known = list(test_files)
     whole: set[str] = set()
     modules: set[str] = set()
@@ -121,7 +124,7 @@ def chosen(
 
 
 def _within(names: list[str], tests: Mapping[str, Reach], whole: set[str], budget: float) -> Iterator[str]:
-    """The first tests that together stay within the budget."""
+    """Yield the first tests that together are within the budget."""
     seen = set(whole)
     for name in names:
         file = name.partition("::")[0]
@@ -135,7 +138,7 @@ def _within(names: list[str], tests: Mapping[str, Reach], whole: set[str], budge
 
 
 class Only:
-    """Keeps those tests of a session that are in files that run whole, or chosen."""
+    """A filter for those tests of a session that are chosen, or in chosen files."""
 
     def __init__(self, whole: Iterable[str], names: Iterable[str]) -> None:
         self._whole, self._names = frozenset(whole), frozenset(names)

@@ -1,10 +1,13 @@
-"""How large the package is: `python -m tests.sizes [COMMIT]` prints each figure, with that of a commit beside it.
+"""Size of the package: `python -m tests.sizes [COMMIT]`, compared with a commit.
 
-* Lines of each package by kind. *Data* are assignments of a module that take several lines, such as rows of keywords.
-  *Logic* is what is left without data, docstrings, comments, blank lines and imports. Generated files count apart.
-* Fields of `Axis` and `Scheduler` with their base classes, and with the objects of the package that only they make.
-* Functions of more than `LONG` lines, generated ones aside.
-* Files of the package that a run of one statement enters, imports aside: from the start of its task, and as it runs.
+* Lines of each package by kind. *Data* are assignments of a module that take several lines, such as rows of
+  keywords. *Logic* is the rest without data, docstrings, comments, blank lines and imports. Generated files
+  count separately.
+* Fields of `Axis` and `Scheduler` with their base classes, and with the objects of the package that only they
+  make.
+* Functions of more than `LONG` lines.
+* Files of the package that a run of one statement enters, without imports: from the start of its task, and as
+  it runs.
 """
 
 from __future__ import annotations
@@ -28,14 +31,15 @@ LONG = 70
 # The docstring of a generated file has one of these.
 GENERATED = ("not by hand.", "do not edit")
 CLASSES = {"Axis": "controller/axis.py", "Scheduler": "lang/scheduler.py"}
-# Each statement with the file it is written to and the lines that it needs before it.
+# Each statement with its file and the lines that it needs before it.
 STATEMENTS = {
     "SPEED(0) = 1": ("a.mnt", ""),
     "GO(0)": ("a.mnt", "MOVER(0) = 1"),
     "p = POS(0)": ("a.mnt", "Dim p As Float"),
     "1MR40000": ("a.mcl", "1MN"),
 }
-# Runs in the tree that is counted; prints the number of files from the start of the task on, and while it runs.
+# Runs in the tree that is counted; prints the number of files from the start of the task on, and while it
+# runs.
 TRACE = r"""
 import json, sys
 from motionlang import run
@@ -74,7 +78,7 @@ class Sizes(NamedTuple):
 
 
 def kinds(text: str) -> Counter[str]:
-    """How many lines of a file there are of each kind."""
+    """Return the number of lines of a file of each kind."""
     tree, kind = ast.parse(text), dict.fromkeys(range(1, text.count("\n") + 1), "logic")
     for number, line in enumerate(text.split("\n")[:-1], 1):
         if not line.strip():
@@ -115,7 +119,7 @@ def _not_logic(node: ast.AST) -> Iterator[tuple[ast.stmt, str]]:
 
 
 class Classes:
-    """The classes of a tree by their names."""
+    """The classes of a tree by name."""
 
     def __init__(self, trees: dict[str, ast.Module]) -> None:
         self._found: dict[str, list[tuple[str, ast.ClassDef]]] = {}
@@ -128,7 +132,7 @@ class Classes:
                     self._makers.setdefault(node.func.id, set()).add(path)
 
     def fields(self, name: str, path: str = "") -> dict[str, ast.expr | None]:
-        """The fields of a class and of its bases, each with what first makes its value."""
+        """Return the fields of a class and its bases, each with its first value."""
         found: dict[str, ast.expr | None] = {}
         for where, node in self._found.get(name, []):
             if path and where != path:
@@ -140,7 +144,10 @@ class Classes:
         return found
 
     def with_owned(self, name: str, path: str) -> int:
-        """The fields of a class, and of each object that it alone makes and that has a class of the package."""
+        """Return the number of fields of a class and the objects that it alone makes.
+
+        Only objects with a class of the package count.
+        """
         fields = self.fields(name, path)
         count = len(fields)
         for value in fields.values():
@@ -187,7 +194,7 @@ def _assigned(node: ast.AST) -> tuple[list[ast.expr], ast.expr | None]:
 
 
 def sizes(root: Path) -> Sizes:
-    """Every figure of the tree under a folder."""
+    """Return every figure of the tree in a folder."""
     package = root / "motionlang"
     texts = {path.relative_to(package).as_posix(): path.read_text("utf-8") for path in package.rglob("*.py")}
     trees = {name: ast.parse(text) for name, text in sorted(texts.items())}
@@ -210,7 +217,10 @@ def sizes(root: Path) -> Sizes:
 
 
 def entered(root: Path, statement: str) -> tuple[int, ...]:
-    """The files that a statement enters from the start of its task on, and while it runs."""
+    """Return the number of files that a statement enters.
+
+    The numbers are from the start of the task on, and while it runs.
+    """
     name, before = STATEMENTS[statement]
     command = [sys.executable, "-c", TRACE, name, f"{before}\n{statement}\n"]
     environment = {**os.environ, "PYTHONPATH": str(root)}
@@ -219,7 +229,7 @@ def entered(root: Path, statement: str) -> tuple[int, ...]:
 
 
 def tree_of(commit: str, folder: Path) -> Path:
-    """The package of a commit in a folder."""
+    """Return the package of a commit, unpacked to a folder."""
     packed = subprocess.run(
         ["git", "archive", commit, "motionlang"], cwd=ROOT, check=True, capture_output=True
     ).stdout
@@ -229,7 +239,7 @@ def tree_of(commit: str, folder: Path) -> Path:
 
 
 def table(now: Sizes, then: Sizes | None) -> Iterator[str]:
-    """The lines of the table; of two trees, `then -> now`."""
+    """Yield the lines of the table; `then -> now` for two trees."""
 
     def pair(old: object, new: object) -> str:
         return f"{new}" if then is None else f"{old} -> {new}"
@@ -258,7 +268,7 @@ def table(now: Sizes, then: Sizes | None) -> Iterator[str]:
 
 
 def main(arguments: list[str]) -> int:
-    """Print the table of this tree, with that of a commit if one is named."""
+    """Print the table of this tree, compared with that of a commit, if given."""
     with tempfile.TemporaryDirectory() as folder:
         then = sizes(tree_of(arguments[0], Path(folder))) if arguments else None
         print(*table(sizes(ROOT), then), sep="\n")

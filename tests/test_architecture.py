@@ -1,4 +1,4 @@
-"""The house rules that a machine can hold: imports point down, and heavy libraries stay where they belong."""
+"""The architecture rules that a machine can check: layers, and heavy libraries."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 
-# From the top down; a package may import its own level's name and anything below it.
+# From the top down; a package may import packages of lower levels, and itself.
 LEVELS: dict[str, int] = {
     "__main__": 17,
     "cli": 16,
@@ -53,11 +53,11 @@ LEVELS: dict[str, int] = {
     "": 0,
     "_wheel": 0,
 }
-# Packages of one level that import each other. `Run.report` is built on request; the controller writes the log, whose
-# readers need its axes.
+# Packages of one level that import each other. `Run.report` is built on request; the controller writes the
+# log, whose readers need its axes.
 BESIDE: tuple[set[str], ...] = ({"report", "result"}, {"controller", "log"})
-# The floors inside a package, from the ground up: what runs on one may import those below it. What stands on one floor
-# under two names does not know each other. How a keyword is found ("vocabulary") is on the ground, its file higher up.
+# The layers inside a package, from the bottom up: a module may import those below it. Two names on one layer
+# do not import each other. The lookup of a keyword ("vocabulary") is at the bottom, its file higher up.
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
         (
@@ -109,7 +109,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("hosts", "lint"),
     ),
 }
-# A library, and the only places that may import it.
+# A library, and the only modules that may import it.
 HOMES: dict[str, tuple[str, ...]] = {
     "lark": ("lang/parsing",),
     "rich": ("views",),
@@ -123,16 +123,16 @@ HOMES: dict[str, tuple[str, ...]] = {
     "serial": ("client",),
     "shtab": ("cli",),
 }
-# Files whose sums are of whole numbers, though their text does not say so.
+# Files whose sums are of integers, although their text does not show it.
 WHOLE_SUMS = {"mint/compile/for_loops.py", "mint/lint/brackets.py", "mint/lint/buffer.py", "views/grid.py"}
-# A function with fewer lines needs no sentence about it.
+# A function with fewer lines needs no docstring.
 SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
 
 
 @cache
 def imports(path: Path) -> set[str]:
-    """Every module that a file imports, anywhere in it, for types or for use."""
+    """Return every module that a file imports, anywhere in it, also for types."""
     found: set[str] = set()
     for node in ast.walk(tree_of(path)):
         if isinstance(node, ast.Import):
@@ -145,7 +145,10 @@ def imports(path: Path) -> set[str]:
 
 
 def at_run_time(path: Path) -> set[str]:
-    """Every module of the package that a file imports for use: what stands under TYPE_CHECKING is for types alone."""
+    """Return every module of the package that a file imports, except for types.
+
+    Those under TYPE_CHECKING are for types alone.
+    """
     found: set[str] = set()
 
     def look(node: ast.AST) -> None:
@@ -162,19 +165,19 @@ def at_run_time(path: Path) -> set[str]:
     return {name for name in found if name.startswith("motionlang.")}
 
 
-# What finds the file of a keyword, and what lower stages know of keywords.
+# The lookup of a keyword's file, and facts about keywords for lower stages.
 VOCABULARY = frozenset(("index", "event_kinds", "switchable"))
 
 
 def inner(package: str, parts: list[str]) -> str:
-    """The name that stands in `FLOORS` for a module, by its parts below the package."""
+    """Return the name of a module in `FLOORS`, from its path below the package."""
     if parts[0] != "keywords":
         return parts[0]
     return "vocabulary" if len(parts) == 1 or parts[1] in VOCABULARY else "keywords"
 
 
 def layer(module: str) -> str:
-    """The name in `LEVELS` for a module; for others, the first name below `motionlang`."""
+    """Return the name of a module in `LEVELS`, or the first name below `motionlang`."""
     first, _, rest = module.partition(".")[2].partition(".")
     second = f"{first}.{rest.partition('.')[0]}"
     return second if second in LEVELS else first
@@ -193,7 +196,7 @@ def own_layer(path: Path) -> str:
 def test_imports_point_down(path: Path) -> None:
     here = own_layer(path)
     if here == "":
-        return  # the package's own front door opens `run` lazily
+        return  # the package itself opens `run` lazily
     for module in sorted(imports(path)):
         if module.split(".")[0] != "motionlang" or module in ("motionlang", "motionlang.__version__"):
             continue
@@ -214,14 +217,14 @@ def test_only_the_module_that_reads_the_switch_imports_accelerators() -> None:
     assert {name for name in importers if not name.startswith("fast/")} == {"execution.py"}
 
 
-# The classes that a newcomer reads first: how many fields each may have, with its bases and the objects that only its
-# module names. `Watches` is older than the limit, which was set beside it.
+# The classes that a newcomer reads first: how many fields each may have, with its bases and the objects that
+# only its module names. `Watches` is older than the limit.
 FIELDS = {("controller/axis.py", "Axis"): 50, ("lang/scheduler.py", "Scheduler"): 18}
 OLDER_OBJECTS = frozenset(("Watches",))
 
 
 def classes() -> dict[str, tuple[Path, ast.ClassDef]]:
-    """The classes of the package at the top of their modules, by name."""
+    """Return the top-level classes of the package, by name."""
     found = {}
     for path in FILES:
         found.update(
@@ -231,7 +234,7 @@ def classes() -> dict[str, tuple[Path, ast.ClassDef]]:
 
 
 def fields(node: ast.ClassDef) -> set[str]:
-    """What a class declares as a slot or assigns to `self`; a property is none."""
+    """Return the slots of a class and its assignments to `self`, without properties."""
     found: set[str] = set()
     for part in ast.walk(node):
         if isinstance(part, ast.Assign) and ast.unparse(part.targets[0]) == "__slots__":
@@ -245,7 +248,10 @@ def fields(node: ast.ClassDef) -> set[str]:
 
 
 def count_fields(path: Path, node: ast.ClassDef) -> int:
-    """The fields of a class, of its bases, and of the objects that it makes and no other module names."""
+    """Return the number of fields of a class, its bases and its private objects.
+
+    Private objects are those that it makes and no other module names.
+    """
     known = classes() | {node.name: (path, node)}
     made = {ast.unparse(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
     own = {
@@ -266,18 +272,21 @@ def test_the_centre_has_few_fields(where: tuple[str, str]) -> None:
     assert count_fields(path, node) <= FIELDS[where]
 
 
-# What changes a list, a set or a dictionary.
+# Methods that change a list, a set or a dictionary.
 CHANGES = frozenset(
     ("append", "extend", "insert", "remove", "pop", "clear", "update", "setdefault", "add", "discard")
 )
-# What may be found by these of an axis or a controller is still a part of it.
+# Results of these on an axis or a controller still belong to it.
 VIEWS = frozenset(("items", "values", "encoder"))
 CONTROLLERS = frozenset(("controller", "_controller"))
 OF_THE_CONTROLLER = frozenset(("Axis", "Controller", "Core", "Feedback", "Limit", "Move", "Scale"))
 
 
 def is_of_controller(node: ast.AST, names: set[str]) -> bool:
-    """Whether an expression is the controller, an axis, or a part of one; `names` are names that stand for such."""
+    """True if an expression is the controller, an axis, or a component of one.
+
+    `names` are the names of such.
+    """
     while True:
         if isinstance(node, ast.Name):
             return node.id in names or node.id in CONTROLLERS
@@ -294,7 +303,7 @@ def is_of_controller(node: ast.AST, names: set[str]) -> bool:
 
 
 def bindings(function: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
-    """What is given a name in a function, and what it is given it for."""
+    """Yield the bindings of names in a function, with their values."""
     for node in ast.walk(function):
         if isinstance(node, ast.For | ast.comprehension):
             yield node.target, node.iter
@@ -307,9 +316,9 @@ def bindings(function: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
 
 
 def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
-    """What a module writes into an axis or the controller, and what it uses of their private parts.
+    """Yield writes to an axis or the controller, and uses of their private attributes.
 
-    To be heard of, `listeners`, is for everybody.
+    `listeners` is public.
     """
     for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.Lambda)):
         arguments = [*function.args.args, *function.args.kwonlyargs]
@@ -345,7 +354,10 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
 
 
 def test_no_dialect_reaches_into_the_controller() -> None:
-    """A language changes an axis by verbs alone (`controller/verbs.py`); what it reads is bound to one."""
+    """A language changes an axis by verbs alone (`controller/verbs.py`).
+
+    It reads by bound readers.
+    """
     found = {
         f"{path.relative_to(PACKAGE).as_posix()}:{each}"
         for package in ("mint", "mccl", "copley", "lang", "serve", "repl")
@@ -356,7 +368,7 @@ def test_no_dialect_reaches_into_the_controller() -> None:
     assert found == set()
 
 
-# What reaches into the controller, in every way that there is.
+# Every form of access to the controller's internals.
 REACHING = (
     "controller.axes[axis].home = on",
     "a = self._controller.axes[axis]; a.speed += 1",
@@ -379,7 +391,10 @@ def test_what_reaches_into_the_controller_is_seen() -> None:
 
 
 def module_parts(name: str) -> list[str]:
-    """The parts of a module's name below its package; of a name in a module, those of the module."""
+    """Return the components of a module's name below its package.
+
+    For a name in a module they are those of the module.
+    """
     parts = name.split(".")[1:]
     while len(parts) > 1 and not (
         (there := PACKAGE.joinpath(*parts)).is_dir() or there.with_suffix(".py").exists()
@@ -394,7 +409,7 @@ def test_floors_inside_a_package(package: str) -> None:
     for path in sorted((PACKAGE / package).rglob("*.py")):
         own = list(path.relative_to(PACKAGE / package).with_suffix("").parts)
         if own == ["__init__"]:
-            continue  # the face of the package
+            continue  # the interface of the package
         here = inner(package, own)
         for name in sorted(at_run_time(path)):
             below = module_parts(name)
@@ -438,7 +453,7 @@ def test_heavy_libraries_stay_at_home(path: Path) -> None:
 
 
 def test_no_private_module_of_python_is_imported() -> None:
-    """`_thread` is documented; `__future__` is public, and `_typeshed` is for types alone."""
+    """`_thread` is documented; `__future__` is public; `_typeshed` is for types only."""
     allowed = {"_thread", "_typeshed"}
     private = {
         f"{path.relative_to(PACKAGE).as_posix()}: {name}"
@@ -460,7 +475,7 @@ def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None
 
 
 def public(body: list[ast.stmt]) -> Iterator[ast.FunctionDef | ast.ClassDef]:
-    """Public functions and classes, and the public methods of these."""
+    """Yield public functions and classes, and the public methods of these."""
     for node in body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
             yield node
@@ -481,7 +496,10 @@ def test_what_is_public_says_what_it_does(path: Path) -> None:
 
 
 def is_whole(node: ast.expr) -> bool:
-    """Whether an expression can only be a whole number: a constant, a bit, a comparison, a length, or made of such."""
+    """True if an expression can only be an integer.
+
+    It is a constant, a bit, a comparison, a length, or made of these.
+    """
     if isinstance(node, ast.Constant):
         return isinstance(node.value, int)
     if isinstance(node, ast.BinOp):
@@ -493,7 +511,7 @@ def is_whole(node: ast.expr) -> bool:
 
 
 def float_sums(tree: ast.AST) -> list[int]:
-    """The lines on which the builtin `sum` is named for anything but plainly whole numbers."""
+    """Return the lines with the builtin `sum` of anything but certain integers."""
     counting = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
@@ -507,7 +525,10 @@ def float_sums(tree: ast.AST) -> list[int]:
 
 @cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
-    """From Python 3.12 on it rounds floats otherwise: `profile.total`, `math.fsum` and plain additions do not."""
+    """From Python 3.12 on it rounds floats differently, unlike `planners.total`.
+
+    `math.fsum` and plain additions do not either.
+    """
     found = float_sums(tree_of(path))
     assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"
 

@@ -1,4 +1,7 @@
-"""The benchmarks run, and no figure has fallen to half of its bar. The bars themselves are for a machine at rest."""
+"""The benchmarks run, and no figure is worse than half of its target.
+
+The targets themselves are for an idle machine.
+"""
 
 from __future__ import annotations
 
@@ -116,7 +119,7 @@ def test_counts_do_not_depend_on_the_run() -> None:
 
 
 def counted(style: str) -> dict[str, list[int]]:
-    """The figures of one style, counted in a process of its own."""
+    """Return the figures of one style, counted in a process of its own."""
     program = (
         "import json, counted; from styles import STYLES;"
         f" print(json.dumps({{f'{style}.{{k}}': v for k, v in"

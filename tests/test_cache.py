@@ -1,4 +1,4 @@
-"""The cache of compiled programs: used when it can be trusted, ignored when it cannot, never in the way."""
+"""The compile cache: used if it can be trusted, ignored if not, never an error."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def entry(*parts: str) -> Entry:
-    """The place of a program in the cache, as every process has its own."""
+    """Return the cache entry of a program, like a process of its own."""
     return program_entry(str(PACKAGE / "mint"), *(parts or ("a",)))
 
 
@@ -125,17 +125,20 @@ print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')
 
 
 def installed(place: Path) -> Path:
-    """A copy of the package, as an installation makes one."""
+    """Return a copy of the package, like an installation."""
     shutil.copytree(PACKAGE, place / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
     return place / "motionlang"
 
 
 def compiled(root: Path) -> list[str]:
-    """Compile the gallery with a copy of the package and keep something; the files that were imported."""
+    """Compile the gallery with a copy of the package, and cache something.
+
+    Return the imported files.
+    """
     command = [sys.executable, "-c", COMPILES, str(PACKAGE.parent / "scripts" / "mint")]
     ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=root.parent)
     found = [Path(line).relative_to(root) for line in ran.stdout.splitlines()]
-    # The first line of a package that holds nothing else decides nothing.
+    # The one-line docstring of an otherwise empty package has no effect.
     return sorted(path.as_posix() for path in found if len((root / path).read_text().splitlines()) > 4)
 
 
@@ -154,8 +157,9 @@ def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, fol
     } <= modules
     _, compiler, _ = loads(the_file(folder).read_bytes()[cache.CHECKSUM :])
     beside = {Path(place).relative_to(root).as_posix() for place, _ in compiler}
-    # What __init__.py of the package says of versions is not compiled in, and what keeps files keeps any. What the
-    # controller does is no matter of what a program means: the files of keywords import it for the run.
+    # Versions in __init__.py of the package are not compiled in, and the file store does not depend on
+    # contents. The controller does not affect the meaning of a program: the files of keywords import it for
+    # the run.
     left = {
         path
         for path in modules - beside
@@ -221,7 +225,7 @@ def test_a_module_of_the_same_size_and_time_makes_an_entry_void(tmp_path: Path) 
     module = root / "mint" / "compile" / "compiler.py"
     assert holds(root)
     status, text = module.stat(), module.read_text()
-    while module.stat().st_ctime_ns == status.st_ctime_ns:  # the clock of a file system ticks slowly
+    while module.stat().st_ctime_ns == status.st_ctime_ns:  # the clock of a file system is coarse
         module.write_text(text.replace("e", "a", 1))
         os.utime(module, ns=(status.st_atime_ns, status.st_mtime_ns))
     changed = module.stat()

@@ -1,4 +1,4 @@
-"""The recipe of docs/architecture.md, with a made-up word in both languages: its row, what it does, one command."""
+"""The recipe of docs/architecture.md, for a new keyword in both languages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 from tests import keyword_index
 
 ROOT = Path(__file__).parent.parent
-# Where the recipe is followed: what it touches, and what the writers read.
+# The files that the recipe touches, and that the writers read.
 COPIED = ("motionlang", "grammars", "docs", "tests")
 
 
@@ -22,14 +22,14 @@ def test_the_index_names_the_file_of_each_keyword(package: str) -> None:
 
 
 def insert(path: Path, before: str, text: str) -> None:
-    """Write something before the last place of a text in a file."""
+    """Insert a text before the last occurrence of another one in a file."""
     head, found, tail = path.read_text(encoding="utf-8").rpartition(before)
     assert found
     path.write_text(f"{head}{text}{found}{tail}", encoding="utf-8")
 
 
 def python(folder: Path, *arguments: str) -> str:
-    """What the interpreter prints in a folder, whose package is the one that it imports."""
+    """Return the output of the interpreter in a folder whose package it imports."""
     done = subprocess.run(
         [sys.executable, *arguments],
         cwd=folder,
@@ -44,7 +44,7 @@ def python(folder: Path, *arguments: str) -> str:
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the project in which the recipe was followed."""
+    """Return a copy of the project in which the recipe was followed."""
     folder = tmp_path_factory.mktemp("recipe")
     for name in COPIED:
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "golden"))

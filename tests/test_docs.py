@@ -1,9 +1,9 @@
-"""What the documents show is what the program does: their code blocks are run.
+"""The documents match the program: their code blocks are run.
 
-` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line stands for
-lines left out. `$ cat FILE` shows a file, and makes one that is not there; `< FILE` is standard input. ` ```mint ` and
-` ```mccl ` blocks are programs that run without a complaint, ` ```toml ` blocks are machine files, ` ```python `
-blocks are executed. Blocks of other kinds (`sh` for set-up) are for reading.
+` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line
+stands for omitted lines. `$ cat FILE` shows a file, and makes one that does not exist; `< FILE` is standard
+input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a diagnostic, ` ```toml ` blocks are
+machine files, ` ```python ` blocks are executed. Blocks of other kinds (`sh` for set-up) are for reading.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def blocks(*kinds: str) -> list[ParameterSet]:
 
 
 def commands(block: str) -> Iterator[tuple[str, str]]:
-    """Each command of a console block with the output shown below it."""
+    """Yield each command of a console block with the output shown below it."""
     parts = re.split(r"^\$ ", block, flags=re.MULTILINE)
     for part in filter(None, parts):
         command, _, output = part.partition("\n")
@@ -49,14 +49,14 @@ def commands(block: str) -> Iterator[tuple[str, str]]:
 
 
 def matches(shown: str, output: str) -> bool:
-    """Whether `output` is what is shown, with `…` lines standing for anything."""
+    """True if `output` matches the shown text, in which `…` lines match anything."""
     pattern = re.escape(shown.rstrip("\n")).replace(re.escape("\n…\n"), r"\n(?:.*\n)*")
     return re.fullmatch(pattern, output.rstrip("\n")) is not None
 
 
 @pytest.fixture
 def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """In a copy-free checkout: commands see the gallery, and what they write goes to a scratch folder."""
+    """Run commands in the checkout with the gallery, and write to a scratch folder."""
     monkeypatch.chdir(tmp_path)
     for name in ("scripts", "docs"):
         os.symlink(ROOT / name, tmp_path / name)
@@ -77,20 +77,23 @@ def test_console(
             *words, _, given = words
             monkeypatch.setattr("sys.stdin", io.StringIO(Path(given).read_text(encoding="utf-8")))
         output, errors = answer(words, capsys)
-        # On a terminal, messages may come before or after what is printed.
+        # On a terminal, messages may come before or after the printed output.
         found = matches(shown, output + errors) or matches(shown, errors + output)
         assert found, f"$ {command}\n{output}{errors}"
 
 
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
-    """The standard output and error of one command of a console block; `cat` is the only one that is not ours."""
+    """Return output and errors of one command of a console block.
+
+    `cat` is the only command that is not ours.
+    """
     if words[0] == "cat":
         return Path(words[1]).read_text(encoding="utf-8"), ""
     assert words[0] == "motionlang", words
     try:
         main(words[1:])
     except SystemExit:
-        pass  # argparse ends --help and mistakes that way
+        pass  # argparse ends --help and errors that way
     captured = capsys.readouterr()
     return captured.out, captured.err
 

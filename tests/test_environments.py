@@ -1,4 +1,4 @@
-"""The bare wheel in the environments that users have: interpreter options, homes, locales, and streams.
+"""The bare wheel in users' environments: options, homes, locales, streams.
 
 Each is a row of a table; every row runs the same few real uses.
 """
@@ -24,12 +24,15 @@ STRICT = ("-X", "dev", "-W", "error")
 
 @pytest.fixture
 def install(wheel: Path, tmp_path: Path) -> Install:
-    """The wheel with the libraries that it depends on."""
+    """Return the wheel with the libraries that it depends on."""
     return Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
 
 
 def works(install: Install, *flags: str, **changes: str | None) -> None:
-    """Run one use of each command; none of them leaves a file in the working folder but those that it should."""
+    """Run one use of each command.
+
+    None leaves an unexpected file in the working folder.
+    """
     uses = [each for each in first_uses() if not needed()[each]]
     for command, (status, _, err) in install(uses, *flags, **changes).items():
         assert (status, "error" in err) == (0, False), (command, err)
@@ -43,7 +46,7 @@ def test_every_command_under_an_option_of_python(flags: tuple[str, ...], install
 
 
 def test_every_command_without_a_home(install: Install, tmp_path: Path) -> None:
-    """The folder for caches is named, so that the test stays out of the user's own."""
+    """The cache folder is named, so that the test does not use the user's own."""
     works(
         install, HOME=None, MOTIONLANG_CACHE=None, XDG_CACHE_HOME=str(tmp_path), XDG_STATE_HOME=str(tmp_path)
     )
@@ -61,7 +64,10 @@ def test_every_command_with_a_home_that_takes_no_file(kind: str, install: Instal
 
 
 def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As in a container with `--user 1234`: Python leaves ~ as it is, which once became a folder of that name."""
+    """An example is a container with `--user 1234`.
+
+    Python leaves ~ unchanged, which once became a folder of that name.
+    """
     for name in ("MOTIONLANG_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(os.path, "expanduser", lambda path: path)
@@ -73,7 +79,8 @@ def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> 
 
 # ------------------------------------------------------------------------------------------- streams and locale
 
-# Real uses, and the exit status of each: two that print, one that complains of a file, one of the command line.
+# Real uses, and the exit status of each: two that print, one with a file error, one with a command line
+# error.
 USES = {
     "run move.mnt": 0,
     "pvt plot --positions 0,10,20 --time 10": 0,
@@ -93,7 +100,10 @@ def result(
     stdout: int = subprocess.PIPE,
     stderr: int = subprocess.PIPE,
 ) -> tuple[int, str, str]:
-    """Exit status, standard output and standard error, warnings of Python included; `closed` as a shell has it."""
+    """Return exit status, output and errors, including warnings of Python.
+
+    `closed` is in shell notation.
+    """
     command = [*install.python(*STRICT), "-m", "motionlang", *use.split()]
     ran = subprocess.run(
         ["sh", "-c", f'exec "$@" {closed}', "sh", *command], cwd=install.folder, env=install.environment,
@@ -104,7 +114,7 @@ def result(
 
 @contextmanager
 def unread() -> Iterator[int]:
-    """A pipe whose reader has gone."""
+    """Yield a pipe whose reader has gone."""
     reader, writer = os.pipe()
     os.close(reader)
     yield writer
@@ -113,7 +123,7 @@ def unread() -> Iterator[int]:
 
 @contextmanager
 def full() -> Iterator[int]:
-    """A full disk."""
+    """Yield a full disk."""
     disk = os.open("/dev/full", os.O_WRONLY)
     yield disk
     os.close(disk)
@@ -124,7 +134,7 @@ needs_full = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this sy
 
 @pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
 def test_streams_that_are_closed(closed: str, install: Install) -> None:
-    """The exit status is the same, and what still can be written is."""
+    """The exit status is unchanged, and the remaining stream is written."""
     for use, status in USES.items():
         got, out, err = result(install, use, closed)
         assert got == status, (use, err)
@@ -154,7 +164,7 @@ def test_standard_error_that_takes_nothing(broken: type, install: Install) -> No
 
 
 def test_the_c_locale(install: Install) -> None:
-    """A file name and a text outside ASCII: the letters that the locale lacks are shown by their numbers."""
+    """For a file name and a text outside ASCII, missing letters are shown by number."""
     (install.folder / "größe.mnt").write_text('PRINT "5 µm"\n', encoding="utf-8")
     install.environment |= {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     assert result(install, "run größe.mnt --report none") == (0, "5 \\xb5m\n", "")

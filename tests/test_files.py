@@ -1,4 +1,4 @@
-"""Writing a file whole or not at all."""
+"""Atomic replacement of files."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from motionlang.files import InUse, Lock, replacing, same_file, unwritable
 from tests.trees import tree_of
 
 PACKAGE = Path(motionlang.__file__).parent
-# What is no file of the user's: the null device, a history that prompt_toolkit appends to, a build.
+# Files that are not the user's: the null device, a history that prompt_toolkit appends to, a build.
 ELSEWHERE = {"files.py", "cli/standard_streams.py", "repl/history.py", "_wheel.py"}
-# The flags of what only reads.
+# The flags of read-only access.
 READING = {"O_RDONLY", "O_BINARY"}
 WRITERS = {
     "write_text",
@@ -105,7 +105,7 @@ def test_what_cannot_be_written_is_known_before(tmp_path: Path) -> None:
 
 
 def writes(node: ast.Call) -> bool:
-    """Whether a call opens a file for writing, or puts one somewhere."""
+    """True if a call opens a file for writing, or moves one."""
     called = ast.unparse(node.func)
     if called == "open" or called.endswith("fdopen"):
         modes = [*node.args[1:2], *(each.value for each in node.keywords if each.arg == "mode")]

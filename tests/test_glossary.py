@@ -1,4 +1,4 @@
-"""The glossary names keywords that exist, a unit by its usual sign, and each term once."""
+"""The glossary: existing keywords, usual units, and each term once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ COLUMNS = {"mint": 3, "mccl": 4}
 
 
 def rows() -> Iterator[list[str]]:
-    """The cells of each term's line."""
+    """Yield the cells of each term's line."""
     for line in PAGE.splitlines():
         if line.startswith("| ") and not line.startswith("| term |"):
             yield [cell.strip() for cell in line.strip("|").split("|")]

@@ -1,7 +1,8 @@
-"""Where a module of a package is brought in by a function of the same package: nowhere but where this page says so.
+"""Lazy imports of modules within a package: only the ones listed here.
 
-An import inside a function crosses packages, or loads a heavy library. Within a package it stands at the top, where a
-reader looks for it; but a run is to start as soon as it can, and what it need not have is brought in by who needs it.
+An import inside a function crosses packages, or loads a heavy library. Within a package it is at the top,
+where a reader looks for it. But a run has to start as soon as it can, and a module that it does not need is
+imported where it is used.
 """
 
 from __future__ import annotations
@@ -14,13 +15,13 @@ import motionlang
 from tests.trees import tree_of
 
 PACKAGE = Path(motionlang.__file__).parent
-# Libraries that take longer to import than most programs run, or may be missing where a module stays at the top.
+# Libraries that take longer to import than most programs run, or may be missing.
 HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "rich"}
-# Importer and what it brings in, both without the name of their package. A line may leave this list or become shorter;
-# none may grow or come in.
+# Importer and lazily imported modules, both without the name of their package. A line may leave this list or
+# become shorter; none may grow or be added.
 LAZY = {
-    # The doors: each opens a family of modules, of which most programs need few. That of the command line is the table
-    # of its commands.
+    # Lazy packages: each opens a family of modules, of which most programs need few. That of the command line
+    # is the table of its commands.
     "fast/__init__.py": "loop_counters moves ranges",
     "fast/time_slices.py": "recurrence",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
@@ -48,7 +49,7 @@ LAZY = {
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
     "planners/curve.py": "sequence",
-    # What few programs, or few commands, come to.
+    # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
     "log/stream.py": "records",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
@@ -63,14 +64,14 @@ LAZY = {
 
 
 def place_of(name: str) -> Path | None:
-    """The file of a module, None for a name that is none."""
+    """Return the file of a module, or None."""
     place = PACKAGE.parent.joinpath(*name.split("."))
     files = (place.with_suffix(".py"), place / "__init__.py")
     return next((file for file in files if file.exists()), None)
 
 
 def module_of(node: ast.ImportFrom, name: str) -> str:
-    """The module that an imported name is, or stands in."""
+    """Return the module that an imported name is, or belongs to."""
     whole = f"{node.module}.{name}"
     return whole if place_of(whole) is not None else str(node.module)
 
@@ -81,7 +82,7 @@ def is_for_types(node: ast.stmt) -> bool:
 
 @cache
 def on_top(path: Path) -> frozenset[str]:
-    """The modules and libraries that importing a file imports."""
+    """Return the modules and libraries that importing a file imports."""
     found: set[str] = set()
     left: list[ast.AST] = [node for node in tree_of(path).body if not is_for_types(node)]
     while left:
@@ -97,7 +98,7 @@ def on_top(path: Path) -> frozenset[str]:
 
 @cache
 def heavy(module: str) -> frozenset[str]:
-    """The heavy libraries that importing a module loads."""
+    """Return the heavy libraries that importing a module loads."""
     seen: set[str] = set()
     left = [module]
     while left:
@@ -110,7 +111,10 @@ def heavy(module: str) -> frozenset[str]:
 
 
 def brought_in(path: Path) -> set[str]:
-    """The modules of its own package that functions of a file import, without what loads a heavy library by that."""
+    """Return the modules of its own package that a file imports lazily.
+
+    Those that load a heavy library are left out.
+    """
     parts = path.relative_to(PACKAGE).with_suffix("").parts
     # `analysis` holds a package for each question.
     package = ".".join(("motionlang", *parts[: 2 if parts[0] == "analysis" else 1], ""))

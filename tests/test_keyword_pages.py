@@ -1,4 +1,4 @@
-"""The keyword pages say what the tables say, and what the examples show."""
+"""The keyword pages match the tables, and the examples' output."""
 
 from __future__ import annotations
 

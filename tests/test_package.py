@@ -1,4 +1,4 @@
-"""The package as a stranger gets it: metadata, wheel and source distribution, both installed and run."""
+"""The package for users: metadata, wheel and source distribution, all run."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ ROOT = Path(__file__).parent.parent
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """The source distribution and the wheel."""
+    """Return the source distribution and the wheel."""
     sdist, wheel = distributions(tmp_path_factory.mktemp("package"), "sdist", "wheel")
     return sdist, wheel
 
 
 def run(command: list[str], folder: Path, **environment: str) -> str:
-    """What a command prints; its own message where it fails."""
+    """Return the output of a command; fail with its message."""
     ran = subprocess.run(
         command, cwd=folder, env=os.environ | environment, capture_output=True, text=True, check=False
     )
@@ -38,7 +38,7 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
 
 @pytest.mark.parametrize("number", [0, 1], ids=["sdist", "wheel"])
 def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_path: Path) -> None:
-    """Alone: a run needs none of the libraries but for what a person sees."""
+    """It is alone: a run needs no library except for terminal output."""
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     alone = ["--no-deps", "--no-index", "--no-build-isolation", "--target", "site"]
     run([*pip, *alone, str(built[number])], tmp_path)
@@ -74,7 +74,7 @@ def test_the_licence_is_in_both(built: tuple[Path, Path]) -> None:
 
 
 def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
-    """Whoever has it can do what the README says: the gallery, the pages and the tests are in it."""
+    """It has everything in README: the gallery, the pages and the tests."""
     with tarfile.open(built[0]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
     for folder in ("benchmarks", "docs", "grammars", "motionlang", "scripts", "tests"):

@@ -1,4 +1,4 @@
-"""What CPython has and another Python may lack: a run does without, and its report is the same.
+"""Features of CPython that other Pythons lack: a run works without them, equally.
 
 No other Python is run here: its lacks are simulated.
 """
@@ -27,7 +27,7 @@ def reports() -> list[str]:
 
 
 def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As PyPy's, which has neither of them, and may have one."""
+    """PyPy's has neither thresholds nor freeze, but may get one."""
     expected = reports()
     assert expected
     for lacking in (("get_threshold",), ("set_threshold",), ("get_threshold", "set_threshold"), ("freeze",)):
@@ -44,7 +44,10 @@ def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None
 def test_what_is_left_when_a_command_ends_is_not_looked_through(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, has_freeze: bool
 ) -> None:
-    """Nothing is frozen by who calls `main` with arguments, and lives on; nor where a collector cannot do that."""
+    """A caller of `main` with arguments lives on, so nothing is frozen.
+
+    The same applies to a collector that cannot freeze.
+    """
     program = tmp_path / "a.mnt"
     program.write_text("PRINT 1\n")
     line = ["run", str(program), "--report", "none"]
@@ -75,7 +78,7 @@ def test_the_cache_of_one_python_is_not_that_of_another(
 
 
 def test_nothing_asks_for_what_only_cpython_tells() -> None:
-    """How often something is referred to, and how large it is, is CPython's own business."""
+    """Reference counts and object sizes are CPython's own."""
     for path in (ROOT / "motionlang").rglob("*.py"):
         program = path.read_text(encoding="utf-8")
         for word in ("getrefcount", "getsizeof", "get_referrers", "_PyObject", "ctypes"):

@@ -1,4 +1,4 @@
-"""The quick check: which tests it chooses for a change, and that collecting tests does not load the proof."""
+"""The quick check: its choice of tests for a change, and no load of the proof."""
 
 from __future__ import annotations
 

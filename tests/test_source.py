@@ -1,4 +1,4 @@
-"""Whatever a file holds becomes text: in the encodings that editors write, and in none at all."""
+"""Any file content becomes text: in the encodings of editors, and in none."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_bytes_that_are_no_wide_text_stay_bytes(data: bytes) -> None:
 
 
 def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As /dev/zero, or a pipe that somebody forgot."""
+    """Examples are /dev/zero, and a pipe that was forgotten."""
     monkeypatch.setattr("motionlang.source.LARGEST", 100_000)
     path = tmp_path / "long.mnt"
     path.write_bytes(b"'" * 100_000)

@@ -1,4 +1,4 @@
-"""What a word is stands in its row: no module outside the vocabulary goes by its name, but for the few listed here."""
+"""Keyword facts are in rows: other modules name keywords only as listed here."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from tests.trees import tree_of
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}
 MCCL = {row.name for row in commands()}
-# The words that a module names all the same. A line may leave this list or become shorter; none may grow or come in.
+# The keywords that a module names. A line may leave this list or become shorter; none may grow or be added.
 NAMED = {
-    # What PLAN writes, and what the client sends to a board.
+    # The output of PLAN, and commands that the client sends to a board.
     "cli/plan.py": "DS MR PT SA SV US",
     "client/answer.py": "VE",
     "client/client.py": "TP TS WS WT",
-    # Texts that only look like words: a state, an axis of a chart, an access.
+    # Texts that only look like keywords: a state, an axis of a chart, an access.
     "controller/triggers/homing.py": "HOME",
     "views/chapter12.py": "DAC",
     "views/chapter12_plot.py": "DAC",
@@ -32,7 +32,7 @@ NAMED = {
     "views/servo.py": "DAC",
     "views/servo_plot.py": "DAC",
     "lang/machine/nonvolatile.py": "NVLONG",
-    # Commands that the code around them speaks of to the user, or that open a block.
+    # Commands that the code around them reports to the user, or that open a block.
     "mccl/motion/joystick.py": "JN",
     "mint/compile/keyword_use.py": "IDLE VEL",
     "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",
@@ -41,7 +41,10 @@ NAMED = {
 
 
 def named() -> dict[str, set[str]]:
-    """The words, in capitals and of two letters or more, that stand as texts in the modules outside the vocabulary."""
+    """Return the keywords that are strings in modules outside the vocabulary.
+
+    They are in capitals and of two letters or more.
+    """
     found: defaultdict[str, set[str]] = defaultdict(set)
     for path in PACKAGE.rglob("*.py"):
         place = path.relative_to(PACKAGE)
@@ -65,7 +68,7 @@ def test_no_module_outside_the_vocabulary_names_a_word_that_is_not_listed() -> N
 
 
 def test_no_code_compares_the_name_of_a_row() -> None:
-    """What makes one keyword differ from others is a column of its row."""
+    """Differences between keywords are columns of their rows."""
     compared = [
         f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}"
         for path in PACKAGE.rglob("*.py")

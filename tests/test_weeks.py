@@ -1,4 +1,4 @@
-"""A week takes no more memory than a day: runs of a machine without an end, each a process of its own."""
+"""A week takes no more memory than a day: endless runs, each in a process."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import pytest
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 DAY = 86_400.0
 WEEK = 7.0 * DAY
-# Kilobytes that the log may grow by until it goes to the disk: 16 MB packed, and the newest records as they are.
+# Kilobytes by which the log may grow before it uses the disk: 16 MB packed, and the newest records.
 BEFORE_THE_DISK = 64_000
 
 
 def joystick(folder: Path) -> Path:
-    """The joystick of the gallery, which is moved every minute, and a program that looks at the speed ever after."""
+    """The joystick of the gallery, moved every minute, and a program that polls it."""
     moved = [
         f"[[analogue]]\nchannel = 1\nvalue = {25 + minute % 3}\nat = {60.0 * minute}\n"
         for minute in range(10_081)
@@ -31,7 +31,7 @@ def joystick(folder: Path) -> Path:
 
 
 def conveyor(folder: Path) -> Path:
-    """The conveyor of the gallery with a box every 61 seconds, and without an end."""
+    """Return the conveyor of the gallery with a box every 61 seconds, without an end."""
     box = "[[input]]\nchannel = 2\naxis = 0\nbetween = [250.0, 300.0]\nevery = 6100.0\ntimes = 10000\n"
     (folder / "week.machine.toml").write_text(box)
     text = (SCRIPTS / "mint" / "conveyor-tracking.mnt").read_text()
@@ -41,7 +41,7 @@ def conveyor(folder: Path) -> Path:
 
 
 def memory(program: Path, until: float) -> int:
-    """The most that a run has taken, kilobytes; it runs up to its time, and says nothing against the program."""
+    """Return the peak memory of a run, kilobytes; it must run up to its time limit."""
     command = [
         sys.executable,
         "-m",

@@ -1,4 +1,4 @@
-"""Every command from the bare wheel, with only the libraries that it depends on, and without each extra in turn."""
+"""Every command from the bare wheel, with required libraries, without each extra."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tests.cli.programs import LONGEST
 from tests.installed import EXTRAS, PROJECT, USED, Install, check, closure, first_uses, helps, needed
 from tests.lowest import SUPPORTED, lowest
 
-# Extras of which the package itself imports nothing: for those who work on it, and Dask, whose executor users pass in.
+# Extras that the package itself does not import: for developers, and Dask, whose executor users pass in.
 UNUSED = {"dev", "bench", "dask"}
 links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
 
@@ -35,14 +35,14 @@ def test_every_command_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
 @links
 @pytest.mark.parametrize("absent", USED)
 def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Path) -> None:
-    """One use of each command, the first, and those that need the extra."""
+    """It runs the first use of each command, and those that need the extra."""
     present = [each for extra in USED if extra != absent for each in EXTRAS[extra]]
     install = Install(tmp_path, wheel, closure([*PROJECT["dependencies"], *present]))
     uses = {use: extra for use, extra in needed().items() if extra == absent or use in first_uses()}
     check(install([*helps(), *uses]), uses, {absent})
 
 
-# What needs numpy among those that need no extra, and some more: by the option or the command that says so.
+# Uses that need numpy among those that need no extra, and some more: by the option or command in the message.
 WITHOUT_NUMPY = {
     "run move.mnt --report json --prove": "--prove",
     "run move.mnt --certify": "--certify",
@@ -62,7 +62,7 @@ WITHOUT_NUMPY = {
 
 @links
 def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
-    """As in a browser's Python: each help is shown, and what needs numpy says so in a sentence."""
+    """A browser's Python has none: each help is shown, and messages name numpy."""
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]) - {"numpy"})
     (install.folder / "motor.mnt").write_text("PRINT 1\n")
     (install.folder / "motor.machine.toml").write_text("[axis.0.plant]\nkind = 'dc'\n")
@@ -113,7 +113,10 @@ def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
 
 
 def test_the_lowest_versions_are_declared_for_each_python() -> None:
-    """`python -m tests.lowest` installs these; numpy's are the first with a wheel for that Python."""
+    """`python -m tests.lowest` installs these.
+
+    Numpy's are its first with such a wheel.
+    """
     numpy = {version: lowest(version)[1] for version in SUPPORTED}
     assert numpy == {
         "3.11": "numpy==1.26",
@@ -130,7 +133,7 @@ def test_the_lowest_versions_are_declared_for_each_python() -> None:
 
 
 def at_run_time(text: str) -> list[str]:
-    """The imports of a module but for those that are for types alone."""
+    """Return the imports of a module except those for types alone."""
     left: list[ast.AST] = [ast.parse(text)]
     found = []
     while left:
@@ -155,7 +158,7 @@ def test_the_extras_are_those_of_the_project() -> None:
 
 
 def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> None:
-    """A test above reaches each of them; a new one is to be reached there, too."""
+    """A test above reaches each of them; a new one has to be added there."""
     imported = re.compile(rf"^\s*(?:from|import) (?:{'|'.join(LIBRARIES)})\b", re.MULTILINE)
     found = set()
     for path in (ROOT / "motionlang").rglob("*.py"):
@@ -180,7 +183,7 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
 
 
 def test_what_installs_an_extra_is_written_in_one_way() -> None:
-    """In double quotes, which every shell accepts, and in the package only where `need` writes it."""
+    """It is in double quotes, for every shell, and in the package only in `need`."""
     texts = [*(ROOT / "motionlang").rglob("*.py"), *(ROOT / "docs").glob("*.md"), ROOT / "README.md"]
     found = {
         (path.name, line.strip())

@@ -9,11 +9,11 @@ from pathlib import Path
 
 @cache
 def text_of(path: Path) -> str:
-    """The text of a file."""
+    """Return the text of a file."""
     return path.read_text(encoding="utf-8")
 
 
 @cache
 def tree_of(path: Path) -> ast.Module:
-    """The tree of a file, which is read only."""
+    """Return the tree of a file, which must not be changed."""
     return ast.parse(text_of(path))

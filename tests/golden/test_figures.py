@@ -1,4 +1,4 @@
-"""Every figure of the worked examples, to a billionth: AN00115's moves and TN1069's comparison.
+"""Every figure of the worked examples, to a billionth: AN00115 and TN1069.
 
 The exact values are those of independent arithmetic (direct integration), not of this program.
 """

@@ -1,4 +1,7 @@
-"""Every program of the gallery does what its golden files say; `pytest --update` writes them anew."""
+"""Every program of the gallery matches its golden files.
+
+`pytest --update` rewrites.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""The gallery's machines against arithmetic by hand: when each is done, worked out here from its header's formulas.
+"""The gallery's machines against hand arithmetic: their end times.
 
-Statements cost ten microseconds each, so a run is a little longer than its moves.
+They are computed from the formulas in each header. Statements take ten microseconds each, so a run is
+slightly longer than its moves.
 """
 
 from __future__ import annotations
@@ -17,11 +18,11 @@ STATEMENTS = 3e-3
 
 
 def there(distance: float, speed: float, rate: float) -> float:
-    """The time of a move from rest to rest."""
+    """Return the time of a move from rest to rest."""
     return distance / speed + speed / rate if distance >= speed**2 / rate else 2.0 * sqrt(distance / rate)
 
 
-# Program: when it, or what is named in the comment, is over.
+# The end of each program, or of the action in the comment.
 OVER: dict[str, float] = {
     "pick-and-place": 3 * (4 * there(50, 500, 5000) + 2 * 0.08 + 2 * there(300, 800, 4000)),
     "indexing-table": 8 * (there(45, 180, 900) + 0.3),

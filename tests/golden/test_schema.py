@@ -1,4 +1,4 @@
-"""`motionlang.report/2`: every report keeps to its JSON Schema, and the page about it names each field and value."""
+"""`motionlang.report/2`: reports match its JSON Schema, and its page is complete."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def check(document: str) -> None:
 
 @cases("program", GALLERY, ids=lambda path: str(Path(path).relative_to(ROOT / "scripts")))
 def test_every_golden_report_keeps_to_the_schema(program: str) -> None:
-    """The golden files, which another test holds to what the programs do."""
+    """Another test compares the golden files with the programs."""
     check(Path(program).with_suffix(".golden.json").read_text(encoding="utf-8"))
 
 
@@ -73,7 +73,7 @@ def test_an_overflow_is_null() -> None:
 
 
 def tables() -> Iterator[tuple[str, list[str]]]:
-    """Of every table of the page: what stands at its head, and the names in its first column."""
+    """Yield heading and first column of every table of the page."""
     for found in re.finditer(r"^\| (.*?) \|.*\n\|[-|]+\n((?:\|.*\n)+)", PAGE, re.MULTILINE):
         yield (
             found[1],

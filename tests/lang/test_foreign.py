@@ -1,4 +1,7 @@
-"""A file in the other language is told in one sentence; a file with mistakes of its own never is."""
+"""A file in the other language gives one message.
+
+A file with own errors never does.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Characters that editors leave behind: form feeds, the end-of-file mark of DOS, typographic quotes and dashes."""
+"""Characters of old editors: form feeds, DOS file ends, typographic quotes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MCCL = b"1MN\x0c\r\n\x0c1MR5,\x0c1WS0\x1a\r\n\x0c\r\n1TP\r\n\x1a\x1a"
 def test_form_feeds_and_the_end_of_file_are_blanks(
     name: str, data: bytes, output: list[str], tmp_path: Path
 ) -> None:
-    """Between words, at the begin and the end of lines, on lines of their own, and at the end of the file."""
+    """They are between words, at line ends, on their own lines, and at the file's end."""
     (tmp_path / name).write_bytes(data)
     made = run(tmp_path / name, cache=False)
     assert (made.status, made.output, made.diagnostics) == ("ended", output, [])
@@ -38,7 +38,7 @@ def test_a_client_downloads_such_a_file() -> None:
 
 
 def mistakes(name: str, text: str | bytes) -> list[tuple[int, str, str]]:
-    """Line, message and hint of every error of a program."""
+    """Return line, message and hint of every error of a program."""
     source = Source(name, text) if isinstance(text, str) else Source.from_bytes(name, text)
     found = dialect_for(source, None).check(source)
     return [(each.line, each.message, each.hint) for each in found if each.severity == "error"]

@@ -1,4 +1,4 @@
-"""The two readings that a mix of `&` or `|` with comparisons is shown with: the first one is how it is read."""
+"""The two interpretations of `&` or `|` with comparisons: the first is in force."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def tree(line: str) -> str:
 
 
 def bracketed(operands: list[str], ops: list[str], tight: tuple[str, ...]) -> str:
-    """The operands with brackets around every run that `tight` operators join."""
+    """Return the operands with brackets around every run that `tight` operators join."""
     runs, loose = [[operands[0]]], []
     for op, operand in zip(ops, operands[1:], strict=True):
         if op in tight:

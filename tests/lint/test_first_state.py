@@ -1,4 +1,7 @@
-"""At the beginning of a program its axes stand at 0, which is the position at power-up, and have no speed."""
+"""At the beginning of a program its axes are at 0 and have no speed.
+
+0 is the position at power-up.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Programs with everything that a linter can find, and the whole of what it says, beside each in a `.txt`.
+"""Programs with every finding of a linter, and the complete output in a `.txt`.
 
-A `.toml` beside a program is the machine that it is for. `pytest --update` writes the texts anew.
+A `.toml` next to a program is its machine. `pytest --update` rewrites the texts.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ GALLERY = sorted([*HERE.parents[1].glob("scripts/mint/*.mnt"), *HERE.parents[1].
 
 
 def told(path: Path) -> str:
-    """Every message about a program, as it is shown."""
+    """Return every message about a program, as it is displayed."""
     language, source = dialect_of(path.name), Source.read(path)
     assert language is not None
     machine = next((each for each in _machines(path) if each.exists()), None)

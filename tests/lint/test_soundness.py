@@ -1,4 +1,4 @@
-"""What the linter says of a program is true of its run: random programs that print each line before it is done."""
+"""The linter is right: random programs print each line before it runs."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _TURN: list[Lines] = [["k = k + 1"], ["If k > 20 Then Exit Loop"]]
 
 
 def _counted(turns: int, body: list[Lines]) -> Lines:
-    """A For with a variable of its own: one that an inner For counts with, too, may never end."""
+    """Return a For with a variable of its own: a shared one might never end."""
     return _block(f"For i{sum(map(len, body))} = 1 To {turns}", body, "Next")
 
 
@@ -68,7 +68,7 @@ _SILENT = ("Next", "End If", "End Loop", "If k > 20")
 
 @st.composite
 def programs(draw: st.DrawFn) -> str:
-    """A program, every statement of which prints its line before it is done."""
+    """Return a program whose statements print their lines before they run."""
     lines = [line for each in draw(statements) for line in each]
     counters = sorted(set(re.findall(r"i\d+", "\n".join(lines))))
     text = f"Dim {', '.join(f'{each} As Integer' for each in ('k', *counters))}\n"
@@ -141,7 +141,7 @@ def test_without_an_unused_setting_every_move_is_the_same(text: str) -> None:
         lines[each.line - 1] = f'PRINT "line {each.line}" : k = k'
         before, after = moves(text), moves("\n".join(lines))
         assert [move[:2] for move in after] == [move[:2] for move in before]
-        # While an axis moves, a setting holds for the ten microseconds of its statement.
+        # While an axis moves, a setting applies for the ten microseconds of its statement.
         assert [move[2:] for move in after] == [pytest.approx(move[2:], abs=1e-3) for move in before]
 
 

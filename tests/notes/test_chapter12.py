@@ -1,4 +1,7 @@
-"""Every formula, listing and figure of "Dissecting a Move Profile" (chapter 12), to the figures of its text."""
+"""Every formula, listing and figure of "Dissecting a Move Profile" (chapter 12).
+
+They are compared with the figures of its text.
+"""
 
 from __future__ import annotations
 
@@ -51,7 +54,10 @@ def test_buildup_is_63_percent_in_a_time_constant() -> None:
 
 
 def test_figure_12_6() -> None:
-    """C exceeds the limit at its onset, D keeps it over the update, F (two steps) does not."""
+    """C exceeds the limit at its onset, D observes it over the update, F does not.
+
+    F has two steps.
+    """
     c = dissect.step_segments((1,), 1.0 / 5.0)[0]
     d, f = dissect.step_segments((1, 2), 2.0 / 3.0)
     assert c.onset == pytest.approx(5.0)
@@ -117,7 +123,10 @@ def test_the_progression_ends_exactly(distance: int, speed: int, accel: int) -> 
     ],
 )
 def test_pid_to_dac(error: int, total: int, last: int, steps: int) -> None:
-    """(Kp E + (Ki/256) E_T + Kd (E - E_L))/16 with Kp 16, Ki 10, Kd 10, truncated as C does."""
+    """(Kp E + (Ki/256) E_T + Kd (E - E_L))/16, truncated like in C.
+
+    Kp is 16, Ki 10, Kd 10.
+    """
     assert dissect.pid_dac(16, 10, 10, error, total, last) == steps
 
 
@@ -152,7 +161,10 @@ def test_the_listing_never_overshoots_its_trajectory(
 
 
 def test_the_listing_holds_its_dac() -> None:
-    """A new value at most every RegCnt updates, but for the one at which the deceleration begins."""
+    """There is a new value at most every RegCnt updates.
+
+    The update at which the deceleration begins is an exception.
+    """
     made = run_listing(Settings(20_000, 50, 1, 40, kd=80, hold=5, max_steps=0), 100.0, 2.0, 900)
     changes = [i for i in range(1, 900) if made.dac[i] != made.dac[i - 1]]
     gaps = [b - a for a, b in pairwise(changes)]
@@ -166,7 +178,7 @@ def test_the_listing_stays_near_the_actual_velocity() -> None:
 
 
 def test_the_listings_pid_is_the_loops() -> None:
-    """Held every update and with no override the listing is the integer form of the loop."""
+    """Held every update without override, the listing is the loop's integer form."""
     settings_ = Settings(5000, 40, 1, 60, 8, 120, integral_limit=900)
     made = run_listing(settings_, 100.0, 2.0, 400)
     loop = Loop(60, 8, 120, integral_limit=900, arithmetic="chapter12", dac_bits=12, servo_rate=1000.0)
@@ -188,7 +200,7 @@ def test_the_listings_pid_is_the_loops() -> None:
     track.profiles = (track,)  # type: ignore[attr-defined]
     trace = simulate(track, loop, drive, until=0.15, columns=("position", "output"))  # type: ignore[arg-type]
     steps = trace.dac_steps.astype(int).tolist()
-    # The listing moves its trajectory on before it looks; the loop looks at the beginning of a cycle.
+    # The listing advances its trajectory before it measures; the loop measures at the beginning of a cycle.
     assert steps[1:] == list(made.dac[:150])
 
 
@@ -208,7 +220,10 @@ def test_the_override_keeps_the_load_where_it_is() -> None:
 
 
 def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it() -> None:
-    """100 000 counts/s are SPEED: a quarter of LIMIT for 0.2 s is half of it times 0.2²."""
+    """100 000 counts/s are SPEED: a quarter of LIMIT covers half of it times 0.2².
+
+    That takes 0.2 s.
+    """
     for run in demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60):
         accelerated = 0.5 * 0.25 * LIMIT * 100_000.0 / SPEED * 0.2**2
         assert run.trace.commanded[round(0.2 / run.trace.loop.period)] == pytest.approx(accelerated, abs=1.0)
@@ -267,7 +282,7 @@ def test_a_track_tells_the_time_of_the_run() -> None:
 
 
 def test_a_load_that_slips_arrives_late() -> None:
-    """A step of the carrier's speed: the load catches up at mu g and slides v²/(2 mu g) on the way."""
+    """A step of the carrier's speed: the load reaches it at mu g after v²/(2 mu g)."""
     loop = Loop(1.0, output_limit=10.0)
     drive = Drive(1000.0, 1e-6)
     profile = plan("trapezoid", 0.0, 100_000.0, 5000.0, 1e9, 1e9)

@@ -57,7 +57,10 @@ def test_the_errata_are_told() -> None:
 
 
 def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
-    """By integration of V/2 (1 - cos(pi t/T_A)): 533.84 counts at 0.3 T_A, where the print gives 7005.98."""
+    """By integration of V/2 (1 - cos(pi t/T_A)): 533.84 counts at 0.3 T_A.
+
+    The print gives 7005.98.
+    """
     steps, ramp = 100_000, 0.6283185307179586
     width = 0.3 * ramp / steps
     area = sum(20e3 * (1.0 - cos(pi * (i + 0.5) * width / ramp)) for i in range(steps)) * width
@@ -67,7 +70,10 @@ def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
 
 
 def test_a_move_of_ones_own() -> None:
-    """A = 200, D = 100, V = 50, S = 1000, n = 0.25: T_A = V/(A (1 - n)), T_D twice that, S = T V/2 each."""
+    """A = 200, D = 100, V = 50, S = 1000, n = 0.25: T_A = V/(A (1 - n)).
+
+    T_D is twice that, S = T V/2 each.
+    """
     demand = tn1069.Demand(200.0, 50.0, 1000.0, 100.0, 0.25)
     rows = {row.name: row for row in tn1069.comparison(demand)}
     assert [row.printed for row in rows.values()] == [None] * len(rows)

@@ -33,7 +33,10 @@ def test_equal_time_gives_every_shape_what_it_needs() -> None:
 
 
 def test_the_trapezoid_takes_longest_to_settle_and_the_sine_is_smoothest() -> None:
-    """TN1069: the trapezoid is the quickest to speed, "but can result in somewhat longer settling times"."""
+    """TN1069: the trapezoid is the quickest to speed.
+
+    It adds "but can result in somewhat longer settling times".
+    """
     for basis in ("acceleration", "time"):
         rows = {row.shape: row for row in compare(LOOP, MOTOR, *EXAMPLE, basis)}
         assert rows["sinusoidal"].settle < rows["scurve"].settle < rows["trapezoid"].settle

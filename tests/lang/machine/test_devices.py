@@ -1,4 +1,7 @@
-"""The machine file about other devices: servers, nodes, buses, serial ports, terminals; every mistake with its line."""
+"""The machine file on other devices: servers, nodes, buses, ports, terminals.
+
+Every error has its line.
+"""
 
 from __future__ import annotations
 

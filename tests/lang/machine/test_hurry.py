@@ -1,4 +1,4 @@
-"""A run tells of a loop that starts motion after motion and waits for none, with its line."""
+"""A loop that starts motion after motion without a wait is reported with its line."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
 
 @pytest.mark.slow
 def test_who_wants_to_know_at_once_is_told_once_of_each(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The log is checked at 1024 profiles and whenever it is full: at 4096, and after 4096 - 512 more, at 7680.
+    """The log is checked at 1024 profiles and whenever it is full.
 
-    A motion every 30 us makes 10 000 in 0.3 s.
+    That is at 4096, and after 4096 - 512 more, at 7680. A motion every 30 us makes 10 000 in 0.3 s.
     """
     monkeypatch.setattr("motionlang.log.log.MOST_PROFILES", 4096)
     told: list[tuple[float, int]] = []

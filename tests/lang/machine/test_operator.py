@@ -1,4 +1,4 @@
-"""The operator: keys and lines of the machine file, and those of somebody who is really there."""
+"""The operator: keys and lines of the machine file, and of a real person."""
 
 from __future__ import annotations
 

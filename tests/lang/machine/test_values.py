@@ -1,4 +1,7 @@
-"""The machine file with every kind of value at every key: it runs, or is told with its place and a hint."""
+"""The machine file with every kind of value at every key: it runs or is rejected.
+
+Errors have a location and a hint.
+"""
 
 from __future__ import annotations
 
@@ -52,7 +55,7 @@ WRONG = [
     "[" * 2000,
     "{a=" * 2000,
 ]
-# A value that each kind takes.
+# A valid value of each kind.
 RIGHT = {
     "text": '"a"',
     "pair": "[1, 2]",
@@ -65,7 +68,7 @@ RIGHT = {
     "view": '"float"',
     "fault": '"drive"',
 }
-# What an entry needs besides what each of its table needs.
+# What an entry needs in addition to the requirements of its table.
 BESIDES = {
     "fault": {"axis": "1"},
     "comms": {"value": "1"},
@@ -78,7 +81,7 @@ BESIDES = {
 
 
 def told(text: str) -> list[str]:
-    """The mistakes of a machine file, each with its place and its hint; what has none runs."""
+    """Return the errors of a machine file with location and hint; without any, run it."""
     try:
         settings = read_machine(Source("machine.toml", text))
     except ProgramError as error:
@@ -87,13 +90,13 @@ def told(text: str) -> list[str]:
             assert each.hint, f"{each.message}: no hint in {text[:200]}"
         return [each.message for each in error.diagnostics]
     for name, program in (("a.mnt", "PRINT 1\n"), ("a.mcl", "0\n")):
-        with suppress(ProgramError):  # an axis that there is not
+        with suppress(ProgramError):  # an axis that does not exist
             motionlang.run(Source(name, program), machine=settings, until=2.0, cache=False)
     return []
 
 
 def entry(table: str, values: dict[str, str]) -> str:
-    """An entry of a table."""
+    """Return an entry of a table."""
     return f"[[{table}]]\n" + "".join(f"{key} = {value}\n" for key, value in values.items())
 
 
@@ -102,7 +105,7 @@ def right(table: str, key: str) -> str:
 
 
 def least(table: str) -> dict[str, str]:
-    """The least that an entry of a table says."""
+    """Return the minimal contents of an entry of a table."""
     return {key: right(table, key) for key in REQUIRED[table]} | BESIDES.get(table, {})
 
 
@@ -115,7 +118,7 @@ def test_any_value_of_a_key(key: str) -> None:
 
 
 def entries(table: str) -> Iterator[str]:
-    """Entries with every value at every key, with every two keys, and with one that is missing."""
+    """Entries with every value at every key, with every two keys, and without one."""
     for key in TABLES[table]:
         for value in WRONG:
             yield entry(table, {**least(table), key: value})
@@ -214,7 +217,7 @@ def test_a_reading_at_a_place_that_there_is_not(place: str) -> None:
 
 @pytest.mark.parametrize("value", ["1e308", "1e100", "1e30", "-1e308", "1e-300", "1e12", "1e-12"])
 def test_no_figure_of_a_motor_leaves_what_its_equations_can_hold(value: str) -> None:
-    """They become text of generated code, in which neither nan nor infinity is a number."""
+    """They become text of generated code, which has neither nan nor infinity."""
     for key in SERVO_KEYS:
         text = f"{key.replace('.N', '.0')} = {value}\n"
         if ".servo." in key:

@@ -1,4 +1,7 @@
-"""What a message says was expected, against Lark: its sets on every prefix of the texts whose mistakes are tested."""
+"""The expected items in messages, against Lark: its sets on every prefix of texts.
+
+The texts are those with tested errors.
+"""
 
 from __future__ import annotations
 
@@ -20,14 +23,14 @@ TESTS = Path(__file__).parents[2]
 
 
 def mint_texts() -> list[str]:
-    """Programs with mistakes: a file each, and what stands between the lines of dashes."""
+    """Return programs with errors: one per file, between the lines of dashes."""
     files = sorted((TESTS / "errors" / "mint").glob("*.mnt"))
     many = (TESTS / "mint" / "syntax" / "parser_errors.txt").read_text().split("\n----\n")
     return [*(file.read_text() for file in files), *many]
 
 
 class Accepted:
-    """What Lark accepts, which depends on the states it is in and is asked once for each stack of them."""
+    """Lark's accepted tokens, cached by its stack of states."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[int, ...], set[str]] = {}
@@ -48,7 +51,7 @@ def test_mint_expects_what_lark_accepts() -> None:
             assert own(top) == accepted(parser), (text, piece)
             seen += 1
             kind = TABLES.kind_of[piece]
-            if kind in own(top) - {END, BAD}:  # what does not fit is left out
+            if kind in own(top) - {END, BAD}:  # wrong tokens are omitted
                 parser.feed_token(lark.Token(kind, piece))
                 top = feed(top, kind, at)[0]
     assert seen > 1000
@@ -60,13 +63,13 @@ def test_mccl_expects_what_lark_accepts() -> None:
         for line in file.read_text().splitlines():
             parser, top = judge.parse_interactive(line), empty(AUTOMATON)
             try:
-                for token in parser.iter_parse():  # which feeds it when the next one is asked for
+                for token in parser.iter_parse():  # which takes it when the next one is requested
                     assert expected(AUTOMATON, top) == accepted(parser), (line, token)
                     top = feed(top, token.type, 0)[0]
                     seen += 1
             except lark.exceptions.UnexpectedInput:
                 wrong = next(piece for piece in pieces(line) if parts(piece) is None)
-                # By itself it begins where the line does; there a separator may stand before a command, too.
+                # By itself it begins at the start of a line; a separator may precede a command, too.
                 around = {"_SEPARATOR", "_NEWLINE", END}
                 assert stuck(wrong)[1] | around == accepted(parser) | around, line
             assert expected(AUTOMATON, top) == accepted(parser), line

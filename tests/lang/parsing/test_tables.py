@@ -1,4 +1,4 @@
-"""The table parser against Lark itself, on the same grammar: same texts accepted, same trees built."""
+"""The table parser against Lark, on the same grammar: equal texts and trees."""
 
 from __future__ import annotations
 
@@ -69,7 +69,8 @@ def test_the_loop_does_by_itself_what_is_reduced_most_often(monkeypatch: pytest.
     assert own > called > 0
 
 
-# ------------------------------------------------------------------------------------------ Lark as the judge
+# ------------------------------------------------------------------------------------------ Lark as the
+# reference
 
 
 @cache
@@ -78,7 +79,7 @@ def judge() -> lark.Lark:
 
 
 def judged(text: str) -> str:
-    """What Lark makes of a text: the tree built by the same actions, read off Lark's own tree, or the refusal."""
+    """Return Lark's tree of a text, by equal actions, or its rejection."""
     try:
         tree = judge().parse(text + TABLES.end(text))
     except lark.exceptions.UnexpectedInput:
@@ -140,7 +141,8 @@ def test_gallery() -> None:
         assert ours(text) == judged(text), path.name
 
 
-# A program is lines of pieces: right ones mostly, so that both parsers go deep, in any order, so that both fail.
+# A program is lines of tokens: mostly valid ones, so that both parsers go deep, in any order, so that both
+# fail.
 PIECES = [piece for text in samples().values() for piece in TABLES.texts(text) if piece]
 LINES = [
     line
