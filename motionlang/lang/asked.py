@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     # A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
@@ -46,3 +48,22 @@ class Asked:
     ) -> None:
         self.leaves, self.within, self.lines, self.why = leaves, within, lines, why
         self.counts = counts
+
+
+@record
+class WorldRead:
+    """One place at which a program depends on the world around it.
+
+    `kind`    "wait" (the program stops here until the level comes), "poll" (the condition of a loop), "guard" (an If
+              that jumps away at the other level), "test" (any other reading), "event" (a handler) or "key" (a key
+              that the program compares with)
+    `channel` the number of the input, or the code of the key; None if it is only known at run time
+    `level`   the level that lets the program go on, or makes a test true; None if that cannot be told
+    `line`    the line; `last` is the last line of a loop
+    """
+
+    kind: str
+    channel: int | None
+    level: int | None
+    line: int
+    last: int

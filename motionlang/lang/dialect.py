@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.asked import Asked
+    from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.keyword import Table
     from motionlang.lang.listing import Listing
     from motionlang.lang.machine.machine import Machine
@@ -126,6 +126,10 @@ class Dialect:
     def switches(self) -> Mapping[str, Switch]:
         """Return the assumptions that the machine file may set, by name."""
         return {}
+
+    def world_reads(self, source: Source) -> list[WorldRead]:
+        """Return where a program depends on digital inputs and keys, in the order of its lines."""
+        return []
 
     def driven_by(self, why: str) -> list[str]:
         """Return the tables and keys of the machine file that could end the wait described by `why`."""

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.asked import Asked
+    from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Table
     from motionlang.lang.listing import Listing
@@ -91,6 +91,11 @@ class Mccl(Dialect):
         from motionlang.mccl.resolve.asked import asked
 
         return asked(source)
+
+    def world_reads(self, source: Source) -> list[WorldRead]:
+        from motionlang.mccl.resolve.asked import world_reads
+
+        return world_reads(source)
 
     def driven_by(self, why: str) -> list[str]:
         import re

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.asked import Asked
+    from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.dialect import Interactive, Ranges
     from motionlang.lang.keyword import Table
     from motionlang.lang.listing import Listing
@@ -94,6 +94,11 @@ class Mint(Dialect):
         from motionlang.mint.keywords.switchable import switches
 
         return switches()
+
+    def world_reads(self, source: Source) -> list[WorldRead]:
+        from motionlang.mint.resolve.asked import world_reads
+
+        return world_reads(source)
 
     def driven_by(self, why: str) -> list[str]:
         from motionlang.mint.runtime.wait_sources import driven_by

@@ -5,7 +5,7 @@ A loop is the commands between the target of a jump back and the jump.
 
 from __future__ import annotations
 
-from motionlang.lang.asked import Asked
+from motionlang.lang.asked import Asked, WorldRead
 from motionlang.mccl.resolve.line import Line, lines_of
 
 TYPE_CHECKING = False
@@ -18,6 +18,16 @@ if TYPE_CHECKING:
 
 _DIGITAL = frozenset(("if_on", "if_off", "do_if_on", "do_if_off"))
 _BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
+
+# What a command does with a channel, and the level at which the program goes on or the test holds.
+_KINDS = {
+    "wait_on": ("wait", 1),
+    "wait_off": ("wait", 0),
+    "if_on": ("test", 1),
+    "if_off": ("test", 0),
+    "do_if_on": ("test", 1),
+    "do_if_off": ("test", 0),
+}
 
 
 def asked(source: Source) -> Callable[[int], Asked | None]:
@@ -73,3 +83,16 @@ def _read(command: Command) -> Iterator[Read]:
 
 def _verb(command: Command) -> str:
     return command.row.verb if command.row is not None else ""
+
+
+def world_reads(source: Source) -> list[WorldRead]:
+    """Return where a program depends on inputs, in the order of its lines."""
+    found = []
+    for line in lines_of(source.text):
+        if not isinstance(line, Line):
+            continue
+        for command in line.commands:
+            kind = _KINDS.get(command.row.verb if command.row is not None else "")
+            if kind is not None:
+                found.append(WorldRead(kind[0], command.number, kind[1], line.number, line.number))
+    return found

@@ -3,12 +3,17 @@
 These are what the conditions read. If the loop itself assigns a variable of its condition, the assigned value
 counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. A variable that only other
 tasks assign stands for these tasks. A function stands for what it reads.
+
+`world_reads` lists the inputs and keys of the whole program instead: a PAUSE or the condition of a loop says which
+level of an input it waits for, so `PAUSE Not INX(3)` waits for 0. Keys are the numbers with which the program compares
+what INKEY gave it.
 """
 
 from __future__ import annotations
 
-from motionlang.lang.asked import Asked
+from motionlang.lang.asked import Asked, WorldRead
 from motionlang.mint.keywords import table
+from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.resolve.symbols import TIME
@@ -27,6 +32,8 @@ if TYPE_CHECKING:
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
+    Levels = Iterator[tuple[nodes.Name, int | None]]
+
 LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
 # The kind of a read, by the section of the machine file that drives the keyword.
@@ -42,6 +49,9 @@ DRIVEN = {
     "serial": "host",
     "remote": "host",
 }
+
+# The codes of keys that a person presses, from the space on.
+FIRST_KEY, LAST_KEY = 32, 126
 
 
 def asked(source: Source) -> Callable[[int], Asked | None]:
@@ -239,3 +249,118 @@ def _numbers(node: nodes.Name) -> Iterator[int | None]:
         if isinstance(found, nodes.Name) and found.symbol is not None:
             value = found.symbol.const
         yield int(value) if isinstance(value, (int, float)) else None
+
+
+def world_reads(source: Source) -> list[WorldRead]:
+    """Return where a program depends on inputs and keys, in the order of its lines."""
+    module = parse(source)
+    names = Names(table(), Problems(module), None)
+    names.declare_module(module)
+    found: list[WorldRead] = []
+    for function in names.functions:
+        body = list(walk(function.body))
+        found += _inputs(module, body)
+        found += _keys(module, body)
+        event = kind_and_number(function.name) if function.kind == "event" else None
+        if event is not None and event[0] == "in" and event[1] >= 0:
+            first = min((module.line(node.at) for node in body), default=1)
+            found.append(WorldRead("event", event[1], None, max(first - 1, 1), first))
+    return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
+
+
+def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
+    seen: set[int] = set()
+
+    def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[WorldRead]:
+        for name, level in _levels(condition, wanted):
+            if id(name) not in seen:
+                seen.add(id(name))
+                line = module.line(name.at)
+                yield WorldRead(kind, _channel(name), level, line, max(last, line))
+
+    for node in body:
+        if isinstance(node, nodes.Pause):
+            yield from reads("wait", node.condition, True)
+        elif isinstance(node, (nodes.While, nodes.Repeat)):
+            last = max((module.line(each.at) for each in walk([node])), default=0)
+            yield from reads("poll", node.condition, isinstance(node, nodes.Repeat), last)
+        elif isinstance(node, nodes.If):
+            leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
+            yield from reads("guard" if leaves else "test", node.condition, not leaves)
+    for node in body:
+        if isinstance(node, nodes.Name) and id(node) not in seen and _is_input(node):
+            line = module.line(node.at)
+            yield WorldRead("test", _channel(node), None, line, line)
+
+
+def _leaves(node: nodes.Node) -> bool:
+    """True for a statement that leads away from the normal course, such as `GoTo Fault`."""
+    return isinstance(node, nodes.End) or (isinstance(node, nodes.Jump) and node.kind == "goto")
+
+
+def _levels(node: nodes.Expr, wanted: bool) -> Levels:
+    """Yield the inputs of a condition with the level that makes it `wanted`."""
+    node = meant(node)
+    if isinstance(node, nodes.Name):
+        if _is_input(node):
+            yield node, int(wanted)
+    elif isinstance(node, nodes.Unary) and node.op == "Not":
+        yield from _levels(node.operand, not wanted)
+    elif isinstance(node, nodes.Binary) and node.op in ("And", "Or"):
+        yield from _levels(node.left, wanted)
+        yield from _levels(node.right, wanted)
+    elif isinstance(node, nodes.Binary):
+        for side, other in ((node.left, node.right), (node.right, node.left)):
+            value = _whole(other)
+            for name in walk([meant(side)]):
+                if isinstance(name, nodes.Name) and _is_input(name):
+                    plain = meant(side) is name and node.op in ("=", "<>") and value in (0, 1)
+                    yield name, int((value == 1) is ((node.op == "=") is wanted)) if plain else None
+
+
+def _is_input(name: nodes.Name) -> bool:
+    row = name.row
+    return row is not None and row.driven == "input" and row.index == "input"
+
+
+def _channel(name: nodes.Name) -> int | None:
+    return _whole(name.args[0]) if name.args else None
+
+
+def _whole(node: nodes.Expr) -> int | None:
+    """Return the whole number that an expression is, None if it is only known at run time."""
+    found = meant(node)
+    value: object = found.value if isinstance(found, nodes.Number) else None
+    if isinstance(found, nodes.Name):
+        value = found.symbol.const if found.symbol is not None else _constant(found)
+    return int(value) if isinstance(value, (int, float)) else None
+
+
+def _constant(name: nodes.Name) -> int | None:
+    """Return the value of a constant of the language such as _ON."""
+    row = name.row
+    text = row.verb if row is not None and row.kind == "constant" else ""
+    return int(text) if text.isdigit() else None
+
+
+def _keys(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
+    given: set[Symbol] = set()
+    for node in body:
+        if isinstance(node, nodes.Assign) and any(_is_key(each) for each in node.values):
+            symbol = getattr(node.target, "symbol", None)
+            if symbol is not None:
+                given.add(symbol)
+    for node in body:
+        if not isinstance(node, nodes.Binary) or node.op not in ("=", "<>"):
+            continue
+        for side, other in ((node.left, node.right), (node.right, node.left)):
+            code = _whole(other)
+            asked = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
+            if asked and code is not None and FIRST_KEY <= code <= LAST_KEY:
+                line = module.line(node.at)
+                yield WorldRead("key", code, None, line, line)
+
+
+def _is_key(node: object) -> bool:
+    row = node.row if isinstance(node, nodes.Name) else None
+    return row is not None and row.driven == "key"
