@@ -72,6 +72,7 @@ CODES: dict[str, str] = {
     "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",
     "option": "An option of the command line does not fit the program or its machine file.",
+    "guess": "The result depends on what motionlang init has guessed.",
     "unasked": "An answer was given, and no INPUT asked for it.",
     "command-error": "The controller answered the command with an error code.",
     "model": "The controller that was named does not know this.",

@@ -18,6 +18,7 @@ from motionlang.result import (
     interrupted,
     open_kept,
     save_kept,
+    tell_guesses,
     tell_never_started,
     tell_stuck,
     tell_unasked,
@@ -153,6 +154,8 @@ def run(
         result.machine.nv.close()
     result.machine.close_terminals()
     result.time = result.machine.clock.now
+    if settings:
+        tell_guesses(result)
     if "answer" in settings and result.status in ("ended", "until"):
         tell_unasked(result)
     if result.status == "ended" and any(key.startswith("budget.") for key in settings):

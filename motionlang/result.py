@@ -228,6 +228,45 @@ def _lost(result: Run) -> list[Diagnostic]:
     return found
 
 
+def tell_guesses(result: Run) -> None:
+    """Warn if the result depends on guesses of the machine file: those that the run has come to."""
+    machine = result.machine
+    settings, found, count = machine.settings, [], 0
+    tables: dict[str, list[Mapping[str, object]]] = {
+        name: [each for each in settings.get(name, ()) if each.get("guess")]  # type: ignore[attr-defined]
+        for name in ("input", "answer", "key")
+        if name in settings
+    }
+    if tables.get("input"):
+        changed = {each.channel for each in machine.log.inputs}
+        used = sorted({each["channel"] for each in tables["input"] if each["channel"] in changed})
+        found += [f"input {', '.join(map(str, used))}"] if used else []
+        count += len(used)
+    if tables.get("answer"):
+        left = machine.unasked()
+        asked = [each for each in tables["answer"] if each["text"] not in left]
+        found += [_counted(len(asked), "answer")] if asked else []
+        count += len(asked)
+    if tables.get("key"):
+        pressed = [each for each in tables["key"] if each.get("at", 0.0) <= machine.clock.now]  # type: ignore[operator]
+        found += [_counted(len(pressed), "key")] if pressed else []
+        count += len(pressed)
+    axes = [key.split(".")[1] for key, value in settings.items() if value is True and key.endswith(".guess")]
+    moved = {str(move.axis) for move in machine.log.moves} if axes else set()
+    homed = sorted(moved.intersection(axes), key=int)
+    found += [f"the switches of axis {', '.join(homed)}"] if homed else []
+    count += len(homed)
+    if found:
+        message = f"this result depends on {_counted(count, 'guess')} of the machine file: {'; '.join(found)}"
+        hint = "correct them there, and take guess = true away"
+        result.diagnostics.append(Diagnostic("guess", message, hint=hint, severity="warning"))
+
+
+def _counted(number: int, noun: str) -> str:
+    """Return a number with its noun in the right form."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}{'es' if noun.endswith('s') else 's'}"
+
+
 def tell_unasked(result: Run) -> None:
     """Warn of answers that no INPUT asked for."""
     for text in result.machine.unasked():

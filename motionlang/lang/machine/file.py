@@ -292,6 +292,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
     whole = number and isinstance(value, int)
     tests = {
         "text": (isinstance(value, str), "must be a text"),
+        "flag": (isinstance(value, bool), "must be true or false"),
         "count": (whole, "must be a whole number"),
         "channel": (whole and 0 <= value < 1000, "must be a whole number from 0 to 999"),  # type: ignore[operator]
         "number": (finite, "must be a number"),

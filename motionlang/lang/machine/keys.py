@@ -42,6 +42,10 @@ KEYS: dict[str, tuple[str, str]] = {
     ),
     "axis.N.index_every": ("positive", "The distance between index marks of the encoder, in user units."),
     "axis.N.motor": ("motor", "servo or stepper; on a MultiFlex a stepper starts with other settings."),
+    "axis.N.guess": (
+        "flag",
+        "true: `motionlang init` has guessed the switches of this axis, and a result that depends on them says so.",
+    ),
     "axis.N.start": (
         "number",
         "The position of the machine at power-up, measured from its own zero, in user units.",
@@ -90,6 +94,7 @@ _WHEN = {
     "below": ("number", "Active from this position downwards, in user units."),
     "between": ("pair", "Active between these two positions, in user units."),
 }
+_GUESS = ("flag", "true: `motionlang init` has guessed this entry, and a result that depends on it says so.")
 _TERMINAL = ("terminal", "The terminal of the operator: 1, 2, 4 and so on up to 128. Default 1.")
 _WRITTEN = {
     "value": ("number", "The value: a float in the comms array; elsewhere an integer if it is whole."),
@@ -114,6 +119,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "output": ("channel", "The digital output whose level the input follows."),
         "delay": ("time", "The delay after the output, in seconds. Default 0."),
         **_WHEN,
+        "guess": _GUESS,
     },
     "analogue": {
         "channel": ("channel", "The analogue input."),
@@ -201,6 +207,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "text": ("text", "The keys that the operator presses, for INKEY."),
         "for": ("positive", "How long the last key is held, in seconds, for READKEY. Default 0.1."),
         "terminal": _TERMINAL,
+        "guess": _GUESS,
     },
     "encoder": {
         "channel": (
@@ -220,6 +227,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "Only for an INPUT whose question, or the line above it, contains this text. Default: any other INPUT.",
         ),
         "terminal": _TERMINAL,
+        "guess": _GUESS,
     },
     "serial": {
         "port": ("port", "The serial port. Default 1."),
@@ -306,7 +314,7 @@ ABOUT: dict[str, dict[str, object]] = {
     "fault": {"axis": None},
     "key": {"terminal": 1},
     "encoder": {"channel": None, "aux": None},
-    "answer": {"terminal": 1, "prompt": ""},
+    "answer": {"terminal": 1},
     "serial": {"port": 1},
     "comms": {"element": None},
     "dpr": {"address": None},

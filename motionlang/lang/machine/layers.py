@@ -23,15 +23,20 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
     for key, value in above.items():
         under = below.get(key)
         if key in ABOUT and isinstance(under, list) and isinstance(value, list):
-            spoken = {_about(key, entry) for entry in value}
-            value = [entry for entry in under if not spoken & _subjects(key, entry)] + value
+            value = [each for each in under if not any(_replaces(key, e, each) for e in value)] + value
         out[key] = value
     return out
 
 
-def _subjects(table: str, entry: Entry) -> set[tuple[object, ...]]:
-    """Return what an upper entry may be about to replace this one: an answer to any INPUT replaces all answers."""
-    return {_about(table, entry), _about(table, {**entry, "prompt": ""})}
+def _replaces(table: str, above: Entry, below: Entry) -> bool:
+    """True if two entries are about the same subject.
+
+    An answer to any INPUT replaces all answers, one with a prompt those whose prompts are part of it or contain it.
+    """
+    if _about(table, above) != _about(table, below):
+        return False
+    new, old = (str(each.get("prompt", "")).lower() for each in (above, below))
+    return not new or (bool(old) and (new in old or old in new))
 
 
 def _about(table: str, entry: Entry) -> tuple[object, ...]:
