@@ -217,3 +217,15 @@ def appending(path: str, *, new: bool) -> IO[bytes]:
     the file.
     """
     return open(path, "wb" if new else "ab", buffering=0)
+
+
+def create(path: str, content: bytes) -> None:
+    """Write a file that is not there yet, whole or not at all; FileExistsError if it is, OSError with its name."""
+    with open(path, "xb") as file:
+        try:
+            file.write(content)
+            file.flush()
+        except OSError as error:
+            _remove(path)
+            error.filename = path
+            raise

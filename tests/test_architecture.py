@@ -23,6 +23,7 @@ LEVELS: dict[str, int] = {
     "client": 14,
     "serve": 13,
     "views": 12,
+    "analysis.guesses": 12,
     "analysis.diff": 11,
     "analysis.sweeps": 11,
     "analysis.scenarios": 11,

@@ -20,6 +20,7 @@ PROGRAM = "motionlang"
 # Every command: the module that has its options, imported only for this command, and its summary.
 COMMANDS = {
     "run": ("run_options", "run a program on the virtual machine and report what it did"),
+    "init": ("init", "write a first machine file for a program, with guesses marked, and run it"),
     "check": ("check", "report every mistake and every warning of every file; nothing is run"),
     "repl": ("repl", "type a program line by line and watch the axes"),
     "plan": ("plan", "find the missing figures of a move, and a program for it"),

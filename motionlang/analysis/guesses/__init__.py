@@ -1,0 +1,346 @@
+"""A first machine file for a program: what its inputs, answers, keys and switches might be.
+
+The problem: a program from a machine waits for a world that nobody has described. Nothing in it says when a part
+arrives, but it says which inputs it waits for, in which order, and what it does before.
+
+The idea: run the program, see where it is stuck, guess what would let it go on, and run it again, until it ends or
+runs to the time limit. Each guess is one entry of the machine file, marked `guess = true`.
+
+    stuck at            guess
+    an input            it follows the output that the program has just set, or changes 0.3 s later and stays; if the
+                        program also waits for the other level, it is on and off for a second each
+    INPUT               the middle of a range such as `1 to 6` that the program prints, or 10, 1, 100 and so on
+    a key               the keys that the program compares with, one after the other
+    nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on
+    homing              a switch one second ahead of the axis, then index marks
+
+Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
+the next form of the list. Every round changes at least one guess, and no form is taken twice, so the rounds end.
+
+Cost: a run for each guess. Those before the last end where the program is stuck.
+"""
+
+from __future__ import annotations
+
+import re
+
+from motionlang.execution import run
+from motionlang.lang.machine.layers import layered
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.lang.asked import WorldRead
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.task import Task
+    from motionlang.result import Run
+    from motionlang.source import Source
+
+    Entry = dict[str, object]
+
+# Seconds from when the program waits to when an input changes, and from an output to the input that follows it.
+DELAY = 0.3
+# An input that follows an output is waited for at most so many seconds after the output has changed.
+MAX_LEAD = 1.0
+# An input that comes and goes is on for half of this period, s.
+PERIOD = 2.0
+PULSES: dict[str, object] = {"at": PERIOD / 2, "for": PERIOD / 2, "every": PERIOD}
+# Seconds from when the program looks for a key to when it is pressed.
+KEY_DELAY = 0.5
+# The home switch lies so many seconds of homing ahead, and a tenth of that is its length.
+HOME_AHEAD = 1.0
+# Answers that are tried one after the other, and how often one question is answered.
+ANSWERS = ("10", "1", "100", "1000", "5", "0.5")
+MAX_REPEATS = 20
+MAX_ROUNDS = 100
+# A program that has done nothing for so many seconds waits for a key, if it looks for one.
+QUIET = 10.0
+_RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
+
+
+class Guesses:
+    """The guesses for one program.
+
+    `inputs` has the entry of each channel, `answers` the lines for each question in order, `keys` the key entries,
+    `axes` the settings of each axis by key. `fixed` are settings that a person gave, which no guess changes.
+    """
+
+    def __init__(self, fixed: dict[str, object] | None = None) -> None:
+        self.fixed = dict(fixed or {})
+        self.inputs: dict[int, Entry] = {}
+        self.answers: dict[str, list[str]] = {}
+        self.keys: list[Entry] = []
+        self.axes: dict[int, dict[str, object]] = {}
+        # What was tried: forms of each input, answers to each question.
+        self._forms: dict[int, set[str]] = {}
+        self._tried: dict[str, list[str]] = {}
+
+    @property
+    def count(self) -> int:
+        """The number of entries and axes that are guesses."""
+        return len(self.inputs) + sum(map(len, self.answers.values())) + len(self.keys) + len(self.axes)
+
+    def settings(self, until: float) -> dict[str, object]:
+        """Return the settings of a machine file with all guesses."""
+        found: dict[str, object] = {"run.until": until}
+        for axis, keys in self.axes.items():
+            found |= {f"axis.{axis}.{key}": value for key, value in keys.items()}
+        tables: dict[str, list[Entry]] = {
+            "input": list(self.inputs.values()),
+            "answer": [answer_entry(each, text) for each, texts in self.answers.items() for text in texts],
+            "key": self.keys,
+        }
+        found |= {table: entries for table, entries in tables.items() if entries}
+        return layered(found, self.fixed)
+
+    # ------------------------------------------------------------------------------------------------- inputs
+
+    def guard(self, reads: list[WorldRead]) -> None:
+        """Switch on the inputs at whose level 0 the program jumps away, unless it also waits for that level."""
+        for read in reads:
+            off = any(
+                each.kind in ("wait", "poll") and each.channel == read.channel and not each.level
+                for each in reads
+            )
+            if (
+                read.kind == "guard"
+                and read.channel is not None
+                and read.level
+                and not off
+                and not self.is_fixed(read.channel)
+            ):
+                self.inputs[read.channel] = {"channel": read.channel, "at": 0.0}
+
+    def complete(self, reads: list[WorldRead]) -> bool:
+        """Guess the inputs that the program waits for where it has not come to; False if there are none."""
+        levels: dict[int, set[int | None]] = {}
+        for read in reads:
+            if read.kind in ("wait", "poll") and read.channel is not None and not self.is_fixed(read.channel):
+                levels.setdefault(read.channel, set()).add(read.level)
+        left = [channel for channel in levels if channel not in self.inputs and levels[channel] != {0}]
+        for channel in left:
+            steady: Entry = {"channel": channel, "at": 0.0}
+            self.inputs[channel] = steady if levels[channel] == {1} else {"channel": channel, **PULSES}
+        return bool(left)
+
+    def is_fixed(self, channel: int) -> bool:
+        """True if a person has given entries for an input."""
+        entries: list[Entry] = self.fixed.get("input", [])  # type: ignore[assignment]
+        return any(each["channel"] == channel for each in entries)
+
+    def flip(self, channel: int, since: float, result: Run) -> bool:
+        """Let an input have the other level after `since`; False if no form is left for it."""
+        if self.is_fixed(channel):
+            return False
+        wanted = 0 if result.controller.inputs[channel] else 1
+        tried = self._forms.setdefault(channel, set())
+        for form, entry in self._choices(channel, wanted, since, result):
+            if form not in tried:
+                tried.add(form)
+                self.inputs[channel] = entry
+                return True
+        return False
+
+    def _choices(self, channel: int, wanted: int, since: float, result: Run) -> Iterator[tuple[str, Entry]]:
+        cause = _cause(since, result)
+        if cause is not None:
+            output, level = cause
+            follows: Entry = {"channel": channel, "output": output, "delay": DELAY}
+            if level != wanted:
+                follows["value"] = 0
+            yield f"output {output} {level == wanted}", follows
+        at = round(since + DELAY, 1)
+        if wanted and channel not in self.inputs:
+            yield "on", {"channel": channel, "at": at}
+        yield "pulses", {"channel": channel, **PULSES}
+
+    # ------------------------------------------------------------------------------------------------ answers
+
+    def answer(self, question: str, result: Run) -> bool:
+        """Answer a question that has no answer left, or change the one that was rejected."""
+        given = self.answers.setdefault(question, [])
+        tried = self._tried.setdefault(question, [])
+        if given and _acted_since_answer(result):
+            if len(given) < MAX_REPEATS:
+                given.append(given[-1])
+                return True
+            return False
+        ranges = [_middle(found) for found in _RANGE.findall(_said_since_answer(result))]
+        for text in (*ranges, *ANSWERS):
+            if text not in tried:
+                tried.append(text)
+                self.answers[question] = [text]
+                return True
+        return False
+
+    # --------------------------------------------------------------------------------------------------- axes
+
+    def home(self, axis: int, result: Run) -> bool:
+        """Put the home switch ahead of an axis that runs, or else index marks on its encoder."""
+        keys = self.axes.setdefault(axis, {})
+        a = result.controller.axes[axis]
+        velocity = a.profiles[-1].end_velocity / a.scale.counts if a.profiles else 0.0
+        if not velocity:
+            return False
+        ahead = velocity * HOME_AHEAD
+        if "home_switch" not in keys:
+            low, high = sorted((rounded(ahead), rounded(1.1 * ahead)))
+            keys["home_switch"] = [low, high]
+            return True
+        if "index_every" not in keys:
+            keys["index_every"] = rounded(abs(ahead) / 5)
+            return True
+        return False
+
+
+def answer_entry(question: str, text: str) -> Entry:
+    """Return the entry of an answer; one without a question answers any INPUT."""
+    return {"prompt": question, "text": text} if question else {"text": text}
+
+
+def rounded(value: float) -> float:
+    """Return a figure with two digits that count, as a person would guess it."""
+    return float(f"{value:.2g}")
+
+
+def guessed(source: Source, language: Dialect, until: float, fixed: dict[str, object]) -> tuple[Guesses, Run]:
+    """Return the guesses with which a program goes on, and the run with all of them; see the head of this module."""
+    guesses = Guesses(fixed)
+    reads = language.world_reads(source)
+    guesses.guard(reads)
+    compiled = None
+    for _ in range(MAX_ROUNDS):
+        result = run(
+            source, dialect=language, machine=guesses.settings(until), cache=False, compiled=compiled
+        )
+        if result.status == "fault" and not result.machine.scheduler:
+            break
+        if not _improve(guesses, result, reads) and not guesses.complete(reads):
+            break
+    return guesses, result
+
+
+def _improve(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
+    """Change a guess where the program is stuck; False if it is not, or if nothing is left to guess."""
+    lost = [axis for axis, homing in result.controller.homings.items() if homing.in_vain]
+    changed = [guesses.home(axis, result) for axis in lost]
+    if any(changed):
+        return True
+    scheduler = result.machine.scheduler
+    assert scheduler is not None
+    tasks = [task for task in scheduler.tasks if not task.done]
+    changed = [_improve_wait(guesses, result, reads, task) for task in tasks]
+    if any(changed):
+        return True
+    if _improve_polls(guesses, result, reads, tasks):
+        return True
+    quiet = result.status == "until" and result.time - _last_act(result) > QUIET
+    return quiet and any(task.wait is None for task in tasks) and _press(guesses, result, reads)
+
+
+def _improve_wait(guesses: Guesses, result: Run, reads: list[WorldRead], task: Task) -> bool:
+    """Change a guess for the wait of a task that nothing ends."""
+    wait = task.wait
+    if wait is None or wait.due() != float("inf"):
+        return False
+    if result.status == "until" and result.time - wait.since < 2 * PERIOD:
+        return False  # it may still end
+    if wait.cause == "operator":
+        return guesses.answer(result.machine.operator.question.strip(" ?:"), result)
+    line, _, _ = result.dialect.locate(result.source, task.at)
+    for key in result.dialect.driven_by(wait.why):
+        if key.startswith("axis."):
+            return guesses.home(int(key.split(".")[1]), result)
+        if key == "key":
+            return _press(guesses, result, reads)
+    channels = list(wait.what) if wait.cause == "input" else []
+    levels = result.controller.inputs
+    for read in () if channels else reads:
+        if read.kind == "wait" and read.line == line and read.channel is not None:
+            channels += [read.channel] if read.level is None or read.level != levels[read.channel] else []
+    changed = [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(channels)]
+    return any(changed)
+
+
+def _press(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
+    """Press the next key that the program compares with."""
+    codes = list(dict.fromkeys(chr(each.channel) for each in reads if each.kind == "key" and each.channel))
+    left = codes[len(guesses.keys) :]
+    if not left or guesses.fixed.get("key"):
+        return False
+    guesses.keys.append({"at": round(_last_act(result) + KEY_DELAY, 1), "text": left[0]})
+    return True
+
+
+def _improve_polls(guesses: Guesses, result: Run, reads: list[WorldRead], tasks: list[Task]) -> bool:
+    """Change a guess for a loop on an input that has no guess yet: the program is in it, or its time ran out."""
+    locate = result.dialect.locate
+    ends = [locate(result.source, task.at)[0] for task in tasks]
+    loops = [(locate(result.source, each.at)[0], each.since) for each in result.machine.log.loops]
+    for read in reads:
+        if read.kind != "poll" or read.channel is None or read.channel in guesses.inputs:
+            continue
+        since = [time for line, time in loops if line == read.line]
+        if not since and any(read.line <= line <= read.last for line in ends):
+            since = [_entered(result, read)]
+        if since and guesses.flip(read.channel, since[0], result):
+            return True
+    return False
+
+
+def _cause(since: float, result: Run) -> tuple[int, int] | None:
+    """Return the output that was set last before `since` and its level; None if the program did anything between."""
+    log = result.machine.log
+    outputs = [each for each in log.outputs if since - MAX_LEAD <= each.time <= since]
+    if not outputs:
+        return None
+    last = outputs[-1]
+    if any(last.time < move.start_time <= since for move in log.moves):
+        return None
+    if any(each.cause in ("input", "operator") and last.time < each.until < since for each in log.waits):
+        return None
+    return int(last.channel), int(bool(last.value))
+
+
+def _entered(result: Run, loop: WorldRead) -> float:
+    """Return when the program had its last wait outside a loop that it is in."""
+    locate = result.dialect.locate
+    ends = [0.0]
+    for wait in result.machine.log.waits:
+        if not loop.line <= locate(result.source, wait.at)[0] <= loop.last:
+            ends.append(wait.until)
+    return max(ends)
+
+
+def _last_act(result: Run) -> float:
+    """Return when the program last moved an axis, set an output, printed or was answered."""
+    log = result.machine.log
+    ends = [move.start_time + move.profile.duration for move in log.moves if move.profile is not None]
+    ends += [each.time for each in log.outputs] + [each.time for each in log.prints]
+    ends += [each.until for each in log.waits if each.cause in ("input", "operator")]
+    return max((time for time in ends if time <= result.time), default=0.0)
+
+
+def _answered_at(result: Run) -> float:
+    """Return when the program took its last answer; 0 if it has taken none."""
+    return max((each.until for each in result.machine.log.waits if each.cause == "operator"), default=0.0)
+
+
+def _acted_since_answer(result: Run) -> bool:
+    """True if the program moved or set an output since its last answer, so it asks for the next cycle."""
+    time, log = _answered_at(result), result.machine.log
+    return any(move.start_time > time for move in log.moves) or any(each.time > time for each in log.outputs)
+
+
+def _said_since_answer(result: Run) -> str:
+    """Return what was printed since the last answer: why it was rejected, and the question."""
+    time = _answered_at(result)
+    return "\n".join(each.text for each in result.machine.log.prints if each.time >= time)
+
+
+def _middle(found: tuple[str, str]) -> str:
+    """Return the middle of a range, a whole number if that lies in it."""
+    low, high = float(found[0]), float(found[1])
+    middle = (low + high) / 2
+    return f"{int(middle) if int(middle) >= low else middle:g}"

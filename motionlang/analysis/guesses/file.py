@@ -1,0 +1,143 @@
+"""The text of a first machine file: guesses, each with the line of the program that needs it, and limits to fill in."""
+
+from __future__ import annotations
+
+import json
+import os
+
+from motionlang.analysis.guesses import answer_entry
+from motionlang.analysis.sweeps.quantities import quantity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from motionlang.analysis.guesses import Entry, Guesses
+    from motionlang.lang.asked import WorldRead
+    from motionlang.result import Run
+    from motionlang.source import Source
+
+# Lines of the program that a comment quotes, and characters of one.
+MAX_LINES = 3
+MAX_TEXT = 60
+HEAD = """\
+# The machine around {program}, written by motionlang init.
+#
+# A line with `guess = true` is a guess. Correct it and take `guess = true` away; a result that depends on a guess says
+# so. docs/machine-file.md explains every key.
+
+run.until = {until:g}    # the run ends here if the program does not
+"""
+INPUTS = """
+# Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
+# it, `value = 0` turns an input round.
+"""
+ANSWERS = """
+# What the operator types when the program asks.
+"""
+KEYS = """
+# Keys that the operator presses.
+"""
+LIMITS = """\
+# What this axis may do; the figures are those of this run. `motionlang run --certify` compares them with a run.
+"""
+EXPECT = """
+# What `motionlang verify` checks. A scenario, another world for the same program, is a file of its own in the folder
+# {folder}: docs/scenarios.md.
+[[expect]]
+status = "{status}"
+"""
+
+
+def machine_text(source: Source, guesses: Guesses, reads: list[WorldRead], result: Run, until: float) -> str:
+    """Return the text of the machine file; `result` is the run with all guesses."""
+    program = os.path.basename(source.name)
+    fixed = guesses.fixed
+    answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
+    parts = [
+        HEAD.format(program=program, until=until),
+        *_table("input", INPUTS, _inputs(source, guesses, reads)),
+        *_table("answer", ANSWERS, _lines(fixed, "answer") + [_guess(each) for each in answers]),
+        *_table("key", KEYS, _lines(fixed, "key") + [_guess(each) for each in guesses.keys]),
+    ]
+    for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
+        parts.append(_axis(number, guesses, result))
+    folder = f"{os.path.splitext(program)[0]}.scenarios"
+    parts.append(EXPECT.format(status="ended" if result.status == "ended" else "until", folder=folder))
+    return "".join(parts)
+
+
+def _inputs(source: Source, guesses: Guesses, reads: list[WorldRead]) -> list[str]:
+    """Return a line for each input that the program reads, below the lines of the program that read it."""
+    read_at: dict[int, dict[int, None]] = {}
+    for read in reads:
+        if read.kind != "key" and read.channel is not None:
+            read_at.setdefault(read.channel, {})[read.line] = None
+    found: list[str] = []
+    for channel in sorted(read_at.keys() | guesses.inputs.keys()):
+        for line in list(read_at.get(channel, ()))[:MAX_LINES]:
+            found.append(f"  # line {line}: {_quoted(source.line(line))}")
+        if channel in guesses.inputs:
+            found.append(_guess(guesses.inputs[channel]))
+        elif guesses.is_fixed(channel):
+            found += [
+                line
+                for line in _lines(guesses.fixed, "input")
+                if line.startswith(f"  {{ channel = {channel},")
+            ]
+        else:
+            found.append(
+                f"  # {inline({'channel': channel, 'at': 0.0})},    # take the first # away to switch it on"
+            )
+    return found
+
+
+def _lines(settings: Mapping[str, object], table: str) -> list[str]:
+    """Return the lines of the entries that a person has given."""
+    entries: Iterable[Entry] = settings.get(table, ())  # type: ignore[assignment]
+    return [f"  {inline(each)}," for each in entries]
+
+
+def _guess(entry: Entry) -> str:
+    return f"  {inline({**entry, 'guess': True})},"
+
+
+def _table(name: str, head: str, lines: list[str]) -> list[str]:
+    return [head, f"{name} = [\n", *(f"{line}\n" for line in lines), "]\n"] if lines else []
+
+
+def _axis(number: int, guesses: Guesses, result: Run) -> str:
+    scale = result.controller.axes[number].scale.counts
+    text = f"\n[axis.{number}]    # {scale:g} {'count' if scale == 1 else 'counts'} per user unit\n"
+    keys = guesses.axes.get(number, {})
+    text += "".join(f"{key} = {_value(value)}\n" for key, value in keys.items())
+    text += "guess = true    # the switches\n" if keys else ""
+    low, high, speed, rate = (
+        _figure(f"{name}.{number}", result) for name in ("lowest", "highest", "peak", "accel")
+    )
+    text += LIMITS
+    text += f"# limits.position = [{low}, {high}]\n# limits.speed = {speed}\n# limits.acceleration = {rate}\n"
+    return text
+
+
+def _figure(name: str, result: Run) -> str:
+    row, number = quantity(name)
+    value = row.read(result, number)
+    return f"{value:.6g}" if isinstance(value, (int, float)) else "0"
+
+
+def inline(entry: Entry) -> str:
+    """Return an entry as an inline table of TOML."""
+    return f"{{ {', '.join(f'{key} = {_value(value)}' for key, value in entry.items())} }}"
+
+
+def _value(value: object) -> str:
+    if isinstance(value, list):
+        return f"[{', '.join(map(_value, value))}]"
+    text = json.dumps(value, ensure_ascii=False)  # the numbers, truth values and texts of TOML
+    return text.replace("\x7f", "\\u007f")
+
+
+def _quoted(line: str) -> str:
+    text = " ".join(line.split())
+    return text if len(text) <= MAX_TEXT else f"{text[:MAX_TEXT].rstrip()} …"

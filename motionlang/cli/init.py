@@ -1,0 +1,156 @@
+"""`motionlang init`: a first machine file for a program that was written for a machine."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.guesses import Guesses, guessed
+from motionlang.analysis.guesses.file import inline, machine_text
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.golden import programs
+from motionlang.cli.machine_options import add_dialect
+from motionlang.cli.options import REPORTS, Options
+from motionlang.cli.parser import add_command
+from motionlang.cli.run import run_command
+from motionlang.cli.run_options import machine_time
+from motionlang.errors import Diagnostic
+from motionlang.execution import MACHINE_SUFFIX, dialect, dialect_of
+from motionlang.files import create
+from motionlang.lang.machine.entries import WrongEntry, entries
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    import argparse
+
+    from motionlang.cli.parser import Commands
+    from motionlang.lang.asked import WorldRead
+
+# The time limit of the machine file, s: a production loop has no end of its own.
+UNTIL = 300.0
+EPILOG = """\
+init runs the program and looks where it is stuck: at an input, at INPUT, at a key, in a homing. It guesses what would
+let it go on, writes the guesses into FILE.machine.toml beside the program, and runs it. On a terminal it asks about
+each guess; Enter keeps it. A file that is there already is never overwritten.
+
+exit status: 0 the file is written and the program ran; 1 it is there already, or the program is wrong or faulted
+
+examples:
+  motionlang init packer.prg
+  motionlang init old --report none        every program of the folder old
+"""
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """Add `motionlang init` and its options."""
+    parser = add_command(commands, "init", summary, init_command, EPILOG)
+    parser.add_argument("file", metavar="FILE", help="the program, or a folder with programs")
+    add_dialect(parser)
+    parser.add_argument(
+        "--until",
+        type=machine_time,
+        default=UNTIL,
+        metavar="S",
+        help=f"the time limit of the machine file, in seconds of machine time ({UNTIL:g})",
+    )
+    parser.add_argument(
+        "--report", choices=REPORTS, default="table", help="what follows the program's own output, as in run"
+    )
+
+
+def init_command(arguments: argparse.Namespace) -> int:
+    """Write the machine file of a program, or those of a folder, and run it; return the exit status."""
+    if not os.path.isdir(arguments.file):
+        return _init(arguments, arguments.file)
+    found = programs([arguments.file])
+    if not found:
+        sys.stderr.write(f"no programs in {arguments.file}\n")
+        return 1
+    return max([_init(arguments, each) for each in found])
+
+
+def _init(arguments: argparse.Namespace, file: str) -> int:
+    language = dialect(arguments.dialect) if arguments.dialect else dialect_of(file)
+    path = os.path.splitext(file)[0] + MACHINE_SUFFIX
+    if language is None:
+        complain([no_dialect(file)], None, file)
+        return 2
+    if os.path.lexists(path):
+        hint = f"motionlang run {file} runs the program with it"
+        complain(
+            [Diagnostic("file", f"{path} is there already, and init never overwrites", hint=hint)], None, file
+        )
+        return 1
+    try:
+        source = Source.read(file)
+    except OSError as error:
+        complain([unreadable(file, error)], None, file)
+        return 1
+    mistakes = [each for each in language.check(source, {}) if each.severity == "error"]
+    if mistakes:
+        one = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
+        hint = f"motionlang check {file} shows {'it' if len(mistakes) == 1 else 'them'}"
+        complain([Diagnostic("syntax", f"{file} has {one} and cannot run", hint=hint)], None, file)
+        return 1
+    fixed: dict[str, object] = {}
+    guesses, result = guessed(source, language, arguments.until, fixed)
+    reads = language.world_reads(source)
+    if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
+        fixed = _ask(source, guesses, reads)
+        if fixed:
+            guesses, result = guessed(source, language, arguments.until, fixed)
+    try:
+        create(path, machine_text(source, guesses, reads, result, arguments.until).encode())
+    except OSError as error:
+        complain([unwritten(path, error)], None, file)
+        return 1
+    number = "1 guess" if guesses.count == 1 else f"{guesses.count} guesses"
+    sys.stdout.write(f"{path}: written, {number}\n")
+    options = Options(file)
+    options.dialect, options.report, options.machine = arguments.dialect, arguments.report, path
+    options.given = arguments.given
+    return run_command(options)
+
+
+def _ask(source: Source, guesses: Guesses, reads: list[WorldRead]) -> dict[str, object]:
+    """Ask a person about each guess; return the settings that they gave, none if they pressed Enter each time."""
+    fixed: dict[str, list[dict[str, object]]] = {}
+    print(f"{guesses.count} guesses. Enter keeps one, Ctrl-D keeps all that are left.")
+    try:
+        for channel, entry in sorted(guesses.inputs.items()):
+            lines = dict.fromkeys(
+                each.line for each in reads if each.channel == channel and each.kind != "key"
+            )
+            for line in lines:
+                print(f"  line {line}: {source.line(line).strip()}")
+            _ask_one(f"input {channel}", entry, "1@0.5 or out4+0.3", fixed, inputs=f"{channel}={{}}")
+        for question, texts in guesses.answers.items():
+            name = f'answer to "{question}"' if question else "answer"
+            _ask_one(name, {"text": texts[0]}, "a line", fixed, answers=f"{question}={{}}")
+    except EOFError:
+        print()
+    return dict(fixed)
+
+
+def _ask_one(
+    name: str,
+    entry: dict[str, object],
+    form: str,
+    fixed: dict[str, list[dict[str, object]]],
+    **option: str,
+) -> None:
+    """Ask about one guess until the line is empty or right."""
+    ((parameter, template),) = option.items()
+    while True:
+        line = input(f"{name}: {inline(entry)}, or type {form}: ").strip()
+        if not line:
+            return
+        try:
+            found = entries({}, **{parameter: [template.format(line)]})
+        except WrongEntry as error:
+            print(f"  {error.message}; {error.hint}")
+            continue
+        for table, given in found.items():
+            fixed.setdefault(table, []).extend(given)  # type: ignore[arg-type]
+        return

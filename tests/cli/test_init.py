@@ -1,0 +1,184 @@
+"""`motionlang init`: a first machine file, with every guess marked."""
+
+from __future__ import annotations
+
+import io
+import sys
+
+import pytest
+
+from motionlang.lang.machine.file import read_machine
+from motionlang.source import Source
+from tests.cli.programs import Cell
+
+
+def guesses(cell: Cell, text: str, name: str = "old.prg") -> dict[str, object]:
+    """The settings of the machine file that init writes for a program."""
+    cell.write(name, text)
+    assert cell("init", name, "--report", "none").status == 0
+    return read_machine(Source.read(str(cell.folder / "old.machine.toml")))
+
+
+def inputs(cell: Cell, text: str, name: str = "old.prg") -> list[dict[str, object]]:
+    found: list[dict[str, object]] = guesses(cell, text, name)["input"]  # type: ignore[assignment]
+    assert all(each.pop("guess") is True for each in found)
+    return found
+
+
+def test_an_input_that_is_waited_for_comes_shortly_after(cell: Cell) -> None:
+    assert inputs(cell, "WAIT = 700\nPAUSE INX.2\n") == [{"channel": 2, "at": 1.0}]
+
+
+def test_an_input_after_an_output_follows_it(cell: Cell) -> None:
+    text = "OUTX.4 = 1\nPAUSE INX.2\nOUTX.4 = 0\nPAUSE INX.2 = 0\nOUTX.5 = 1\nOUTX.5 = 0\nPAUSE INX.3\n"
+    assert inputs(cell, text) == [
+        {"channel": 2, "output": 4, "delay": 0.3},
+        {"channel": 3, "output": 5, "delay": 0.3, "value": 0},
+    ]
+
+
+def test_an_input_that_comes_and_goes(cell: Cell) -> None:
+    text = "LOOP\nPAUSE INX.0\nPAUSE INX.0 = 0\nENDL\n"
+    assert inputs(cell, text) == [{"channel": 0, "at": 1.0, "for": 1.0, "every": 2.0}]
+
+
+def test_a_loop_with_a_time_limit_waits_too(cell: Cell) -> None:
+    text = 'WAIT = 500\nWHILE INX.1 = 0\nn = n + 1\nWAIT = 10\nIF n > 200 THEN GOTO bad\nENDW\nEND\n#bad\n? "bad"\n'
+    assert inputs(cell, text) == [{"channel": 1, "at": 0.8}]
+
+
+def test_an_input_that_leads_to_a_fault_is_at_the_other_level(cell: Cell) -> None:
+    text = 'IF INX.2 = 0 THEN GOTO bad\nIF INX.3 THEN GOTO bad\n? "good"\nEND\n#bad\n? "bad"\n'
+    assert inputs(cell, text) == [{"channel": 2, "at": 0.0}]
+    assert "  # { channel = 3, at = 0.0 }," in (cell.folder / "old.machine.toml").read_text()
+
+
+def test_mccl(cell: Cell) -> None:
+    text = "CN33,WN1\nCF33,WF1\nWN2\nIN3,NO,NO\n"
+    assert inputs(cell, text, "old.mccl") == [
+        {"channel": 1, "output": 33, "delay": 0.3},
+        {"channel": 2, "at": 0.9},  # 0.3 s after channel 1 has gone off again
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "answers"),
+    [
+        ('INPUT "Speed ", v', [("Speed", "10")]),
+        ('INPUT "Speed (20-80): ", v', [("Speed (20-80)", "50")]),
+        ('#a\nINPUT "Layers ", n\nIF n > 6 THEN ? "1 to 6" : GOTO a\n', [("Layers", "3")]),
+        ('#a\nINPUT "Gap ", n\nIF n > 6 THEN GOTO a\n', [("Gap", "1")]),
+        ('? "HOLES?"\nINPUT n\n', [("HOLES", "10")]),
+        ('FOR i = 1 TO 2\nINPUT "Way ", s\nMOVER.0 = s : GO.0 : PAUSE IDLE.0\nNEXT\n', [("Way", "10")] * 2),
+    ],
+)
+def test_answers(cell: Cell, text: str, answers: list[tuple[str, str]]) -> None:
+    found: list[dict[str, str]] = guesses(cell, text)["answer"]  # type: ignore[assignment]
+    assert [(each["prompt"], each["text"]) for each in found] == answers
+
+
+def test_keys(cell: Cell) -> None:
+    text = '#key\nK = INKEY\nIF K = 67 THEN ? "C" : GOTO key\nIF K <> 82 THEN GOTO key\n? "R"\n'
+    assert [(each["text"], each["at"]) for each in guesses(cell, text)["key"]] == [  # type: ignore[attr-defined]
+        ("C", 0.5),
+        ("R", 1.0),
+    ]
+
+
+def test_a_home_switch_lies_a_second_ahead(cell: Cell) -> None:
+    text = "SCALE.1 = 100\nSPEED.1 = 50 : HOMESPEED.1 = 20\nHOME.1 = 0\nPAUSE IDLE.1\n? POS.1\n"
+    found = guesses(cell, text)
+    assert (found["axis.1.home_switch"], found["axis.1.guess"]) == ([-22.0, -20.0], True)
+
+
+def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
+    cell.write("old.prg", 'INPUT "Way ", s\nPAUSE INX.2\nMOVER.0 = s : GO.0 : PAUSE IDLE.0\n? POS.0\n')
+    ran = cell("init", "old.prg", "--report", "none")
+    assert ran.out == "old.machine.toml: written, 2 guesses\nWay 10\n10.0000\n"
+    depends = "warning[guess]: this result depends on 2 guesses of the machine file: input 2; 1 answer"
+    assert ran.err.splitlines()[0] == depends
+    text = (cell.folder / "old.machine.toml").read_text()
+    (cell.folder / "old.machine.toml").write_text(text.replace(", guess = true", ""))
+    assert cell("run", "old.prg", "--report", "none").err == ""
+
+
+def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
+    text = "SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000\nMOVEA.0 = 50 : GO.0 : PAUSE IDLE.0\n"
+    guesses(cell, text)
+    file = cell.folder / "old.machine.toml"
+    assert (
+        "# limits.position = [0, 50]\n# limits.speed = 100\n# limits.acceleration = 1000\n"
+        in file.read_text()
+    )
+    file.write_text(file.read_text().replace("# limits", "limits"))
+    ran = cell("run", "old.prg", "--certify", "--report", "none")
+    assert (ran.status, ran.err) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message", "hint"),
+    [
+        (
+            "old.prg",
+            "PRINT 1\n",
+            "error[file]: old.machine.toml is there already, and init never overwrites",
+            "  hint: motionlang run old.prg runs the program with it",
+        ),
+        (
+            "bad.prg",
+            "MOVR.0 = 1\nx = = 2\n",
+            "error[syntax]: bad.prg has ",
+            "  hint: motionlang check bad.prg shows",
+        ),
+        ("none.prg", None, "error[file]: none.prg cannot be read: no such file or directory", ""),
+        (
+            "old.txt",
+            "PRINT 1\n",
+            "error[file]: the language of old.txt is unknown",
+            "  hint: say --dialect mint",
+        ),
+    ],
+)
+def test_what_is_wrong_takes_two_lines(
+    cell: Cell, name: str, text: str | None, message: str, hint: str
+) -> None:
+    machine = cell.write("old.machine.toml", "run.until = 5\n")
+    if text is not None:
+        cell.write(name, text)
+    ran = cell("init", name)
+    first, *rest = ran.err.splitlines()
+    assert ran.status in (1, 2)
+    assert first.startswith(message)
+    assert [line[: len(hint)] for line in rest] == ([hint] if hint else [])
+    assert machine.read_text() == "run.until = 5\n"
+
+
+def test_a_folder(cell: Cell) -> None:
+    (cell.folder / "old").mkdir()
+    for name in ("a.prg", "b.mccl"):
+        cell.write(f"old/{name}", "PAUSE INX.1\n" if name == "a.prg" else "WN1\n")
+    ran = cell("init", "old", "--report", "none")
+    assert [line.split(":")[0] for line in ran.out.splitlines()] == [
+        "old/a.machine.toml",
+        "old/b.machine.toml",
+    ]
+
+
+def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Enter keeps a guess, a wrong line is asked again, and the rest is kept at the end of input."""
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    cell.write("old.prg", 'PAUSE INX.1\nPAUSE INX.2\nINPUT "Way ", s\nINPUT "Speed ", v\nPRINT TIME\n')
+    monkeypatch.setattr(sys, "stdin", Terminal("\nsoon\n1@2\n7\n"))
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    ran = cell("init", "old.prg", "--report", "none")
+    assert "input 2: { channel = 2, at = 0.6 }, or type 1@0.5 or out4+0.3: " in ran.out
+    found = read_machine(Source.read(str(cell.folder / "old.machine.toml")))
+    assert found["input"] == [
+        {"channel": 1, "at": 0.3, "guess": True},
+        {"channel": 2, "value": 1, "at": 2.0},
+    ]
+    assert [each.get("guess") for each in found["answer"]] == [None, True]  # type: ignore[attr-defined]
