@@ -12,6 +12,7 @@ import io
 import os
 import re
 import shlex
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -60,6 +61,7 @@ def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
     for name in ("scripts", "docs"):
         os.symlink(ROOT / name, tmp_path / name)
+    shutil.copytree(ROOT / "examples" / "old", tmp_path / "old")
     monkeypatch.setenv("COLUMNS", "100")
 
 
