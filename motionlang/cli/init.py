@@ -94,12 +94,12 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         complain([Diagnostic("syntax", f"{file} has {one} and cannot run", hint=hint)], None, file)
         return 1
     fixed: dict[str, object] = {}
-    guesses, result = guessed(source, language, arguments.until, fixed)
     reads = language.world_reads(source)
+    guesses, result = guessed(source, language, arguments.until, fixed, reads)
     if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
         fixed = _ask(source, guesses, reads)
         if fixed:
-            guesses, result = guessed(source, language, arguments.until, fixed)
+            guesses, result = guessed(source, language, arguments.until, fixed, reads)
     try:
         create(path, machine_text(source, guesses, reads, result, arguments.until).encode())
     except OSError as error:

@@ -37,6 +37,10 @@ def test_an_input_after_an_output_follows_it(cell: Cell) -> None:
     ]
 
 
+def test_an_input_follows_no_relay(cell: Cell) -> None:
+    assert inputs(cell, "RELAY.0 = 1\nPAUSE INX.2\n") == [{"channel": 2, "at": 0.3}]
+
+
 def test_an_input_that_comes_and_goes(cell: Cell) -> None:
     text = "LOOP\nPAUSE INX.0\nPAUSE INX.0 = 0\nENDL\n"
     assert inputs(cell, text) == [{"channel": 0, "at": 1.0, "for": 1.0, "every": 2.0}]

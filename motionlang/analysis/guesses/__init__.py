@@ -17,7 +17,8 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
 Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
 the next form of the list. Every round changes at least one guess, and no form is taken twice, so the rounds end.
 
-Cost: a run for each guess. Those before the last end where the program is stuck.
+Cost: a run for each guess; those before the last end where the program is stuck. The program is compiled once, as no
+guess is a setting that compiled code depends on (`Dialect.compiled_in`).
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 
     from motionlang.lang.asked import WorldRead
     from motionlang.lang.dialect import Dialect
+    from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.result import Run
     from motionlang.source import Source
@@ -45,6 +47,8 @@ DELAY = 0.3
 MAX_LEAD = 1.0
 # An input that comes and goes is on for half of this period, s.
 PERIOD = 2.0
+# Channels beyond this one are relays, which no input can follow.
+LAST_OUTPUT = 999
 PULSES: dict[str, object] = {"at": PERIOD / 2, "for": PERIOD / 2, "every": PERIOD}
 # Seconds from when the program looks for a key to when it is pressed.
 KEY_DELAY = 0.5
@@ -75,6 +79,7 @@ class Guesses:
         # What was tried: forms of each input, answers to each question.
         self._forms: dict[int, set[str]] = {}
         self._tried: dict[str, list[str]] = {}
+        self._lines: dict[int, int] = {}
 
     @property
     def count(self) -> int:
@@ -93,6 +98,13 @@ class Guesses:
         }
         found |= {table: entries for table, entries in tables.items() if entries}
         return layered(found, self.fixed)
+
+    def line(self, result: Run, at: int) -> int:
+        """Return the line of a source offset; finding one costs as much as parsing the program."""
+        found = self._lines.get(at)
+        if found is None:
+            found = self._lines[at] = result.dialect.locate(result.source, at)[0]
+        return found
 
     # ------------------------------------------------------------------------------------------------- inputs
 
@@ -204,18 +216,28 @@ def rounded(value: float) -> float:
     return float(f"{value:.2g}")
 
 
-def guessed(source: Source, language: Dialect, until: float, fixed: dict[str, object]) -> tuple[Guesses, Run]:
-    """Return the guesses with which a program goes on, and the run with all of them; see the head of this module."""
+def guessed(
+    source: Source,
+    language: Dialect,
+    until: float,
+    fixed: dict[str, object],
+    reads: list[WorldRead] | None = None,
+) -> tuple[Guesses, Run]:
+    """Return the guesses with which a program goes on, and the run with all of them.
+
+    `reads` are the program's `world_reads`, `fixed` the settings that no guess changes.
+    """
     guesses = Guesses(fixed)
-    reads = language.world_reads(source)
+    reads = language.world_reads(source) if reads is None else reads
     guesses.guard(reads)
-    compiled = None
+    compiled: Program | None = None
     for _ in range(MAX_ROUNDS):
         result = run(
             source, dialect=language, machine=guesses.settings(until), cache=False, compiled=compiled
         )
         if result.status == "fault" and not result.machine.scheduler:
             break
+        compiled = result.program
         if not _improve(guesses, result, reads) and not guesses.complete(reads):
             break
     return guesses, result
@@ -248,7 +270,7 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[WorldRead], task: T
         return False  # it may still end
     if wait.cause == "operator":
         return guesses.answer(result.machine.operator.question.strip(" ?:"), result)
-    line, _, _ = result.dialect.locate(result.source, task.at)
+    line = guesses.line(result, task.at)
     for key in result.dialect.driven_by(wait.why):
         if key.startswith("axis."):
             return guesses.home(int(key.split(".")[1]), result)
@@ -275,15 +297,17 @@ def _press(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
 
 def _improve_polls(guesses: Guesses, result: Run, reads: list[WorldRead], tasks: list[Task]) -> bool:
     """Change a guess for a loop on an input that has no guess yet: the program is in it, or its time ran out."""
-    locate = result.dialect.locate
-    ends = [locate(result.source, task.at)[0] for task in tasks]
-    loops = [(locate(result.source, each.at)[0], each.since) for each in result.machine.log.loops]
-    for read in reads:
-        if read.kind != "poll" or read.channel is None or read.channel in guesses.inputs:
+    polls = [each for each in reads if each.kind == "poll" and each.channel not in guesses.inputs]
+    if not polls:
+        return False
+    ends = [guesses.line(result, task.at) for task in tasks]
+    loops = [(guesses.line(result, each.at), each.since) for each in result.machine.log.loops]
+    for read in polls:
+        if read.channel is None:
             continue
         since = [time for line, time in loops if line == read.line]
         if not since and any(read.line <= line <= read.last for line in ends):
-            since = [_entered(result, read)]
+            since = [_entered(guesses, result, read)]
         if since and guesses.flip(read.channel, since[0], result):
             return True
     return False
@@ -292,7 +316,9 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[WorldRead], tasks:
 def _cause(since: float, result: Run) -> tuple[int, int] | None:
     """Return the output that was set last before `since` and its level; None if the program did anything between."""
     log = result.machine.log
-    outputs = [each for each in log.outputs if since - MAX_LEAD <= each.time <= since]
+    outputs = [
+        each for each in log.outputs if since - MAX_LEAD <= each.time <= since and each.channel <= LAST_OUTPUT
+    ]
     if not outputs:
         return None
     last = outputs[-1]
@@ -303,12 +329,11 @@ def _cause(since: float, result: Run) -> tuple[int, int] | None:
     return int(last.channel), int(bool(last.value))
 
 
-def _entered(result: Run, loop: WorldRead) -> float:
+def _entered(guesses: Guesses, result: Run, loop: WorldRead) -> float:
     """Return when the program had its last wait outside a loop that it is in."""
-    locate = result.dialect.locate
     ends = [0.0]
     for wait in result.machine.log.waits:
-        if not loop.line <= locate(result.source, wait.at)[0] <= loop.last:
+        if not loop.line <= guesses.line(result, wait.at) <= loop.last:
             ends.append(wait.until)
     return max(ends)
 
