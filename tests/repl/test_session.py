@@ -170,3 +170,14 @@ def test_live_mode_lets_the_machine_catch_up_with_the_wall(monkeypatch: pytest.M
     live.end()
     assert wall[0] == pytest.approx(108.5, abs=0.03)
     assert clock.now == pytest.approx(3.5, abs=1e-3)
+
+
+def test_a_position_at_the_prompt_is_in_whole_counts() -> None:
+    """GO takes 10 µs, in which the axis moves ½·1·(1e-5)² uu: less than a count, which a controller cannot show."""
+    session = Session(dialect("mint"))
+    session.feed("SCALEFACTOR(0) = 1000 : SPEED(0) = 10 : ACCEL(0) = 1 : MOVER(0) = 100 : GO(0)")
+    assert session.feed("PRINT POS(0)") == "0.0000\n"
+    assert session.feed("PRINT POS") == "0.0000\n"
+    assert session.feed("Dim x As Float = POS(0)\nPRINT x > 0 And x < 1e-6") == "1\n"
+    session.machine.clock.advance(1.0)  # ½·1·1² uu are 500 counts
+    assert session.feed("PRINT POS(0), POSREMAINING(0)") == "0.500099.5000\n"

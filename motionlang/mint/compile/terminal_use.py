@@ -68,6 +68,8 @@ def _joined(texts: list[str]) -> list[str]:
 
 def _shown(b: Body, item: nodes.PrintItem) -> str:
     found = value(b, item.value)
+    if b.whole.typed:
+        found = _in_whole_counts(b, item.value, found)
     if item.using:
         return _using(b, item, found)
     if found.type == STRING:
@@ -76,6 +78,22 @@ def _shown(b: Body, item: nodes.PrintItem) -> str:
         b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
         return "''"
     return f"{b.whole.use('show', 'float' if found.type == FLOAT else 'integer')}({found.bare})"
+
+
+def _in_whole_counts(b: Body, node: nodes.Expr, found: Value) -> Value:
+    """Return what a controller would show of a position that is read at the prompt: whole counts.
+
+    The value that a program reads keeps its fraction.
+    """
+    row = node.row if type(node) is nodes.Name and node.symbol is None else None
+    if type(node) is not nodes.Name or row is None or row.changes != "motion" or row.unit != "uu":
+        return found
+    if node.args and type(node.args[0]) is not nodes.Number:
+        return found  # the index is evaluated once
+    from motionlang.mint.compile.keyword_use import read_at
+
+    (axis,) = read_at(b, node, row)
+    return Value(f"{b.whole.use('env', 'in_whole_counts')}({found.bare}, {axis})", FLOAT)
 
 
 def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:

@@ -356,6 +356,11 @@ class Environment(Waits):
         """Return the axes of keywords without brackets, which AXES sets for each task."""
         return self.task.axes
 
+    def in_whole_counts(self, distance_uu: float, axis: int) -> float:
+        """Return a distance of an axis in user units, rounded to whole counts."""
+        scale = self.controller.axes[axis].scale
+        return scale.to_user(float(round(scale.to_counts(distance_uu))))
+
     def say(self, text: str) -> None:
         """Print a text."""
         self.acts += 1
