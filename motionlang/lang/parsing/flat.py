@@ -6,11 +6,36 @@ and terminals, just like its LALR(1) table.
 
 from __future__ import annotations
 
+import re
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from lark import Lark
+
+
+LINE_END = "\\\n"
+# A terminal that begins with this is only found at the beginning of a line.
+_LINE_START = "(?<![^\n])"
+# A pattern begins with a set of characters or with a single one.
+_FIRST = re.compile(r"\[((?!\^)(?:\\.|[^\]\\])++)\]|(\\?[^\[\](){}?*+|.^$\\])")
+
+
+def _first(pattern: str) -> str:
+    """Return the characters that may begin a terminal, as they are written in a set."""
+    match = _FIRST.match(pattern)
+    if match is None:
+        raise ValueError(f"{pattern} must begin with a character or a set of characters")
+    return match[1] or match[2]
+
+
+def _ends_everywhere(pattern: str) -> bool:
+    """True if each character that may begin a terminal is one by itself."""
+    begins = re.compile(f"[{_first(pattern)}]")
+    return all(
+        re.fullmatch(pattern, character) for character in map(chr, range(128)) if begins.match(character)
+    )
 
 
 class Flat:
@@ -30,14 +55,36 @@ class Flat:
         self._used: set[str] = set()
         self.pattern = self._symbol(rule)
 
-    @property
-    def between(self) -> str:
-        """The pattern of text that may separate two matches on one line.
+    def outside(self, names: Collection[str] | None = None) -> list[str]:
+        """Return the patterns of the terminals that the rule does not use, except line ends.
 
-        It has all terminals that the rule does not use, except line ends.
+        `names` limits them to some of the grammar's terminals.
         """
-        others = (pattern for name, pattern in sorted(self._terminals.items()) if name not in self._used)
-        return "|".join(pattern for pattern in others if pattern != "\\\n")
+        found = (name for name in sorted(self._terminals) if name not in self._used)
+        patterns = (self._terminals[name] for name in found if names is None or name in names)
+        return [pattern for pattern in patterns if pattern != LINE_END]
+
+    @property
+    def begins(self) -> dict[str, str]:
+        """Map each group that is a terminal to the character with which it begins, if there is only one."""
+        found = (
+            (name, _FIRST.match(self._terminals[name])) for name in self._kept if name in self._terminals
+        )
+        return {name: match[2].removeprefix("\\") for name, match in found if match and match[2]}
+
+    def chunk(self, quoted: str) -> str:
+        """Return the pattern of a text that ends where a match should end, whether it is a match or not.
+
+        It ends at what the rule does not use, and at the end of the line. The terminal `quoted` begins and ends
+        with the same character; without its end it continues to the end of the line.
+        """
+        quote = _first(self._terminals[quoted])
+        ends = [pattern for pattern in self.outside() if not pattern.startswith(_LINE_START)]
+        firsts = "".join(map(_first, ends))
+        found = [f"[^{firsts}\\n{quote}]++", f"{quote}[^{quote}\\n]*+(?:{quote}|$)"]
+        if not all(_ends_everywhere(pattern) for pattern in ends):
+            found.append(f"(?!{'|'.join(ends)})[{firsts}]")
+        return f"(?:{'|'.join(found)})++"
 
     def _symbol(self, name: str) -> str:
         if name in self._terminals:

@@ -54,7 +54,7 @@ def generate(package: str) -> str:
     actions = import_module(f"motionlang.{package}.syntax.actions")  # a layer above: known by name only
     if hasattr(actions, "ACTIONS"):
         return _with_reducers(f"{package}.lark", package, actions)
-    return _with_pattern(f"{package}.lark", actions.RULE, actions.KEPT, actions.PIECE)
+    return _with_pattern(f"{package}.lark", actions.RULE, actions.KEPT, actions.QUOTED)
 
 
 def _heading(name: str) -> list[str]:
@@ -64,24 +64,34 @@ def _heading(name: str) -> list[str]:
     ]
 
 
-def _with_pattern(name: str, rule: str, kept: tuple[str, ...], piece: str) -> str:
+def _with_pattern(name: str, rule: str, kept: tuple[str, ...], quoted: str) -> str:
     """Return the tables of a grammar in which one pattern matches a whole rule.
 
     The table then parses only what the pattern does not match. PIECE cuts a line into the texts that should
-    match, as group 1, and matches nothing at the end of the line.
+    match, as group 1, and matches nothing at the end of the line. SEPARATORS matches what may separate them,
+    except comments. COMMENT matches a line up to its comment, which is group 1. BEGINS has the character with
+    which a terminal begins.
     """
     lark = build_lark(name, lexer="contextual")
     flat = Flat(lark, rule, kept)
     states = States(lark.parser.parser._parse_table, Rules(None))
-    cut = f"(?:{flat.between})*+(?:({piece})|$)"
+    chunk, between = flat.chunk(quoted), "|".join(flat.outside())
+    ignored = set(map(str, lark.ignore_tokens))
+    separators = "|".join(flat.outside({each.name for each in lark.terminals} - ignored))
+    comments = "|".join(flat.outside(ignored))
+    cut = f"(?:{between})*+(?:({chunk})|$)"
+    before_comment = f"^(?:(?!{comments})(?:{separators}|{chunk}))*+(?=({comments}))"
     terminals = {str(each.name): each.pattern.to_regexp() for each in lark.terminals}
     parts = [
         *_heading(name),
         "import re\n",
         "from motionlang.lang.parsing.parser import Automaton\n",
         f"PIECE = re.compile({cut!r}, re.ASCII)\n",
+        f"SEPARATORS = re.compile({f'(?:{separators})*+'!r}, re.ASCII)\n",
+        f"COMMENT = re.compile({before_comment!r}, re.ASCII)\n",
         f"{rule.upper()} = re.compile({flat.pattern!r}, re.ASCII)\n",
         f"TERMINALS = {_wrapped(terminals)}\n",
+        f"BEGINS = {flat.begins!r}\n",
         "RULES = (\n" + "".join(f"    {each},\n" for each in states.rules.rows) + ")\n",
         "ROWS = (\n" + "".join(f"    {each!r},\n" for each in states.rows) + ")\n",
         f"AUTOMATON = Automaton(TERMINALS, RULES, ROWS, {states.finish})",

@@ -9,12 +9,13 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.lint.channels import check_channels
-from motionlang.mccl.lint.checks import COMMENT, lint
+from motionlang.mccl.lint.checks import lint
 from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.program import locate
 from motionlang.mccl.syntax.mistakes import stuck
+from motionlang.mccl.syntax.tables import COMMENT
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ satisfied.
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.codes import Fault
@@ -21,8 +20,6 @@ if TYPE_CHECKING:
 
     Add = Callable[[int, Fault], None]
 
-# The start of a comment is group 1.
-COMMENT = re.compile(r'^(?:[^"#;\n]|"[^"\n]*")*?([;#])')
 _MOVES = frozenset(
     {
         "move_to", "move_by", "go_home", "go", "move_to_point", "find_index", "find_edge", "path", "slave", "jog_on",

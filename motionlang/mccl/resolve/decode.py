@@ -13,7 +13,8 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.keywords.row import not_simulated
 from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
-from motionlang.mccl.syntax.tables import COMMAND
+from motionlang.mccl.syntax.parser import head
+from motionlang.mccl.syntax.tables import BEGINS, COMMAND
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,8 +39,9 @@ class Word:
     __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
 
     def __init__(self, text: str) -> None:
-        self.name = text[-2:].upper()
-        self.axis = int(text[:-2][:9] or 0)
+        axis, name = head(text)
+        self.name = name.upper()
+        self.axis = int(axis[:9] or 0)
         row = self.row = table().get(self.name)
         self.fault: Fault | None = None
         self.without: Fault | None = None  # the fault if it has no parameter
@@ -47,7 +49,7 @@ class Word:
         self.low, self.high = -_LARGEST, _LARGEST
         self.action: Action = not_simulated
         if row is None:
-            self.fault = _unknown(text[-2:])
+            self.fault = _unknown(name)
             return
         assert row.actions.do is not None
         self.action, self.pure = row.actions.do, hasattr(row.actions.do, "pure")
@@ -162,9 +164,9 @@ def _unknown(word: str) -> Fault:
 
 def _no_parameter(rest: str, row: Keyword) -> Fault:
     """Return the fault of a text after the mnemonic that is not a parameter."""
-    if rest[0] == "@":
+    if rest[0] == BEGINS["REGISTER"]:
         return Fault(codes.FORMAT, f"{row.name} wants a register number after @", "such as MR@10", "syntax")
-    if rest[0] == '"':
+    if rest[0] == BEGINS["TEXT"]:
         return Fault(codes.FORMAT, f"the text after {row.name} has no end", 'a text ends with "', "syntax")
     if row.unit == "text" and row.access == "W":
         return _wants_text(row)

@@ -1,12 +1,12 @@
-"""The parts of a command of `grammars/mccl.lark` that the parser returns.
+"""The names in `grammars/mccl.lark` that the generator needs.
 
 Only `lang/parsing/generate.py` reads this file.
 """
 
 from __future__ import annotations
 
-# The rule that one pattern matches, and the parts that are groups of the pattern.
+# The rule that one pattern matches, and its components that are groups of the pattern.
 RULE = "command"
 KEPT = ("word", "WHOLE", "REAL", "REGISTER", "TEXT")
-# The text to match: all up to a separator, a comment or the end of the line, unless in quotes.
-PIECE = r'(?:[^, \t\n;"]++|"[^"\n]*+(?:"|$))++'
+# The terminal of a text in quotes, in which a separator ends no command.
+QUOTED = "TEXT"

@@ -5,7 +5,9 @@ This module contains no mnemonic.
 
 from __future__ import annotations
 
-from motionlang.mccl.syntax.tables import COMMAND, PIECE
+import re
+
+from motionlang.mccl.syntax.tables import COMMAND, PIECE, SEPARATORS, TERMINALS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
     # real number, a register or a text in quotes. A missing part is None.
     Parts = tuple[str | None, ...]
 
+_AXIS, _MNEMONIC = (re.compile(TERMINALS[name], re.ASCII) for name in ("AXIS", "MNEMONIC"))
 # The controller's input buffer, in characters.
 LONGEST = 255
 
@@ -43,5 +46,13 @@ def parts(piece: str) -> Parts | None:
 def without_comment(line: str) -> str:
     """Return the line as a downloader sends it."""
     end = max((end for _, end in spans(line)), default=0)
-    rest = line[end:]  # separators, and then a comment
-    return line[: len(line) - len(rest.lstrip(", \t"))]
+    separators = SEPARATORS.match(line, end)
+    return line[: separators.end()] if separators else line[:end]
+
+
+def head(text: str) -> tuple[str, str]:
+    """Return the axis number and the mnemonic with which a command begins, "" if it has none."""
+    axis = _AXIS.match(text)
+    begin = axis.end() if axis else 0
+    mnemonic = _MNEMONIC.match(text, begin)
+    return text[:begin], mnemonic[0] if mnemonic else ""

@@ -8,7 +8,11 @@ import re
 
 from motionlang.lang.parsing.parser import Automaton
 
-PIECE = re.compile('(?:;[^\n]*+|(?<![^\n])[ \t]*+#[^\n]*+|[, \t])*+(?:((?:[^, \\t\\n;"]++|"[^"\\n]*+(?:"|$))++)|$)', re.ASCII)
+PIECE = re.compile('(?:;[^\n]*+|(?<![^\n])[ \t]*+#[^\n]*+|[, \t])*+(?:((?:[^;, \t\\n"]++|"[^"\\n]*+(?:"|$))++)|$)', re.ASCII)
+
+SEPARATORS = re.compile('(?:[, \t])*+', re.ASCII)
+
+COMMENT = re.compile('^(?:(?!;[^\n]*+|(?<![^\n])[ \t]*+#[^\n]*+)(?:[, \t]|(?:[^;, \t\\n"]++|"[^"\\n]*+(?:"|$))++))*+(?=(;[^\n]*+|(?<![^\n])[ \t]*+#[^\n]*+))', re.ASCII)
 
 COMMAND = re.compile('((?:[0-9]++(?=[A-Za-z])[A-Za-z][A-Za-z]|[A-Za-z][A-Za-z]))(?:(?:([+-]?[0-9]{1,18}+(?=[, \t\n;]|$))|([+-]?(?:[0-9]++(?:\\.[0-9]*+)?|\\.[0-9]++)(?:[eE][+-]?[0-9]++)?(?=[, \t\n;]|$))|(@[0-9]{1,9}+(?=[, \t\n;]|$))|("[^"\n]*+"(?=[, \t\n;]|$))))?', re.ASCII)
 
@@ -24,6 +28,8 @@ TERMINALS = {
     'REMARK': ';[^\n]*+',
     'WHOLE_LINE': '(?<![^\n])[ \t]*+#[^\n]*+',
 }
+
+BEGINS = {'REGISTER': '@', 'TEXT': '"'}
 
 RULES = (
     (0, 'start', None),

@@ -6,13 +6,16 @@ Their kinds are axis, command, number, register, text, comment, separator and un
 from __future__ import annotations
 
 from motionlang.mccl.keywords import table
-from motionlang.mccl.syntax.parser import spans, without_comment
+from motionlang.mccl.syntax.parser import head, spans, without_comment
+from motionlang.mccl.syntax.tables import BEGINS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _DIGITS = "0123456789"
+# The kind of an argument, by the character with which it begins.
+_ARGUMENTS = {BEGINS["TEXT"]: "text", BEGINS["REGISTER"]: "register"}
 
 
 def tokens(text: str) -> Iterator[tuple[str, str, int]]:
@@ -44,17 +47,16 @@ def _separators(text: str, start: int) -> Iterator[tuple[str, str, int]]:
 
 
 def _command(text: str, start: int) -> Iterator[tuple[str, str, int]]:
-    count = 0
-    while count < len(text) and text[count] in _DIGITS:
-        count += 1
-    if count:
-        yield "axis", text[:count], start
-    name = text[count : count + 2]
+    axis, name = head(text)
+    if not axis and not name:
+        count = len(text) - len(text.lstrip(_DIGITS))
+        axis, name = text[:count], text[count : count + 2]
+    if axis:
+        yield "axis", axis, start
     if name:
         known = table().get(name)
         kind = "unknown" if known is None else "command" if known.simulated else "not-simulated"
-        yield kind, name, start + count
-    rest = text[count + 2 :]
-    if rest:
-        kind = "text" if rest[0] == '"' else "register" if rest[0] == "@" else "number"
-        yield kind, rest, start + count + 2
+        yield kind, name, start + len(axis)
+    begin = len(axis) + len(name)
+    if begin < len(text):
+        yield _ARGUMENTS.get(text[begin], "number"), text[begin:], start + begin
