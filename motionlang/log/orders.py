@@ -88,6 +88,8 @@ class Orders:
         # The rest of a stepper's move at a new zero is not planned again: the bounds at its start still
         # apply.
         self._steps: dict[Move, Order] = {}
+        # The settings that last asked something of each axis, and the number of its profiles then.
+        self._asked: dict[int, tuple[int, tuple[object, ...]]] = {}
         # The last stop commanded for each axis: it continues as planned, whatever settings follow.
         self._halts: dict[int, tuple[Stopping, Order]] = {}
         self._known = {REST: REST}  # those that further profiles may refer to
@@ -149,6 +151,7 @@ class Orders:
             self._entries,
             self._steps,
             self._halts,
+            self._asked,
         ):
             kept.clear()
         for more in (
@@ -313,6 +316,10 @@ class Orders:
             return
         if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
             wanted = wanted._replace(rates=self.of[a.index][-1].rates)
+        asked = len(self.of[a.index]), wanted.asks
+        if self._asked.get(a.index) == asked:
+            return
+        self._asked[a.index] = asked
         key = a.index, self._controller.clock.now
         if wanted.asks == self.of[a.index][-1].asks:
             self.unheeded.pop(key, None)

@@ -797,3 +797,15 @@ def test_a_path_near_its_peak_keeps_its_speed_when_that_of_an_axis_is_lowered() 
     peak = 50.0 * (sqrt(0.094) - 0.1)
     result = proved(settings + jerks + move)
     assert result.time == pytest.approx(2.0 * (peak / 100.0 + 0.1), abs=1e-6)
+
+
+def test_a_rate_that_came_too_late_stays_so_when_another_setting_is_written() -> None:
+    """At 0.1 s it speeds up at 100 with a jerk of 1000; at one of 10 it would be past 20 before that is taken back.
+
+    Its speed of 10 takes 0.2 s and 1.0 on either side. The override is not for a move in FEEDRATEMODE 0.
+    """
+    settings = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : PROFILEMODE(0) = 1\n"
+    jerks = "ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\nMOVER(0) = 20 : GO(0)\n"
+    changes = "WAIT = 100\nACCELJERK(0) = 10 : ACCEL(0) = 50\nWAIT = 400\nFEEDRATEOVERRIDE(0) = 50\n"
+    result = proved(settings + jerks + changes + "PAUSE IDLE(0)\n")
+    assert result.time == pytest.approx(0.4 + 1.8, abs=1e-6)
