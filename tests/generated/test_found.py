@@ -809,3 +809,9 @@ def test_a_rate_that_came_too_late_stays_so_when_another_setting_is_written() ->
     changes = "WAIT = 100\nACCELJERK(0) = 10 : ACCEL(0) = 50\nWAIT = 400\nFEEDRATEOVERRIDE(0) = 50\n"
     result = proved(settings + jerks + changes + "PAUSE IDLE(0)\n")
     assert result.time == pytest.approx(0.4 + 1.8, abs=1e-6)
+
+
+def test_a_jog_that_is_stopped_after_a_nanosecond() -> None:
+    """Its S-curve has hardly begun: the ramps of the stop last less than the time of the clock is rounded by."""
+    result = proved("1MN\n1SV1629,1SA500,1DS10000\n1PS0.2\n1VM,1GO,1ST\n", "mcl")
+    assert abs(places(result, 1)[0]) < 1e-20

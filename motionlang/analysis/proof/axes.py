@@ -58,11 +58,12 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
             if len(sides) > 1:  # a motion that reverses eases out at the jerk that it began with
                 jerk = max(order.jerks)
             name = ("acceleration", "deceleration")[side]
-            uses.look(
-                name, max(abs(left[2]), abs(right[2])), max(rate, eased if middle < slow.eased else 0.0)
-            )
+            steep = max(abs(left[3]), abs(right[3]))
+            rounded = 4e-16 * (span.begin + span.length) * steep  # as its ends are
+            bound = max(rate, eased if middle < slow.eased else 0.0) + rounded
+            uses.look(name, max(abs(left[2]), abs(right[2])), bound)
             if order.jerks[0] < inf:
-                uses.look("jerk", max(abs(left[3]), abs(right[3])), jerk)
+                uses.look("jerk", steep, jerk)
     where = f"axis {a.index} from {a.starts[i]:.6f} s"
     uses.tell(order.line, where, " counts")
     if isfinite(length):
