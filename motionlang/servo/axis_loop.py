@@ -89,13 +89,17 @@ def _language(section: Mapping[str, object], gains: Gains, model: str, scale: fl
 
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
-    """Return suggested gains for the bandwidth, halved until the plant can reach it."""
+    """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it.
+
+    The program's deadband of the output stays.
+    """
     from motionlang.servo.tuning import BeyondPlant, linearised, suggested_loop
 
     linear = linearised(plant)
     while True:
         try:
-            return Chosen(suggested_loop(linear, bandwidth, loop), "suggested", bandwidth)
+            found = replace(suggested_loop(linear, bandwidth, loop), output_deadband=loop.output_deadband)
+            return Chosen(found, "suggested", bandwidth)
         except BeyondPlant as error:
             bandwidth /= 2.0
             while bandwidth > error.best > 0.0:

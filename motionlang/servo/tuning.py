@@ -61,12 +61,13 @@ def suggest(
 # Every axis with the same motor, whatever its friction, and every run of it in a session, needs the same.
 @lru_cache(maxsize=256)
 def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
-    """Return the suggested loop for a `linearised` plant."""
+    """The loop of a suggestion for a `linearised` plant; it has no DAC steps and no deadband of the output."""
     if not 0.0 < target < inf:
         raise ValueError(f"the bandwidth must be greater than zero, not {target}")
-    shaped = _shape(
-        linear, replace(base, override=None, dac_bits=0, arithmetic="real", derivative_every=1), integral
+    plain = replace(
+        base, override=None, dac_bits=0, output_deadband=0.0, arithmetic="real", derivative_every=1
     )
+    shaped = _shape(linear, plain, integral)
     low, high = _range(linear, shaped, target)
     return shaped(_least(lambda w: bandwidth(shaped(w), linear) - target, low, high))
 

@@ -815,3 +815,11 @@ def test_a_jog_that_is_stopped_after_a_nanosecond() -> None:
     """Its S-curve has hardly begun: the ramps of the stop last less than the time of the clock is rounded by."""
     result = proved("1MN\n1SV1629,1SA500,1DS10000\n1PS0.2\n1VM,1GO,1ST\n", "mcl")
     assert abs(places(result, 1)[0]) < 1e-20
+
+
+@pytest.mark.parametrize(("deadband", "place"), [("9", 0.0), ("0.001", 20.0)])
+def test_gains_are_suggested_for_a_loop_with_a_deadband(deadband: str, place: float) -> None:
+    """20 counts need less than 9 V: if that counts as none the motor stays; 1 mV leaves it near its target."""
+    result = with_motor(f"1MN\n1OB{deadband},1MR20,1WS0.2\n1TP\n", "mcl", 1)
+    assert result.diagnostics == []
+    assert float(result.output[0].split()[-1]) == pytest.approx(place, abs=3.0)
