@@ -47,6 +47,8 @@ class MintProgram:
 
     def _settings(self) -> None:
         draw = self.draw
+        # The default of 4,000 uu/s turns a cam that follows thousands of times a second: seconds of the processor.
+        self.lines.append("HOMESPEED(0, 1, 2) = 50;")
         for axis in AXES:
             if draw.chance(0.25):
                 self.lines.append(self._write("SCALEFACTOR", axis))
@@ -115,7 +117,12 @@ class MintProgram:
         return self.draw.choice((1, 1, 2))
 
     def _write(self, name: str, axis: int) -> str:
-        return f"{name}({axis}) = {self.draw.value(table('mint')[name])}"
+        value = self.draw.value(table("mint")[name])
+        return f"{name}({axis}) = {self._near(axis, value) if name == 'POSREF' else value}"
+
+    def _near(self, axis: int, steps: object) -> str:
+        """A position within thousandths: as a POSREF is there within 1 ms, it could be run at 60,000 uu/s otherwise."""
+        return f"POSDEMAND({axis}) + {steps} / 1000"
 
     def _go(self, axis: int) -> str:
         return f"GO({axis})" if self.draw.chance(0.95) else "GO(0, 1)"
@@ -257,7 +264,8 @@ class MintProgram:
     def _reference(self) -> list[str]:
         axis, draw = self._axis(), self.draw
         name = draw.choice(("SPEEDREF", "VELREF", "POSREF", "SPEEDTESTREF", "HTA"))
-        lines = [f"{name}({axis}) = {draw.choice((0, draw.real(-60, 60)))}"]
+        value = draw.choice((0, draw.real(-60, 60)))
+        lines = [f"{name}({axis}) = {self._near(axis, value) if name == 'POSREF' else value}"]
         if name == "SPEEDREF":
             times = [f"SPEEDREFACCELTIME({axis})", f"SPEEDREFDECELTIME({axis})"]
             lines.insert(

@@ -109,7 +109,7 @@ class MintWords(MintProgram):
         row = table("mint").get(found[1]) if found is not None else None
         if found is None or row is None or self.draw.chance(0.3):
             return line
-        return f"{found[1]}({found[2]}) = {self.draw.value(row)}"
+        return self._write(row.name, int(found[2]))
 
     def _reading(self) -> list[str]:
         names = [self.draw.choice(_readings()) for _ in range(self.draw.randrange(1, 4))]
