@@ -823,3 +823,19 @@ def test_gains_are_suggested_for_a_loop_with_a_deadband(deadband: str, place: fl
     result = with_motor(f"1MN\n1OB{deadband},1MR20,1WS0.2\n1TP\n", "mcl", 1)
     assert result.diagnostics == []
     assert float(result.output[0].split()[-1]) == pytest.approx(place, abs=3.0)
+
+
+def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
+    """It goes up to v with a jerk of 10⁶, in 2 * sqrt(v / 10⁶) s, and down at 31. The way is half of v times the time.
+
+    Each of the 190 plans begins at the rounded position of the one before.
+    """
+    program = (
+        "TIMEREVENT = 20\nDECEL(0) = 31\nPROFILEMODE(0) = 1 : MOVEA(0) = 57\nGO(0)\nPAUSE IDLE(0)\n"
+        "Event TIMER\n  MAXSPEED(0) = 38 : MAXSPEED(0) = 53\nEnd Event\n"
+    )
+    result = proved(program, statement=1e-5)
+    speed = result.controller.log.moves[0].profile.peak_speed  # type: ignore[union-attr]
+    time = 2.0 * sqrt(speed / 1e6) + speed / 31.0 + 31.0 / 1e6
+    assert 0.5 * speed * time == pytest.approx(57.0)
+    assert result.time == pytest.approx(time, abs=2e-4)

@@ -26,10 +26,13 @@ PLANNED = frozenset({"move", "step", "jog", "stop"})
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
-def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bool, length: float) -> None:
+def judge_profile(
+    proof: Proof, a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool, length: float
+) -> None:
     """Check a profile planned from the settings, and the continuity of all pieces.
 
-    The bounds are speed, rates, jerk and time. A profile that was `shifted` is the one before at a new zero.
+    The bounds are speed, rates, jerk and time. A profile that was `shifted` is the one before, which was
+    ordered `earlier`, at a new zero.
     """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
@@ -40,8 +43,8 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
     _judge_knots(proof, a, i, order, parts)
     if order.kind not in PLANNED:
         return
-    # An axis that begins too fast, or with too much acceleration, is excused until it has slowed down.
-    begun = begin(a, i, order, shifted)
+    # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
+    begun = begin(a, i, order, earlier, shifted)
     slow = _slowing(profile, order, begun)
     still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
     uses = Uses(proof)
@@ -98,6 +101,7 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
     least, most = least + begun.time, most + begun.time
     if begun.left is not None:  # it may continue as planned
         least, most = min(least, begun.left), max(most, begun.left)
+    least = min(least, begun.planned)
     slack = 1e-9 + 4e-16 * abs(profile.start)
     if took > most * (1.0 + SLACK) + slack:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {most:g} s are due")

@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 class Begin(NamedTuple):
     """The initial velocity and acceleration of a plan, after its initial flank.
 
-    `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before
-    would have continued to change its velocity, for motion that may continue as planned.
+    `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before would
+    have gone on changing its velocity, for motion that may simply go on as it was planned. `planned` is that for
+    motion that slows down by the same ramps as before: its plan was judged when it was made.
     """
 
     velocity: float
@@ -34,22 +35,27 @@ class Begin(NamedTuple):
     came: float
     bent: float
     left: float | None
+    planned: float = inf
 
 
-def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
+def begin(a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool) -> Begin:
     """Return how profile i begins; `shifted` is the one before at a new zero."""
     profile = a.profiles[i]
     entry = profile.at(0.0)
     v, bent = entry.velocity, entry.acceleration
-    left = None
+    left, planned = None, inf
     stops = order.kind == "stop" and bent * v < 0.0
-    if i and a.profiles[i - 1].pieced and (v or bent) and (shifted or stops):
-        left = max(0.0, last_change(a.profiles[i - 1]) - (a.starts[i] - a.starts[i - 1]))
+    if i and a.profiles[i - 1].pieced and (v or bent):
+        gone_on = max(0.0, last_change(a.profiles[i - 1]) - (a.starts[i] - a.starts[i - 1]))
+        if shifted or stops:
+            left = gone_on
+        if bent * v < 0.0 and abs(v) <= order.speed and _ramps(order) == _ramps(earlier):
+            planned = gone_on
     own = left if shifted else None  # the rest of a plan is rounded like the complete plan
     if order.jerks[0] < inf:
-        return Begin(v, bent, 0.0, 0.0, abs(v), bent, own)
+        return Begin(v, bent, 0.0, 0.0, abs(v), bent, own, planned)
     if order.shape == "trapezoid" or not bent or not i or not a.profiles[i - 1].pieced:
-        return Begin(v, 0.0, 0.0, 0.0, abs(v), 0.0, own)
+        return Begin(v, 0.0, 0.0, 0.0, abs(v), 0.0, own, planned)
     before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
     flank = _flank(before, elapsed) if order.shape != "parabolic" else None
     if flank is None:
@@ -58,6 +64,10 @@ def begin(a: WholeTrack, i: int, order: Order, shifted: bool) -> Begin:
     p0, v0, _, _ = derivatives(falling, x)
     p1, v1, _, _ = derivatives(falling, x + time)
     return Begin(v + v1 - v0, 0.0, time, p1 - p0 + (v - v0) * time, abs(v), bent, left)
+
+
+def _ramps(order: Order) -> tuple[object, ...]:
+    return order.kind, order.line, order.shape, order.rates, order.jerks, order.ramp, order.step
 
 
 def last_change(profile: Profile) -> float:

@@ -105,7 +105,7 @@ def prove(
             begin, end = run.span(a, i)
             if end > begin:
                 shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
-                judge_profile(proof, a, i, order, shifted, end - begin)
+                judge_profile(proof, a, i, order, records[max(i - 1, 0)], shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     judge_path(proof, run, a, i, order, end)
                     judge_blend(proof, run, a, i, order, end)
