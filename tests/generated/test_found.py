@@ -839,3 +839,11 @@ def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
     time = 2.0 * sqrt(speed / 1e6) + speed / 31.0 + 31.0 / 1e6
     assert 0.5 * speed * time == pytest.approx(57.0)
     assert result.time == pytest.approx(time, abs=2e-4)
+
+
+def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
+    """SRAMP at a SPEED of 0 is for ramps of no time: the move, at 25 of its own, is a trapezoid of 1 / 25 + 25 / 10⁵ s."""
+    result = proved(
+        "FEEDRATEPARAMETER(0, 0) = 25\nSRAMP(0) = 50\nSPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
+    )
+    assert result.time == pytest.approx(0.04025, abs=1e-6)

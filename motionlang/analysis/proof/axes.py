@@ -168,6 +168,7 @@ def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
     if not parts:
         return
     left, changed = parts[0], [0.0, 0.0, 0.0]
+    steepest = max((jerk for jerk in order.jerks if jerk < inf), default=0.0)
     for right in parts[1:]:
         if right.length <= 4e-16 * (1.0 + a.starts[i] + right.begin):
             first, last = right.at(0.0), right.at(right.length)
@@ -177,9 +178,10 @@ def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
         if len(sizes) == 1:
             sizes += [max(1.0, profile.peak_speed), max(1.0, *(r for r in order.rates if r < inf), 1.0)]
         late = 4e-16 * (1.0 + a.starts[i] + right.begin)
+        slopes = (abs(before[1]), abs(before[2]), max(abs(before[3]), steepest))
         for which, name in enumerate(names):
             gap = abs(after[which] - before[which])
-            if gap > SLACK * sizes[which] + 4.0 * late * abs(before[which + 1]) + changed[which]:
+            if gap > SLACK * sizes[which] + 4.0 * late * slopes[which] + changed[which]:
                 where = f"axis {a.index} at {a.starts[i] + right.begin:.6f} s"
                 proof.breaks(order.line, f"{where}: the {name} jumps by {gap:g} counts within a profile")
         left, changed = right, [0.0, 0.0, 0.0]
