@@ -6,7 +6,7 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.analysis.guesses import Guesses, guessed
+from motionlang.analysis.guesses import Guesses, answer_entry, guessed
 from motionlang.analysis.guesses.file import inline, machine_text
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.golden import programs
@@ -24,6 +24,7 @@ from motionlang.source import Source
 if TYPE_CHECKING:
     import argparse
 
+    from motionlang.analysis.guesses import Entry
     from motionlang.cli.parser import Commands
     from motionlang.lang.asked import WorldRead
 
@@ -105,8 +106,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
     except OSError as error:
         complain([unwritten(path, error)], None, file)
         return 1
-    number = "1 guess" if guesses.count == 1 else f"{guesses.count} guesses"
-    sys.stdout.write(f"{path}: written, {number}\n")
+    sys.stdout.write(f"{path}: written, {_count(guesses)}\n")
     options = Options(file)
     options.dialect, options.report, options.machine = arguments.dialect, arguments.report, path
     options.given = arguments.given
@@ -115,8 +115,8 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
 
 def _ask(source: Source, guesses: Guesses, reads: list[WorldRead]) -> dict[str, object]:
     """Ask a person about each guess; return the settings that they gave, none if they pressed Enter each time."""
-    fixed: dict[str, list[dict[str, object]]] = {}
-    print(f"{guesses.count} guesses. Enter keeps one, Ctrl-D keeps all that are left.")
+    fixed: dict[str, list[Entry]] = {}
+    print(f"{_count(guesses)}. Enter keeps a guess, Ctrl-D keeps all that are left.")
     try:
         for channel, entry in sorted(guesses.inputs.items()):
             lines = dict.fromkeys(
@@ -124,33 +124,31 @@ def _ask(source: Source, guesses: Guesses, reads: list[WorldRead]) -> dict[str, 
             )
             for line in lines:
                 print(f"  line {line}: {source.line(line).strip()}")
-            _ask_one(f"input {channel}", entry, "1@0.5 or out4+0.3", fixed, inputs=f"{channel}={{}}")
+            given = _ask_input(channel, entry)
+            if given:
+                fixed.setdefault("input", []).extend(given)
         for question, texts in guesses.answers.items():
             name = f'answer to "{question}"' if question else "answer"
-            _ask_one(name, {"text": texts[0]}, "a line", fixed, answers=f"{question}={{}}")
+            answer = input(f"{name}: {texts[0]}, or type a line: ").strip()
+            if answer:
+                fixed.setdefault("answer", []).append(answer_entry(question, answer))
     except EOFError:
         print()
     return dict(fixed)
 
 
-def _ask_one(
-    name: str,
-    entry: dict[str, object],
-    form: str,
-    fixed: dict[str, list[dict[str, object]]],
-    **option: str,
-) -> None:
-    """Ask about one guess until the line is empty or right."""
-    ((parameter, template),) = option.items()
+def _ask_input(channel: int, guess: Entry) -> list[Entry]:
+    """Ask about one input until the line is empty or right."""
     while True:
-        line = input(f"{name}: {inline(entry)}, or type {form}: ").strip()
+        line = input(f"input {channel}: {inline(guess)}, or type 1@0.5 or out4+0.3: ").strip()
         if not line:
-            return
+            return []
         try:
-            found = entries({}, **{parameter: [template.format(line)]})
+            found: list[Entry] = entries({}, inputs=f"{channel}={line}")["input"]  # type: ignore[assignment]
+            return found
         except WrongEntry as error:
             print(f"  {error.message}; {error.hint}")
-            continue
-        for table, given in found.items():
-            fixed.setdefault(table, []).extend(given)  # type: ignore[arg-type]
-        return
+
+
+def _count(guesses: Guesses) -> str:
+    return "1 guess" if guesses.count == 1 else f"{guesses.count} guesses"
