@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     Row = dict[str, object]
 
-SCHEMA = "motionlang.report/1"
+SCHEMA = "motionlang.report/2"
 # The value of "ended" for a move in progress at the end of the run.
 END_OF_RUN = "end-of-run"
 # The sources of an axis's position: without a simulated motor feedback equals demand.
