@@ -33,7 +33,7 @@ def main(arguments: list[str]) -> int:
     """Measure and print."""
     mint, python = program(int(arguments[0]) if arguments else 1_000_000)
     source = Source("big.mnt", mint)
-    # The whole-tree settings of a plain user of Lark: no tokens kept, no placeholders.
+    # The whole-tree settings of a plain user of Lark: no tokens, no placeholders.
     lark = build_lark("mint.lark", lexer="contextual", keep_all_tokens=False, maybe_placeholders=False)
     lark.parse(mint[: mint.index("End Sub\n") + 8])
     ratios: dict[str, list[float]] = {"lark": [], "lark_gc_off": [], "ast": [], "lex": []}

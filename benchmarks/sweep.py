@@ -77,7 +77,7 @@ def thousand() -> None:
 
 
 def many(count: int) -> None:
-    """Measure the memory per variant, of which only the row is stored."""
+    """Measure the memory per variant; only its row is stored."""
     list(sweep_of(1000).results(jobs=2))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     rows = list(sweep_of(count).results(jobs=2))

@@ -13,7 +13,10 @@ from textwrap import fill
 from motionlang.lang.keyword import Keyword, Table
 
 PACKAGES = ("motionlang.mint.keywords", "motionlang.mccl.keywords")
-_HEAD = '''"""The keywords of each file, in lower case. Written by `python -m tests.keyword_index`; do not edit."""
+_HEAD = '''"""The keywords of each file, in lower case.
+
+Written by `python -m tests.keyword_index`; do not edit.
+"""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 # Importer and lazily imported modules, both without the name of their package. A line may leave this list or
 # become shorter; none may grow or be added.
 LAZY = {
-    # Lazy packages: each opens a family of modules, of which most programs need few. That of the command line
+    # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
     "fast/__init__.py": "loop_counters moves ranges",
     "fast/time_slices.py": "recurrence",

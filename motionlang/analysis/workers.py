@@ -1,8 +1,8 @@
 """Worker processes of this machine, which end with the process that started them.
 
 The end of its input does not end a worker: every worker inherits the writing ends of the pipes of its
-siblings, so that they stay open. A thread of each worker therefore waits for the end of the parent, of which
-`multiprocessing` has a file descriptor, and ends the process. Signals that end a command are blocked while
+siblings, so that they stay open. A thread of each worker therefore waits for the end of the parent, by
+a file descriptor of `multiprocessing`, and ends the process. Signals that end a command are blocked while
 processes start: one between a fork and its record would leave a process that the pool does not know.
 """
 

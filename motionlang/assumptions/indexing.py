@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword, Table
 
 PLACE = Path(__file__).with_name("tables.py")
-HEAD = '''"""The open readings by the words that depend on them. Written by `indexing`; do not edit."""
+HEAD = '''"""The open assumptions by keyword. Written by `indexing`; do not edit."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ def written() -> str:
     settings = {name_of(row): row for row in with_default()}
     lines = [
         HEAD,
-        "# Reading: the words whose use makes a program depend on it, by language where it is of no one language\n",
-        "# and they are not the same in both.\n",
+        "# Assumption: the keywords whose use makes a program depend on it. They are by language if it is\n",
+        "# about both and they differ.\n",
         "OPEN: dict[str, str | dict[str, str]] = {\n",
         *_open(tables, settings),
         "}\n",

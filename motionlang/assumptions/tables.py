@@ -1,9 +1,9 @@
-"""The open readings by the words that depend on them. Written by `indexing`; do not edit."""
+"""The open assumptions by keyword. Written by `indexing`; do not edit."""
 
 from __future__ import annotations
 
-# Reading: the words whose use makes a program depend on it, by language where it is of no one language
-# and they are not the same in both.
+# Assumption: the keywords whose use makes a program depend on it. They are by language if it is
+# about both and they differ.
 OPEN: dict[str, str | dict[str, str]] = {
     "mint.float-precision": "float dim",
     "mint.float-overflow": "/ * ^",

@@ -94,7 +94,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def _in_our_words(message: str) -> str:
-    """A wrong choice in our wording, whichever way this Python's argparse quotes it."""
+    """A wrong choice in our wording, however this Python's argparse quotes it."""
     wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
     if wrong is None:
         return message

@@ -96,7 +96,7 @@ def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
 
 
 def _until_signal(server: Server) -> None:
-    """Serve until Ctrl-C or SIGTERM, both of which are its normal end."""
+    """Serve until Ctrl-C or SIGTERM, each of them a normal end."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         server.stop()

@@ -172,7 +172,7 @@ def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
 
 
 def _digest(sweep: Sweep) -> str:
-    """Return the identity of a sweep: program, machine, kept results, and variants.
+    """Return the identity of a sweep: program, machine, results, and variants.
 
     The variants count by the last of them.
     """

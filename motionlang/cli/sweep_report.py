@@ -40,7 +40,7 @@ class Report:
 
     @property
     def columns(self) -> list[str]:
-        """The columns of the file: variant number, values, kept results, and error."""
+        """The columns of the file: variant number, values, results, and error."""
         return ["variant", *self.names, *self.keep, "problem"]
 
     def cells(self, sweep: Sweep, rows: dict[int, Result]) -> Iterator[Cells]:

@@ -114,7 +114,7 @@ class Controller(AxisVerbs):
     def forget_history(self, most: int) -> None:
         """Drop all but about the last `most` log records of each kind.
 
-        Ten times as many profiles are kept.
+        Ten times as many profiles stay.
         """
         self.log.forget(most, self.axes.values())
 

@@ -151,7 +151,7 @@ class Feedback:
         self._event: Event | None = None
         self._due = _NEVER
         self._stillness = Stillness()
-        # The last sample that was searched for events, all of which have run.
+        # The last sample that was searched for events, which have all run.
         self.scanned = 0
 
     # ----------------------------------------------------------------------------------------------- readings

@@ -1,6 +1,6 @@
 """Skipping of periods when the joint state of polling tasks repeats.
 
-Replaces: running every iteration of tasks none of which does more than poll and wait.
+Replaces: running every iteration of tasks that do no more than poll and wait.
 
 Hook: `Accelerators.scheduler`; `TimeSlices.slice_over` calls it after each time slice of a task that has only
 polled.
@@ -179,7 +179,7 @@ class Recurrence:
         """Return how much later, in units, waits end period by period.
 
         None if periods are not equal to the last bit. They are if statements continue their count from the
-        same time, or equally far from another one, each of which is a whole unit.
+        same time, or equally far from another one, and each time is a whole unit.
         """
         base, count = self._statements.base, self._statements.count
         if base == before[1]:

@@ -18,7 +18,7 @@ the one before.
         ────────|─────── time
              1.25 s
 
-The clients, each of which needs the first of these times:
+The clients, which need the first of these times:
 - Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable unchanged repeats
   until then, in one step.
 - Conditions of PAUSE (`Condition` below): the wait sleeps until then.

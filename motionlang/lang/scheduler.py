@@ -6,7 +6,7 @@ result, and eight hours of waiting must not take eight hours.
 
 Idea. No clock ticks. A task is resumed with a horizon, the first time at which anything else may happen. It
 runs on its own until it reaches the horizon, has to wait, or ends. Then the clock catches up, and each event
-on the way runs at its own time. If all tasks wait, the clock jumps to the earliest time at which an event
+in between runs at its own time. If all tasks wait, the clock jumps to the earliest time at which an event
 happens or a wait may end.
 
     time        0        1 ms     2 ms                    12.5 ms

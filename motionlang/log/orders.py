@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.
 SHIFTED = frozenset(("move", "jog", "stop", "Gear"))
-# Profiles of a run that are kept to be proved; so many equal orders, as in a loop, count as one.
+# Profiles of a run that are recorded for its proof; so many equal orders, as in a loop, count as one.
 MOST, MANY_ALIKE = 200_000, 50
 # The corner, degrees, that counts as straight: guided paths join if they continue in the same direction, to a
 # thousandth per axis.
@@ -79,7 +79,7 @@ class Orders:
         # The order of the last plan of each path, in progress or ahead: settings that led to no other plan do
         # not act.
         self._plans: dict[PathMove, Order] = {}
-        # The paths in progress of which each axis is the master, with their last orders.
+        # The paths in progress by their master, with their last orders.
         self._under_way: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
         # When the log entry of a path began, and its number in the log: a long one continues as another
@@ -168,7 +168,7 @@ class Orders:
         self._known.clear()
 
     def keep_whole(self) -> None:
-        """Drop orders of profiles that an interrupt kept off their track.
+        """Drop orders of profiles that an interrupt prevented.
 
         A profile on the track without an order is not checked.
         """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-# The fields of a `Waited`. A wait for a time, of which programs have millions, is shorter: the constants of
+# The fields of a `Waited`. A wait for a time is shorter, because programs have millions: the constants of
 # its source position (task, position, callers, duration of a statement), the time from which the task counts
 # its statements, how many it had executed, and the end.
 Whole = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]

@@ -16,7 +16,7 @@ FIT = 1e-9
 """How far a piece may be off in its middle, as a share of the size of the motion."""
 _DEPTH = 10
 _ASIDE = 1e-6
-"""The part of a piece by which one looks at its ends from inside."""
+"""Distance inside a piece, as a fraction, at which its ends are sampled."""
 MOMENT = 1e-100
 """Seconds too few to divide by the square of."""
 

@@ -92,7 +92,7 @@ def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: fl
     crest = max(eased, v1)
     if beyond(crest) <= 0.0:
         return _farthest(crest, speed, beyond)
-    # Braking continues into the last ramp: a constant speed on the way down uses the distance up.
+    # Braking continues into the last ramp: a constant speed while braking uses the distance up.
     return _farthest(v1, min(eased, speed), beyond) if beyond(v1) <= 0.0 else v1
 
 

@@ -1,4 +1,4 @@
-"""A sequence of profiles of which at least one is a formula."""
+"""A sequence of profiles with at least one formula."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ GAINS = (
     "accel_ff",
     "decel_ff",
 )
-"""Fields of which at least one must be set for a nonzero output."""
+"""Gains; at least one must be set for a nonzero output."""
 FULL_SCALE = 10.0
 """Volts at the end of the DAC's range."""
 FINE_BITS = 16

@@ -319,7 +319,7 @@ def test_a_serial_line_that_is_gone(loop: SerialWire) -> None:
 
 
 def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    """pyserial is asked for it; there is none here, as the message states."""
+    """pyserial gets the request; there is none here, as the message states."""
     serial = pytest.importorskip("serial")
     asked: list[tuple[str, int]] = []
     real = serial.serial_for_url

@@ -131,7 +131,7 @@ def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
 
 
 def test_a_constant_torque_is_a_parabola() -> None:
-    """0.1 A on 0.05 N m/A turn 2e-5 kg m² at 250 rad/s²: after a second 125 rad.
+    """0.1 A on 0.05 N m/A accelerate 2e-5 kg m² at 250 rad/s²: after a second 125 rad.
 
     A radian has 4000/2π counts.
     """

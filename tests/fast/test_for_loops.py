@@ -35,7 +35,7 @@ LOOPS = {
 }
 
 
-# A duration of which no period is a multiple: at a tie, rounding decides the first statement.
+# A duration without a period that is its multiple: at a tie, rounding decides the first statement.
 COST = 0.7310585e-3
 
 

@@ -1,4 +1,4 @@
-"""Forged logs: single changes of a run's log, each of which the proof must reject.
+"""Forged logs: single changes of a run's log, which the proof must reject.
 
 A change is of one entry, in place, so that an entry in progress stays the one of its axis. The report is made
 from the forged log, so it agrees and cannot reveal the change.

@@ -18,7 +18,7 @@ from tests.forged.programs import PROGRAMS
 
 # Times of a run at which the motion of two planners is compared, and the relative difference allowed.
 MOMENTS, ALIKE = 101, 1e-5
-# Verdicts, of which the last one applies to several programs; one rejection decides.
+# Verdicts; the last one applies to several programs; one rejection decides.
 RANKS = ("same", "failed", "slower", "passed")
 # Seconds after which an endless forged planner is abandoned.
 LONGEST = 5.0

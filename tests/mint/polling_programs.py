@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from random import Random
 
-# A duration of which no period is a multiple: at a tie, rounding decides the first statement.
+# A duration without a period that is its multiple: at a tie, rounding decides the first statement.
 COST = 0.7310585e-5
 
 _HEAD = """\

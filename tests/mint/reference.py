@@ -17,7 +17,7 @@ LOW, HIGH = -(2**31), 2**31 - 1
 
 
 class Leave(Exception):
-    """An Exit on its way out."""
+    """An Exit in progress."""
 
     def __init__(self, kind: str) -> None:
         self.kind = kind

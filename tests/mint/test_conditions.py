@@ -1,7 +1,7 @@
 """Limits, stops and suspends apply in every motion and order, by hand arithmetic.
 
 Each axis runs at 50 with rates of 100 up and 200 down unless a program sets others. A statement takes 10 us,
-so positions are within 50 x 10 us of the round figure for every statement on the way.
+so positions are within 50 x 10 us of the round figure for every statement in between.
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ def test_an_error_input_acts_when_its_mode_is_put_in_force() -> None:
 
 @pytest.mark.parametrize("stop", ["STOP(0)", "STOP(1)", "STOP(0, 1)", "STOP(1, 0)"])
 def test_a_path_is_stopped_by_any_of_its_axes_alike(stop: str) -> None:
-    """37.5 covered and 50² / 800 to rest, of which axis 0 has 0.6."""
+    """37.5 covered and 50² / 800 to rest; axis 0 has 0.6 of it."""
     result = mint(
         f"STOPMODE(0, 1) = 1;\nERRORDECEL(0, 1) = 400;\nVECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\n{stop}\nWAIT = 2000"
     )

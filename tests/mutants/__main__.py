@@ -8,7 +8,7 @@ one at a time is switched on. Coverage is recorded first, so that a mutant meets
 Several seeds are several draws of COUNT that share one recording of the coverage; each has its own score.
 
 `--only TEXT` selects the mutants whose names contain the text; `--tests PATH` uses those tests, to see if a
-new one kills. `--after LOG` begins with the tests that killed in an earlier run, of which LOG is the output;
+new one kills. `--after LOG` begins with the tests that killed in an earlier run, whose output is LOG;
 only mutants that survive these meet all tests.
 """
 
@@ -45,7 +45,7 @@ from tests.mutants.forks import (
 from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, files, woven
 from tests.mutants.recorder import ACTIVE
 
-# Tests that cannot judge mutants: they test the tests, the wheel, other interpreters, or run for weeks.
+# Tests that cannot be run on mutants: they test the tests, the wheel, other interpreters, or run for weeks.
 NO_JUDGES = (
     "mutants",
     "test_benchmarks.py",
@@ -68,7 +68,7 @@ install()
 
 
 def judges() -> list[str]:
-    """All tests that can judge mutants, as paths relative to the project."""
+    """The tests that can be run on mutants, as paths relative to the project."""
     found = [path for path in (ROOT / "tests").iterdir() if path.name not in NO_JUDGES]
     return sorted(
         path.relative_to(ROOT).as_posix()

@@ -7,7 +7,7 @@ Several worker processes share the work. Each collects all tests once and then g
    test reaches, and how long it takes. Woven code appends what it reaches to the file `REACHED`; processes
    that a test
    starts append to the same file, so tests of the command line count as well. A test that fails here depends on the
-   text of the project and cannot judge mutants.
+   text of the project and cannot be used.
 2. The workers exchange what they recorded (`recorded`).
 3. Verdicts. A worker claims one mutant after another, forks, and runs the tests that reach it, the quickest
    first, up

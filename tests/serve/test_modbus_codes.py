@@ -121,7 +121,7 @@ ANSWERS = {
     "read and write no register": ("17 0000 0001 0000 0000 00", "97 03"),
     "read no register and write": ("17 0000 0000 0000 0001 02 0001", "97 03"),
     "read 126 registers and write": ("17 0000 007e 0000 0001 02 0001", "97 03"),
-    # 02: registers of which one does not exist.
+    # 02: a range with a register that does not exist.
     "read beyond the end": ("03 07cf 0002", "83 02"),
     "read beyond 65535": ("03 ffff 0002", "83 02"),
     "write beyond the end": ("06 07d0 0001", "86 02"),

@@ -1,6 +1,6 @@
 """Items shorter than a pixel are a pixel wide: pulses, gaps, phases, waits.
 
-`PULSES` runs for 200 s, of which a picture has about 1000 columns: output 1 has ten pulses of 1 to 10 ms,
+`PULSES` runs for 200 s, for which a picture has about 1000 columns: output 1 has ten pulses of 1 to 10 ms,
 output 2 is on for 10 s five times, and is then on until the end except for ten gaps of 2 ms.
 """
 

@@ -194,7 +194,7 @@ def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     if isfinite(profile.duration) and not ends:
         proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, ordered is {points[-1]:g}")
     if not profile.pieced or abs(profile.duration - fsum(times)) > SLACK:
-        return  # it is suspended, or stops on the way
+        return  # it is suspended, or stops in between
     if len(profile.pieces) != len(times):
         proof.breaks(order.line, f"{where}: it has {len(profile.pieces)} segments, ordered are {len(times)}")
         return

@@ -520,7 +520,7 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
             return spans(travelled, begin, length) if travelled.pieced else None
     if not all(profile.pieced for profile, _ in parts):
         return None
-    if way.unit is None:  # an arc of which every axis is linear is none, or at rest
+    if way.unit is None:  # an arc whose axes are all linear is none, or at rest
         return []
     # Axes that the path moves: a path with a length and no distance (user defined) moves none.
     moving = [

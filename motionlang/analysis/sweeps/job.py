@@ -1,4 +1,4 @@
-"""A sweep for its workers: the program, kept results, and the run of a variant.
+"""A sweep for its workers: the program, its results, and the run of a variant.
 
 A job travels to other processes and machines; its expensive derived data are made once in each.
 """

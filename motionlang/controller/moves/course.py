@@ -36,7 +36,7 @@ class Course:
 
     `profile` is the distance along `segment` over the time since `began`; distances beyond its length are
     those of the paths ahead. It was planned to the end of the path `goal` (None: to rest anywhere). Times and
-    distances are rounded on the way there, so they cannot decide which path has ended or if it was the last
+    distances are rounded in between, so they cannot decide which path has ended or if it was the last
     one. `part` is the profile up to the end of `here`, which comes at the time `due`.
 
     `starts` is where the course was laid out from, on each axis. `begins` is where it begins: at the end of

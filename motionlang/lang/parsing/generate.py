@@ -59,7 +59,8 @@ def generate(package: str) -> str:
 
 def _heading(name: str) -> list[str]:
     return [
-        f'"""The tables of grammars/{name}; written by `python -m motionlang.lang.parsing.generate`, not by hand."""\n',
+        f'"""The tables of grammars/{name}.\n\n'
+        'Written by `python -m motionlang.lang.parsing.generate`, not by hand.\n"""\n',
         "# ruff: noqa\n# mypy: ignore-errors\n# fmt: off\n",
     ]
 

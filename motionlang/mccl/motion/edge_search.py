@@ -73,7 +73,7 @@ class Seek:
         self._axis.flags |= flags.HOMED
 
     def _watch_marks(self) -> None:
-        """Watch the two marks next to the axis, one of which it must pass first."""
+        """Watch the two marks next to the axis; it must pass one of them first."""
         controller, number = self._board.controller, self._axis.number
         a = controller.axes[number]
         every = a.index_pitch

@@ -1,4 +1,7 @@
-"""The tables of grammars/mccl.lark; written by `python -m motionlang.lang.parsing.generate`, not by hand."""
+"""The tables of grammars/mccl.lark.
+
+Written by `python -m motionlang.lang.parsing.generate`, not by hand.
+"""
 
 # ruff: noqa
 # mypy: ignore-errors

@@ -146,7 +146,7 @@ class Answer(Value):
 class Whole:
     """The data that all functions of a program share.
 
-    It holds names, problems and the run-time objects of the text. `specs[n]` tells the runtime what `kN` is
+    It holds names, problems and the run-time objects of the text. `specs[n]` defines `kN` for the runtime
     (with a suffix at a prompt, because earlier lines have their own).
     """
 

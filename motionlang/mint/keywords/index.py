@@ -1,4 +1,7 @@
-"""The keywords of each file, in lower case. Written by `python -m tests.keyword_index`; do not edit."""
+"""The keywords of each file, in lower case.
+
+Written by `python -m tests.keyword_index`; do not edit.
+"""
 
 from __future__ import annotations
 

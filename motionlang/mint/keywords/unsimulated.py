@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 # Keywords that are simulated when read, and what writing them would do.
 WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
 
-# ----------------------------------------------------------------------------- values that nobody knows here
+# ----------------------------------------------------------------------------- values that are not known
 
 
 def read_value(environment: Environment, row: Keyword) -> Operation:

@@ -394,7 +394,7 @@ class Follower:
             )
         return axis
 
-    # --------------------------------------------------------------------------------- what a condition tells
+    # --------------------------------------------------------------------------------- conclusions from a condition
 
     def _refined(self, node: nodes.Expr, truth: bool, state: State) -> State:
         if type(node) is nodes.Unary and node.op == "Not":

@@ -23,7 +23,7 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` wo
     End Sub                    twice  bound to a copy of 2 * x
 
 Data (`symbols.py`). A `Symbol` has a kind, a type and a Python spelling that is unique in the program. A `Scope` is a
-dict with the scope around it: a sub, then the task that it stands in, then the module. A `Function` becomes one Python
+dict with the scope around it: a sub, then the task around it, then the module. A `Function` becomes one Python
 function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `stands`, the expression. An
 unknown name gets none of these; the compiler reports it with a suggestion.
 

@@ -1,1 +1,1 @@
-"""From Mint text to its syntax tree, and all syntax errors on the way."""
+"""From Mint text to its syntax tree, with all syntax errors."""

@@ -77,7 +77,10 @@ class Unary(Node):
 
 @record
 class Binary(Node):
-    """`op` is one of `^ * / \\ Mod + - << >> & | Xor = <> < > <= >= And Or` in canonical spelling."""
+    """A binary operation; `op` is in canonical spelling.
+
+    It is one of `^ * / \\ Mod + - << >> & | Xor = <> < > <= >= And Or`.
+    """
 
     op: str
     left: Expr
@@ -156,7 +159,7 @@ class Input(Node):
 
 @record
 class TypeName(Node):
-    """`Integer`, `Float`, `String * size`, `Time`, `Semaphore`, `Controller` or a user type."""
+    """The name of a type, built-in or user-defined; `String` has a `size`."""
 
     name: str
     size: Expr | None = None

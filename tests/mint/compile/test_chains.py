@@ -108,7 +108,7 @@ def test_what_is_nested_is_limited_as_before(opening: str) -> None:
 
 
 def chosen(count: int, branch: int, between: str = "") -> str:
-    """Return a chain of `count` branches of an If, of which one is taken.
+    """Return a chain of `count` branches of an If; one is taken.
 
     Each other one would print another text.
     """
