@@ -40,7 +40,7 @@ def variant() -> None:
     worker = worker_of(sweep.job)
     variants = [(n, sweep.space[n]) for n in range(0, 1000, 1000 // RUNS)]
     overrides = [{"rate": float(rate), "gain": float(gain)} for _, (rate, gain) in variants]  # type: ignore[arg-type]
-    program = worker._program({}, overrides[0])  # type: ignore[arg-type]
+    program = worker._program(worker.source, {}, overrides[0])  # type: ignore[arg-type]
     bare = kept = float("inf")
     for _ in range(ROUNDS):
         began = process_time()

@@ -31,6 +31,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.entries import Given
     from motionlang.lang.program import Program
@@ -107,23 +108,34 @@ def run(
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
-    `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine
-    file next to the program, if there is one (ProgramError if it is invalid). `until` is the machine time at
-    which the run ends at the latest; the default is the file's `run.until`, or one shift. `overrides` are
-    values for the program's own names. `show` is called with all printed text, `pace` with the machine time
-    about to be reached. `outside` is a world that acts by itself, such as a host: it then decides how machine
-    time advances. `begun` is called with the machine when the program begins, for an observer. `nv` is the
-    file in which the program's nv data outlive the run. With `prove` the records that `Run.proof` needs are
-    stored. `log_size` is how many gigabytes the log may take on the disk. An internal error is raised, or
-    with `keep_crash` stored in `Run.crash`, with all results before it. `compiled` is an earlier compilation
-    of the source, for a machine that is equal where `Dialect.compiled_in` requires it. With `fast=False` the
-    engine runs without accelerators, like with `MOTIONLANG_FAST=0` in the environment: the result is equal,
-    only later. Errors in the program are `Run.diagnostics`, never exceptions. Raises OSError if the file
-    cannot be read, and ValueError if its name has no dialect's suffix or `machine` has an invalid key or
-    value.
+    `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine file
+    beside the program, if it has one (ProgramError where that is wrong). `until` is the machine time at which the run
+    ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
+    names, or for literals by address (lang/literals.py); `show` is called with everything the program prints, `pace`
+    with the machine time about to be reached.
+    `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
+    with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
+    data outlives the run. With `prove` what `Run.proof` needs is kept. `log_size` is how many gigabytes the log may
+    take on the disk. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all that
+    was computed before it. `compiled` is what the dialect has made of the source before, for a machine that is as this
+    one wherever `Dialect.compiled_in` says that it matters. With `fast=False` the engine runs without
+    accelerators, as with `MOTIONLANG_FAST=0` in the environment: the result is the same, only later.
+    `inputs`, `analog`, `answers` and `keys` are what the options of `motionlang run` are, as texts or by channel, name
+    or prompt: `inputs={2: "1@0.5"}, answers={"Turns": 200}`. They are laid over the machine file.
+    Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
+    where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
+    remarks: list[str] = []
+    wrong: list[Diagnostic] = []
+    if overrides and compiled is None:
+        from motionlang.lang.literals import edited
+
+        try:
+            source, overrides, remarks = edited(source, language, overrides)
+        except ProgramError as error:
+            wrong, overrides = error.diagnostics, None
     settings = _checked(machine) if machine is not None else settings_beside(program)
     if inputs or analog or answers or keys:
         from motionlang.lang.machine.entries import with_entries
@@ -137,6 +149,9 @@ def run(
         accelerators=accelerators(fast),
     )
     result = Run(source, language, virtual)
+    if wrong:
+        result.diagnostics, result.status = wrong, "fault"
+        return result
     entry = _entry(source, language, result.machine) if cache and compiled is None else None
     if compiled is None:
         compiled = _compile(source, language, settings, result, entry)
@@ -148,6 +163,7 @@ def run(
     if compiled is not None:
         size, last = compiled.size, end_of(settings) if until is None else until
         _perform(result, compiled, last, pace, outside, begun, prove, keep_crash)
+        result.notes += remarks
         if compiled.size > size:
             _keep(compiled, entry)
     if result.machine.nv is not None:

@@ -74,7 +74,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "attention", "ends", "foreign", "parsing", "machine", "vocabulary"),
+        ("asked", "attention", "ends", "foreign", "literals", "parsing", "machine", "vocabulary"),
         ("scheduler",),
     ),
     "controller": (

@@ -51,11 +51,12 @@ examples:
 class CheckOptions:
     """The options of a check.
 
-    `strict` counts warnings as errors, `evidence` lists open assumptions. `fix` writes unambiguous fixes.
-    `form` is one of `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
+    `strict` counts warnings as errors, `evidence` lists open assumptions. `literals` lists the numbers of each
+    program by address. `fix` writes unambiguous fixes. `form` is one of `views.findings.FORMATS`, `jobs` the
+    number of processes, 0 for the number of cores.
     """
 
-    __slots__ = ("dialect", "evidence", "fix", "form", "jobs", "machine", "model", "strict")
+    __slots__ = ("dialect", "evidence", "fix", "form", "jobs", "literals", "machine", "model", "strict")
 
     def __init__(
         self,
@@ -68,7 +69,9 @@ class CheckOptions:
         strict: bool = False,
         evidence: bool = False,
         fix: bool = False,
+        literals: bool = False,
     ) -> None:
+        self.literals = literals
         self.dialect, self.form, self.jobs, self.machine = dialect, form, jobs, machine
         self.model, self.strict, self.evidence, self.fix = model, strict, evidence, fix
 
@@ -99,6 +102,11 @@ def add_parser(commands: Commands, summary: str) -> None:
         help="list the open readings that each program depends on, and how strong each is",
     )
     parser.add_argument(
+        "--literals",
+        action="store_true",
+        help="list the numbers of each program by the addresses that --set and --vary take, such as SPEED[0]@12",
+    )
+    parser.add_argument(
         "--fix",
         action="store_true",
         help="write what can only have been meant one way into the files, then tell what is left",
@@ -123,6 +131,7 @@ def _check_files(arguments: argparse.Namespace) -> int:
         model=arguments.model,
         strict=arguments.strict,
         evidence=arguments.evidence,
+        literals=arguments.literals,
         fix=arguments.fix,
     )
     return check_command(arguments.files, options)
@@ -160,6 +169,8 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         if options.form == "text":
             mended = f"{len(fixed)} fixed, " if fixed else ""
             sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no mistakes'}\n")
+        if options.literals and source is not None and language:
+            _list_literals(language, source, rows[-1], options.form == "json")
         if options.evidence and settings is not None and source is not None:
             _tell_evidence(language, source, settings, rows[-1], options.form == "json")
     if options.form == "json":
@@ -167,6 +178,22 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     elif options.form != "text":
         sys.stdout.write(written(document, options.form, "check"))
     return 1 if wrong else 0
+
+
+def _list_literals(language: str, source: Source, row: dict[str, object], as_json: bool) -> None:
+    """Print the literals of a program, or put them into its row."""
+    from motionlang.lang.literals import literals
+
+    found = literals(source, dialect(language))
+    if as_json:
+        row["literals"] = [{"address": each.address, "line": each.line, "value": each.text} for each in found]
+        return
+    width = max((len(each.address) for each in found), default=0)
+    values = max((len(each.text) for each in found), default=0)
+    for each in found:
+        sys.stdout.write(
+            f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {printable(source.line(each.line).strip())}\n"
+        )
 
 
 def _tell_evidence(

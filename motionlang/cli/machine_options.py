@@ -51,7 +51,7 @@ def set_values(
     """
     for pair in pairs:
         name, equals, text = pair.partition("=")
-        name = name.strip()
+        name = canonical(name) or name.strip()
         if not equals or not name:
             parser.error(f"--set needs NAME=VALUE, not {shown(pair)}")
         if "." not in name:

@@ -9,6 +9,7 @@ from motionlang.cli.complaints import complain
 from motionlang.errors import ProgramError
 from motionlang.execution import accelerators, dialect_for
 from motionlang.lang.foreign import one_sentence
+from motionlang.lang.literals import edited
 from motionlang.views.listing import render_listing
 from motionlang.views.terminal import wants_colour
 
@@ -21,7 +22,8 @@ def show_code(options: Options, source: Source, settings: dict[str, object]) -> 
     """Print the listing and return the exit status, 1 if the program has an error."""
     language = dialect_for(source, options.dialect)
     try:
-        listing = language.listing(source, settings, options.overrides, accelerators().ranges)
+        source, overrides, _ = edited(source, language, options.overrides)
+        listing = language.listing(source, settings, overrides, accelerators().ranges)
     except ProgramError as error:
         complain(one_sentence(language, source, error.diagnostics), source, options.file)
         return 1

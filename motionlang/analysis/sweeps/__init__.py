@@ -14,6 +14,7 @@ from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.analysis.sweeps.space import Space, space_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_beside
+from motionlang.lang.literals import edited
 from motionlang.record import record
 from motionlang.source import Source
 
@@ -111,9 +112,10 @@ class Sweep:
             problem = check_setting(current_key(name), value) if "." in name else None
             if problem is not None:
                 raise ValueError("; ".join(problem))
-        settings, overrides = self.job.of(values)
+        settings, given = self.job.of(values)
         language.compile(source, settings)
         try:
+            source, overrides, _ = edited(source, language, given)
             language.compile_given(source, settings, overrides)
         except ProgramError as error:
             if not any(each.line for each in error.diagnostics):

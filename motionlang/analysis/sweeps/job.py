@@ -10,6 +10,7 @@ from hashlib import sha256
 from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import accelerators, dialect, run
+from motionlang.lang.literals import Literal, edited, has_address, literals
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -98,15 +99,21 @@ class Worker:
         self._dialect = dialect(job.dialect)
         self._readers = [quantity(name) for name in job.keep]
         self._programs: dict[str, Program] = {}
+        self._literals: list[Literal] | None = None
 
     def result(self, variant: Variant) -> Result:
         """Return the row of one variant, with its error, if any."""
         index, values = variant
         try:
-            settings, overrides = self.job.of(values)
-            found = self._run(settings, overrides, self._program(settings, overrides))
+            settings, given = self.job.of(values)
+            source, overrides = self.source, given
+            if has_address(given, self._dialect):
+                if self._literals is None:
+                    self._literals = literals(source, self._dialect)
+                source, overrides, _ = edited(source, self._dialect, given, self._literals)
+            found = self._run(source, settings, overrides, self._program(source, settings, overrides))
             if overrides and found.status == "fault":  # run again, since a run by itself reports the error
-                found = self._run(settings, overrides, None)
+                found = self._run(source, settings, overrides, None)
             kept = tuple(self._read(found, *reader) for reader in self._readers)
             return index, kept, self._problem(found)
         except ProgramError as error:
@@ -115,10 +122,14 @@ class Worker:
             return index, (None,) * len(self._readers), told([Diagnostic("machine-file", str(error))])
 
     def _run(
-        self, settings: dict[str, object], overrides: dict[str, float | str], compiled: Program | None
+        self,
+        source: Source,
+        settings: dict[str, object],
+        overrides: dict[str, float | str],
+        compiled: Program | None,
     ) -> Run:
         found = run(
-            self.source,
+            source,
             dialect=self._dialect,
             machine=settings,
             until=self.job.until,
@@ -132,8 +143,12 @@ class Worker:
             raise KeyboardInterrupt
         return found
 
-    def _program(self, settings: dict[str, object], overrides: dict[str, float | str]) -> Program:
+    def _program(
+        self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
+    ) -> Program:
         """Return the program for a machine, compiled once for all equal relevant settings."""
+        if source is not self.source:  # a literal was edited
+            return self._dialect.compile_given(source, settings, overrides, accelerators().ranges)
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
         key = repr(sorted(deciding.items())) if deciding else ""
         found = self._programs.get(key)

@@ -9,6 +9,7 @@ import re
 from random import Random
 
 from motionlang.errors import ProgramError
+from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import read_value as machine_value
 
 TYPE_CHECKING = False
@@ -74,6 +75,7 @@ def dimension(text: str) -> Dimension:
     name, equals, given = (part.strip() for part in text.partition("="))
     if not equals or not name or not given:
         raise ValueError(f"{text!r} is not NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE")
+    name = canonical(name) or name
     found = _RANGE.match(given)
     if found is None:
         return Dimension(name, [read_value(each) for each in _split(given)])

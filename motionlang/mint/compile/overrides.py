@@ -60,18 +60,22 @@ def _replace(
     gets the value.
     """
     bare: dict[str, nodes.Variable] = {}
+    own: set[str] = set()  # names that the program declares, also those of keywords
     for node in sorted(walk(body), key=lambda each: each.at):
         if type(node) is nodes.Const:
+            own.add(node.name.lower())
             if _take(node.name, wanted, done, names):
                 node.value = _literal(node.at, node.name, wanted)
         elif type(node) is nodes.Dim:
+            own |= {variable.name.lower() for variable in node.variables}
             for variable in node.variables:
                 if not variable.values and not variable.dimensions:
                     bare.setdefault(variable.name.lower(), variable)
                 if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
                     variable.values = [_literal(variable.at, variable.name, wanted)]
         elif type(node) is nodes.Assign and type(node.target) is nodes.Name:
-            plain, key = node.target.args is None, node.target.name.lower()
+            key = node.target.name.lower()
+            plain = node.target.args is None and (key in bare or key in own or table().get(key) is None)
             if plain and not _reads_itself(node, key) and _take(node.target.name, wanted, done, names):
                 node.values = [_literal(node.at, key, wanted)]
             elif plain and key in bare and _take(node.target.name, wanted, done, names):

@@ -1,0 +1,340 @@
+"""Literals of a program by address, so that `--set` and `--vary` reach a number that has no name.
+
+    SPEED[0]@12    the number that line 12 writes to SPEED of axis 0; SPEED(0)@12 and SPEED.0@12 are the same
+    1SV@3          the parameter of the command 1SV in line 3
+    d@7            the number that line 7 assigns to the variable d, or that a Define stands for
+    SPEED[0]       every number that the program writes to SPEED of axis 0
+    MOVER[0]@9:2   the second number of an expression, or of several writes in one line
+    line:12        the only number in line 12
+
+A value replaces the text of the number, so a run is that of the edited program. The tokens of the highlighter are
+enough to find literals: a statement is a word with an index, an equals sign and values, or a command of MCCL.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+
+from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.record import record
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from motionlang.lang.dialect import Dialect
+
+    Token = tuple[str, str, int]
+    Values = Mapping[str, float | str]
+
+_LINE = re.compile(r"line:(\d+)(?:\.value)?", re.IGNORECASE)
+_ADDRESS = re.compile(
+    r"(\d*[A-Za-z_]\w*)(?:\.(\d+(?:\.\d+)*)|\[([^\[\]]*)\]|\(([^()]*)\))?(?:@(\d+))?(?::(\d+))?"
+)
+_DOTTED = re.compile(r"(\w+?)((?:\.\d+)+)")
+# Words that declare a name, whose value `--set NAME=VALUE` replaces.
+_NAMED = frozenset(("const", "dim", "nv"))
+_DECLARE = _NAMED | {"define"}
+# Control words that a statement may follow; after the others stands a condition.
+_BEFORE_STATEMENTS = frozenset(("then", "else", "do", "repeat", "loop", "define"))
+# Commands of MCCL whose parameter is a place in the program.
+_JUMPS = frozenset(("MD", "MC", "MJ", "GT", "JR", "JP"))
+# So many addresses are named in a hint.
+MAX_NAMED = 4
+
+
+@record
+class Literal:
+    """A number in the text: its `address`, what is written (`base`), and its place.
+
+    `is_whole` says that the number is the whole value and not a part of an expression.
+    """
+
+    address: str
+    base: str
+    line: int
+    offset: int
+    text: str
+    is_whole: bool
+
+
+def canonical(name: str) -> str | None:
+    """Return an address in its one spelling, None for a name that is no address."""
+    text = name.replace(" ", "")
+    line = _LINE.fullmatch(text)
+    if line is not None:
+        return f"line:{int(line[1])}"
+    found = _ADDRESS.fullmatch(text)
+    if found is None:
+        return None
+    word, dotted, square, round_, at, number = found.groups()
+    index = next(
+        (each for each in (dotted and dotted.replace(".", ","), square, round_) if each is not None), None
+    )
+    if index is None and at is None and not word[0].isdigit():
+        return None
+    base = word if index is None else f"{word}[{index}]"
+    return base + (f"@{int(at)}" if at else "") + (f":{int(number)}" if number else "")
+
+
+def literals(source: Source, language: Dialect) -> list[Literal]:
+    """Return the literals of a program that have an address, in the order of the text."""
+    starts = [0, *(found.end() for found in re.finditer("\n", source.text))]
+    found: list[tuple[str, int, Token, bool]] = []
+    for statement in _statements(source.text, language):
+        line = bisect_right(starts, statement[0][2])
+        found += [(base, line, token, whole) for base, token, whole in _values(statement, language)]
+    counts: dict[tuple[str, int], int] = {}
+    for base, line, _, _ in found:
+        counts[base.lower(), line] = counts.get((base.lower(), line), 0) + 1
+    made: list[Literal] = []
+    numbers: dict[tuple[str, int], int] = {}
+    for base, line, (_, text, offset), whole in found:
+        key = base.lower(), line
+        number = numbers[key] = numbers.get(key, 0) + 1
+        several = counts[key] > 1 or not whole
+        made.append(
+            Literal(f"{base}@{line}" + (f":{number}" if several else ""), base, line, offset, text, whole)
+        )
+    return made
+
+
+def edited(
+    source: Source, language: Dialect, values: Values, found: Sequence[Literal] | None = None
+) -> tuple[Source, dict[str, float | str], list[str]]:
+    """Return the program with the values of literals in its text, the values of names, and notes for the report.
+
+    `found` are the program's `literals`, if they are known. Raises ProgramError with every address that is wrong.
+    """
+    addressed, named = _sorted(source, language, values)
+    if not addressed:
+        return source, named, []
+    found = literals(source, language) if found is None else found
+    edits: dict[int, tuple[int, str]] = {}
+    notes: list[str] = []
+    wrong: list[Diagnostic] = []
+    for address, value in addressed.items():
+        try:
+            chosen = _chosen(found, address)
+            text = _text(address, value)
+        except ProgramError as error:
+            wrong += error.diagnostics
+            continue
+        edits |= {each.offset: (len(each.text), text) for each in chosen}
+        if "@" not in address and ":" not in address:
+            lines = ", ".join(str(each.line) for each in chosen)
+            count = "1 literal, line" if len(chosen) == 1 else f"{len(chosen)} literals, lines"
+            notes.append(f"{address} = {text} sets {count} {lines}")
+    if wrong:
+        raise ProgramError(wrong)
+    parts, end = [], 0
+    for offset, (length, text) in sorted(edits.items()):
+        parts += [source.text[end:offset], text]
+        end = offset + length
+    return Source(source.name, "".join(parts) + source.text[end:]), named, notes
+
+
+def has_address(values: Values, language: Dialect) -> bool:
+    """True if a name may be an address: its form is one, or it is a keyword."""
+    return any(canonical(name) is not None or language.table().get(name) is not None for name in values)
+
+
+def _sorted(
+    source: Source, language: Dialect, values: Values
+) -> tuple[dict[str, float | str], dict[str, float | str]]:
+    """Separate the values by address from those by name; a keyword is no name unless the program declares it."""
+    addressed: dict[str, float | str] = {}
+    named: dict[str, float | str] = {}
+    own: set[str] | None = None
+    for name, value in values.items():
+        address = canonical(name)
+        row = language.table().get(name) if address is None else None
+        if row is not None:
+            own = _declared(source, language) if own is None else own
+            address = None if name.lower() in own else row.name
+        if address is None:
+            named[name] = value
+        else:
+            addressed[address] = value
+    return addressed, named
+
+
+def _declared(source: Source, language: Dialect) -> set[str]:
+    """Return the words of the statements that declare names, in lower case: a name may be that of a keyword."""
+    found: set[str] = set()
+    end, declares = 0, False
+    for kind, text, offset in language.tokens(source.text):
+        if "\n" in source.text[end:offset] or (kind == "separator" and text == ":"):
+            declares = False
+        declares = declares or (kind == "control" and text.lower() in _DECLARE)
+        if declares and kind in ("word", "control"):
+            found.add(text.lower())
+        end = offset + len(text)
+    return found
+
+
+def _chosen(found: Sequence[Literal], address: str) -> list[Literal]:
+    """Return the literals that an address means; raise ProgramError if there is none, or if it is not clear which."""
+    if address.startswith("line:"):
+        line = int(address[5:])
+        here = [each for each in found if each.line == line]
+        if len(here) == 1:
+            return here
+        raise _wrong(f"line {line} has {len(here) or 'no'} literals", here or found)
+    key = address.lower()
+    exact = [each for each in found if each.address.lower() == key]
+    if exact:
+        return exact
+    base, at, line_text = key.partition("@")
+    same = [each for each in found if each.base.lower() == base]
+    if not at:
+        whole = [each for each in same if each.is_whole]
+        if whole:
+            return whole
+        indexed = [each for each in found if each.base.lower().startswith(f"{base}[")]
+        raise _wrong(f"the program writes no literal to {address}", same or indexed or found, address)
+    here = [each for each in same if str(each.line) == line_text]
+    if here:
+        raise _wrong(f"{address} is one of {len(here)} literals", here)
+    raise _wrong(
+        f"line {line_text.partition(':')[0]} writes no literal to {base.upper()}", same or found, address
+    )
+
+
+def _wrong(message: str, others: Sequence[Literal], address: str = "") -> ProgramError:
+    """Return the error for an address, with those that were probably meant."""
+    names = [each.address for each in others]
+    near = nearest(address, names) if address else None
+    if len(names) > MAX_NAMED and near is not None:
+        names = [near]
+    listed = ", ".join(names[:MAX_NAMED])
+    hint = (
+        f"write {listed}{' …' if len(names) > MAX_NAMED else ''}; check --literals lists all" if names else ""
+    )
+    return ProgramError([Diagnostic("option", message, hint=hint)])
+
+
+def _text(address: str, value: float | str) -> str:
+    """Return a value as it is written into the text."""
+    if isinstance(value, str):
+        raise ProgramError([Diagnostic("option", f"{address} is a number, not {value!r}")])
+    return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))
+
+
+def _statements(text: str, language: Dialect) -> Iterator[list[Token]]:
+    """Yield the tokens of each statement; a control word such as THEN begins one."""
+    statement: list[Token] = []
+    depth, end = 0, 0
+    for kind, word, offset in language.tokens(text):
+        ends = "\n" in text[end:offset] or (
+            kind == "separator" and (word.strip() in ("", ":") or word == "\n")
+        )
+        if kind == "axis" or (kind == "command" and (not statement or statement[-1][0] != "axis")):
+            ends = True
+        if (ends or kind in ("control", "comment")) and depth <= 0:
+            if statement:
+                yield statement
+            statement = []
+        depth += (word in ("(", "[")) - (word in (")", "]")) if kind == "separator" else 0
+        if "\n" in text[end:offset]:
+            depth = int(kind == "separator" and word in ("(", "["))
+        end = offset + len(word)
+        if kind != "comment" and not (kind == "separator" and (not word.strip() or word == ":")):
+            statement.append((kind, word, offset))
+    if statement:
+        yield statement
+
+
+def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
+    """Yield what a statement writes literals to, each literal, and whether it is the whole value."""
+    kinds = [kind for kind, _, _ in statement]
+    if kinds[0] in ("axis", "command"):
+        yield from _of_command(statement)
+        return
+    if kinds[0] == "control":
+        if statement[0][1].lower() not in _BEFORE_STATEMENTS:
+            return
+        statement = statement[1:]
+    if not statement or statement[0][0] != "word":
+        return
+    base, index, rest = _target(statement, language)
+    if rest and rest[0][1] == "=":
+        values, repeated = _split(rest[1:])
+        indices = index.split(",") if index else []
+        for number, value in enumerate(values):
+            if len(values) == len(indices):
+                where = indices[number]
+            elif repeated and indices:
+                where = ",".join(indices[number:]) if number == len(values) - 1 else indices[number]
+            else:
+                where = index
+            for token, whole in _numbers(value):
+                yield (
+                    (f"{base}[{where}]" if where else base),
+                    token,
+                    whole and (len(values) <= max(1, len(indices))),
+                )
+    elif index and not rest:
+        row = language.table().get(base)
+        if row is not None and row.index == "none" and row.kind in ("setting", "statement", "command"):
+            opening = next(n for n, each in enumerate(statement) if each[1] in ("(", "["))
+            for value in _split(statement[opening + 1 : -1])[0]:
+                for token, whole in _numbers(value):
+                    yield base, token, whole
+
+
+def _of_command(statement: list[Token]) -> Iterator[tuple[str, Token, bool]]:
+    axis = statement[0][1] if statement[0][0] == "axis" else ""
+    command = next((text for kind, text, _ in statement if kind == "command"), "")
+    number = next((token for token in statement if token[0] == "number"), None)
+    if command and number is not None and command.upper() not in _JUMPS:
+        yield f"{axis}{command.upper()}", number, True
+
+
+def _target(statement: list[Token], language: Dialect) -> tuple[str, str, list[Token]]:
+    """Return the word that a statement begins with, its index as text, and the tokens behind both."""
+    word, index, end = statement[0][1], "", 1
+    dotted = _DOTTED.fullmatch(word)
+    if dotted is not None:
+        word, index = dotted[1], dotted[2][1:].replace(".", ",")
+    elif len(statement) > 1 and statement[1][1] in ("(", "["):
+        end = next((n for n, each in enumerate(statement) if each[1] in (")", "]")), len(statement) - 1) + 1
+        index = "".join(text for _, text, _ in statement[2 : end - 1])
+    row = language.table().get(word)
+    return row.name if row is not None else word, index, statement[end:]
+
+
+def _split(tokens: list[Token]) -> tuple[list[list[Token]], bool]:
+    """Return the values of a list, and whether a `;` at its end repeats the last one."""
+    values: list[list[Token]] = [[]]
+    depth = 0
+    for token in tokens:
+        depth += (token[1] in ("(", "[")) - (token[1] in (")", "]"))
+        if depth == 0 and token[1] == ",":
+            values.append([])
+        elif depth == 0 and token[1] == ";":
+            return values, True
+        else:
+            values[-1].append(token)
+    return values, False
+
+
+def _numbers(value: list[Token]) -> Iterator[tuple[Token, bool]]:
+    """Yield the numbers of a value, without those in the brackets of a word; a sign belongs to a lone number."""
+    if len(value) == 2 and value[0][1] == "-" and value[1][0] == "number":
+        (_, _, begin), (_, text, offset) = value
+        yield ("number", "-" + " " * (offset - begin - 1) + text, begin), True
+        return
+    within, depth = 0, 0
+    for number, (kind, text, offset) in enumerate(value):
+        if text in ("(", "["):
+            depth += 1
+            if not within and number and value[number - 1][0] == "word":
+                within = depth
+        elif text in (")", "]"):
+            within = 0 if within == depth else within
+            depth -= 1
+        elif kind == "number" and not within:
+            yield (kind, text, offset), len(value) == 1

@@ -1,0 +1,162 @@
+"""Literals by address: each value of a run is that of the edited program."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import motionlang
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect
+from motionlang.lang.literals import canonical, edited, literals
+from motionlang.report import text
+from motionlang.source import Source
+
+DRILL = """\
+SPEED(0, 1) = 100, 50 : ACCEL(0, 1) = 1000; : DECEL.0 = 1000
+Define clear = 5
+d = 40 ' 3
+WAIT = 10
+WAIT(20)
+IF d > 7 THEN MOVEA(0) = -d / 2 - 1 : GO(0)
+PAUSE IDLE(0) = 1
+MOVEA[0] = -15 : GO[0] : PAUSE IDLE.0
+"""
+FEED = '1SV100,1SA1000\nMD3,1MR-5,1WS0.1,1MR5,MC4\nFT"part %d",1MA@3,WA.5 ; WA9\n'
+
+
+def addresses(program: str, language: str = "mint") -> dict[str, str]:
+    """The literals of a program, by address."""
+    return {each.address: each.text for each in literals(Source("a", program), dialect(language))}
+
+
+def test_the_literals_of_mint() -> None:
+    """Neither conditions, channels nor comments have literals; a sign belongs to a lone number."""
+    assert addresses(DRILL) == {
+        "SPEED[0]@1": "100",
+        "SPEED[1]@1": "50",
+        "ACCEL[0,1]@1": "1000",
+        "DECEL[0]@1": "1000",
+        "clear@2": "5",
+        "d@3": "40",
+        "WAIT@4": "10",
+        "WAIT@5": "20",
+        "MOVEA[0]@6:1": "2",
+        "MOVEA[0]@6:2": "1",
+        "MOVEA[0]@8": "-15",
+    }
+
+
+def test_the_literals_of_mccl() -> None:
+    """The number of a macro is none, nor is a register; a command that comes twice in a line has a number."""
+    assert addresses(FEED, "mccl") == {
+        "1SV@1": "100",
+        "1SA@1": "1000",
+        "1MR@2:1": "-5",
+        "1WS@2": "0.1",
+        "1MR@2:2": "5",
+        "WA@3": ".5",
+    }
+
+
+@pytest.mark.parametrize(
+    ("written", "address"),
+    [
+        ("SPEED.0@12", "SPEED[0]@12"),
+        ("SPEED(0, 1) @ 12", "SPEED[0,1]@12"),
+        ("SPEED[0]", "SPEED[0]"),
+        ("MOVEA[0]@6:2", "MOVEA[0]@6:2"),
+        ("1SV", "1SV"),
+        ("line:12.value", "line:12"),
+        ("speed", None),
+        ("axis.0.travel", None),
+        ("run.until", None),
+    ],
+)
+def test_the_spellings_of_an_address(written: str, address: str | None) -> None:
+    assert canonical(written) == address
+
+
+@pytest.mark.parametrize(
+    ("address", "old", "new"),
+    [
+        ("SPEED[1]@1", "100, 50", "100, 250"),
+        ("ACCEL[0,1]@1", "1000;", "250;"),
+        ("clear@2", "clear = 5", "clear = 250"),
+        ("WAIT@5", "WAIT(20)", "WAIT(250)"),
+        ("movea[0]@6:2", "- 1 :", "- 250 :"),
+        ("MOVEA.0@8", "= -15", "= 250"),
+        ("line:8.value", "= -15", "= 250"),
+    ],
+)
+def test_a_value_is_written_into_the_text(address: str, old: str, new: str) -> None:
+    key = canonical(address)
+    assert key is not None
+    source, named, notes = edited(Source("a", DRILL), dialect("mint"), {key: 250.0, "other": 1.0})
+    assert source.text == DRILL.replace(old, new)
+    assert (named, notes) == ({"other": 1.0}, [])
+
+
+def test_an_address_without_a_line_is_every_write() -> None:
+    source, _, notes = edited(Source("a", DRILL), dialect("mint"), {"Wait": 7.5})
+    assert re.findall("WAIT.*", source.text) == ["WAIT = 7.5", "WAIT(7.5)"]
+    assert notes == ["WAIT = 7.5 sets 2 literals, lines 4, 5"]
+
+
+def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
+    """Without the declaration `--set wait=…` replaced the first WAIT and left the others."""
+    text = "WAIT = 10\nWAIT = 10\nPRINT TIME"
+    assert motionlang.run(Source("a.mnt", text), overrides={"Wait": 30}).output == ["60"]
+    own = "Const step As Float = 2\nPRINT step"  # the word of For … To … Step
+    assert motionlang.run(Source("a.mnt", own), overrides={"step": 3}).output == ["3.0000"]
+
+
+@pytest.mark.parametrize(
+    ("address", "message", "hint"),
+    [
+        (
+            "SPEED[0]@2",
+            "line 2 writes no literal to SPEED[0]",
+            "write SPEED[0]@1; check --literals lists all",
+        ),
+        ("MOVEA[0]@6", "MOVEA[0]@6 is one of 2 literals", "write MOVEA[0]@6:1, MOVEA[0]@6:2; check"),
+        ("line:4:1", None, ""),
+        ("line:1", "line 1 has 4 literals", "write SPEED[0]@1, SPEED[1]@1, ACCEL[0,1]@1, DECEL[0]@1; check"),
+        ("line:7", "line 7 has no literals", "write "),
+        ("SPEED", "the program writes no literal to SPEED", "write SPEED[0]@1, SPEED[1]@1; check"),
+        ("SPED[0]@1", "line 1 writes no literal to SPED[0]", "write SPEED[0]@1; check"),
+    ],
+)
+def test_what_is_wrong_names_the_addresses(address: str, message: str | None, hint: str) -> None:
+    if message is None:
+        assert canonical(address) is None
+        return
+    with pytest.raises(ProgramError) as wrong:
+        edited(Source("a", DRILL), dialect("mint"), {address: 1.0})
+    (found,) = wrong.value.diagnostics
+    assert (found.message, found.hint[: len(hint)]) == (message, hint)
+
+
+STROKE = (
+    "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 50 : GO(0)\nPAUSE IDLE(0)\nWAIT = 20\n"
+)
+
+
+def test_a_run_is_that_of_the_edited_text() -> None:
+    """50 mm at 250 mm/s and 1000 mm/s²: triangular, 2 √(50 / 1000) s."""
+    run = motionlang.run(Source("a.mnt", STROKE), overrides={"SPEED[0]@1": 250})
+    plain = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", "= 250 ")))
+    assert text(run) == text(plain)
+    profile = run.machine.log.moves[0].profile
+    assert profile is not None
+    assert profile.duration == pytest.approx(2 * (50 / 1000) ** 0.5)
+
+
+def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
+    rows = motionlang.sweep(
+        Source("a.mnt", STROKE), {"SPEED[0]@1": [50, 100, 250]}, keep=["time", "peak.0"], jobs=1
+    )
+    for row in rows:
+        run = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", f"= {row['SPEED[0]@1']} ")))
+        assert row["time"] == run.time
