@@ -7,14 +7,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.analysis.sweeps import sweep
     from motionlang.execution import run
+    from motionlang.lang.dialect import parse
     from motionlang.result import Run
 
 __version__ = "0.1.0"
-__all__ = ["Run", "__version__", "run", "sweep"]
+__all__ = ["Run", "__version__", "parse", "run", "sweep"]
 
 
 def __getattr__(name: str) -> object:
-    """`run`, `Run` or `sweep` on first use, to keep imports of the package small."""
+    """Import `run`, `Run`, `sweep` and `parse` on first use: importing a part does not import the whole package."""
     if name in ("run", "Run"):
         from importlib import import_module
 
@@ -26,4 +27,9 @@ def __getattr__(name: str) -> object:
 
         globals()["sweep"] = import_module("motionlang.analysis.sweeps").sweep
         return globals()["sweep"]
+    if name == "parse":
+        from importlib import import_module
+
+        globals()["parse"] = import_module("motionlang.lang.dialect").parse
+        return globals()["parse"]
     raise AttributeError(name)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.errors import ProgramError, clipped, shown
 from motionlang.execution import dialects
+from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import check_setting, current_key, read_value
 from motionlang.lang.machine.keys import KEYS
 

@@ -43,6 +43,7 @@ class Options:
         "report",
         "settings",
         "show_code",
+        "show_tree",
         "trace",
         "until",
         "window",
@@ -81,7 +82,7 @@ class Options:
         self.paths = False
         self.profile_to: str | None = None
         self.certify = False
-        self.show_code = False
+        self.show_code = self.show_tree = False
         # Gigabytes that the log may take on the disk; None for the default.
         self.log_size: float | None = None
         # The events that do not make the exit status 1: names of cli.event_status.ALLOWED.

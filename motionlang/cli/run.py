@@ -92,6 +92,10 @@ def _result(options: Options) -> Run | int:
     missing = _missing_axes(options, settings) if settings else []
     if missing:
         return _refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
+    if options.show_tree:
+        from motionlang.cli.show_code import show_tree
+
+        return show_tree(options, source)
     if options.show_code:
         from motionlang.cli.show_code import show_code
 

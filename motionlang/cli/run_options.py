@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 HIGHEST_RATE = 10e6
-# The options that --show-code uses; the others are about a run.
-FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "no_cache"))
+# The options that --show-code and --show-tree use; the others are about a run.
+FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "show_tree", "no_cache"))
 RUN_EPILOG = """\
 The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
 Time is the machine's own: an hour of it takes a moment, unless --realtime is given.
@@ -166,6 +166,9 @@ def add_parser(commands: Commands, summary: str) -> None:
         help="run nothing: print the Python that a Mint program is compiled to, next to the lines of the program; "
         "of MCCL, which is interpreted, the function that carries out each command",
     )
+    parser.add_argument(
+        "--show-tree", action="store_true", help="print the syntax tree of the program; do not run it"
+    )
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
@@ -189,6 +192,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
         "allow",
         "log_size",
         "show_code",
+        "show_tree",
     ):
         setattr(options, name, getattr(arguments, name))
     options.prove = options.prove or options.certify
@@ -226,10 +230,11 @@ def _run(arguments: argparse.Namespace) -> int:
 
 def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
     """Reject options without an effect."""
-    if arguments.show_code:
+    if arguments.show_code or arguments.show_tree:
+        shown = "--show-code" if arguments.show_code else "--show-tree"
         for action in parser._actions:
             if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
-                parser.error(f"{action.option_strings[0]} is about a run: --show-code runs nothing")
+                parser.error(f"{action.option_strings[0]} is about a run: {shown} runs nothing")
     if arguments.trace is None:
         for name in ("rate", "columns", "trajectory_points"):
             if getattr(arguments, name):

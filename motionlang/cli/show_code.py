@@ -1,4 +1,4 @@
-"""`motionlang run FILE --show-code`: the generated code next to the program."""
+"""`motionlang run FILE --show-code` and `--show-tree`: what a program is compiled to, and its syntax tree."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from motionlang.lang.foreign import one_sentence
 from motionlang.lang.literals import edited
 from motionlang.views.listing import render_listing
 from motionlang.views.terminal import wants_colour
+from motionlang.views.tree import render_tree
 
 if TYPE_CHECKING:
     from motionlang.cli.options import Options
@@ -28,4 +29,16 @@ def show_code(options: Options, source: Source, settings: dict[str, object]) -> 
         complain(one_sentence(language, source, error.diagnostics), source, options.file)
         return 1
     sys.stdout.writelines(render_listing(language, source, listing, colour=wants_colour(sys.stdout)))
+    return 0
+
+
+def show_tree(options: Options, source: Source) -> int:
+    """Print the syntax tree; return the exit status, 1 if the text has a syntax error."""
+    language = dialect_for(source, options.dialect)
+    try:
+        tree = language.parse(source)
+    except ProgramError as error:
+        complain(one_sentence(language, source, error.diagnostics), source, options.file)
+        return 1
+    sys.stdout.write(render_tree(tree))
     return 0

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.asked import Asked, WorldRead
-    from motionlang.lang.keyword import Table
+    from motionlang.lang.keyword import Keyword, Table
     from motionlang.lang.listing import Listing
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
@@ -41,6 +41,16 @@ def dialect(name: str) -> Dialect:
     __import__(PACKAGES[name])
     found: Dialect = sys.modules[PACKAGES[name]].DIALECT
     return found
+
+
+def parse(text: str, language: str) -> object:
+    """Return the syntax tree of a text in "mint" or "mccl"; ProgramError with all its syntax errors.
+
+    A tree is a `Module` of `motionlang.mint.syntax.nodes` or of `motionlang.mccl.syntax.tree`.
+    """
+    from motionlang.source import Source
+
+    return dialect(language).parse(Source("", text))
 
 
 def unknown_model(name: str) -> tuple[str, str] | None:
@@ -87,6 +97,10 @@ class Dialect:
         """Compile for runs with many `values` of its names; like `compile` by default."""
         return self.compile(source, settings, ranges)
 
+    def parse(self, source: Source) -> object:
+        """Return the syntax tree of a text; ProgramError with all its syntax errors."""
+        raise NotImplementedError
+
     def listing(
         self,
         source: Source,
@@ -110,6 +124,10 @@ class Dialect:
         `settings` are those of the machine file.
         """
         raise NotImplementedError
+
+    def forms(self, row: Keyword) -> tuple[str, ...]:
+        """Return how a keyword is written, with a for an axis and n for a number; () if the row says it."""
+        return ()
 
     def models(self) -> tuple[str, ...]:
         """Return the names of the controllers that use the dialect."""

@@ -14,11 +14,12 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.dialect import Ranges
-    from motionlang.lang.keyword import Table
+    from motionlang.lang.keyword import Keyword, Table
     from motionlang.lang.listing import Listing
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
+    from motionlang.mccl.syntax.tree import Module
     from motionlang.source import Source
 
 
@@ -62,10 +63,28 @@ class Mccl(Dialect):
             raise ProgramError(mistakes)
         return listing(source)
 
+    def parse(self, source: Source) -> Module:
+        """Return the lines of a text and their commands; ProgramError with all its syntax errors."""
+        from motionlang.errors import ProgramError
+        from motionlang.mccl.syntax.tree import NotACommand, parse
+
+        try:
+            return parse(source.text)
+        except NotACommand as error:
+            places = {source.place(at) for at in error.found}
+            mistakes = [each for each in self.check(source) if each.severity == "error"]
+            syntax = [each for each in mistakes if (each.line, each.column) in places]
+            raise ProgramError(syntax or mistakes) from None  # the line may be too long, too
+
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.mccl.lint.check import check
 
         return check(source, settings)
+
+    def forms(self, row: Keyword) -> tuple[str, ...]:
+        from motionlang.mccl.keywords.row import forms
+
+        return forms(row)
 
     def models(self) -> tuple[str, ...]:
         from motionlang.mccl.models import MODELS

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
+    from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
 
@@ -36,6 +37,11 @@ class Mint(Dialect):
         from motionlang.mint.program import compile_source
 
         return compile_source(source, settings, ranges=ranges)
+
+    def parse(self, source: Source) -> Module:
+        from motionlang.mint.syntax.parser import parse
+
+        return parse(source)
 
     def compile_given(
         self,

@@ -7,6 +7,7 @@ import textwrap
 from typing import TYPE_CHECKING
 
 from motionlang.assumptions.facts import of_word
+from motionlang.lang.dialect import dialect as language
 from motionlang.views.terminal import cells, styled
 from motionlang.views.words import dialect_name
 
@@ -132,6 +133,7 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
     trust = TRUST[_trust(known)]
     source = f"{known.source} ({trust})" if known.source else trust
     return [
+        ("form", ", ".join(language(dialect).forms(row))),
         ("short form", _with(row.short, "short", evidence)),
         ("use", ACCESS.get(row.access, row.access)),
         ("for", _with(INDEX.get(row.index, row.index), "index", evidence)),

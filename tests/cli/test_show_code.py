@@ -98,3 +98,31 @@ def test_colours_only_where_they_are_wanted(cell: Cell, monkeypatch: pytest.Monk
     assert re.sub(r"\x1b\[[\d;]*m", "", coloured) == plain
     monkeypatch.setenv("NO_COLOR", "1")
     assert cell("run", "feed.mnt", "--show-code").out == plain
+
+
+def test_show_tree_runs_nothing(cell: Cell) -> None:
+    cell.write("a.mcl", '1PS0.1,OT"hello"\n  1WS@3\n')
+    ran = cell("run", "a.mcl", "--show-tree")
+    assert (ran.status, ran.err) == (0, "")
+    assert ran.out.splitlines() == [
+        "Module",
+        "  Line number=1",
+        "    Command axis=1 word='PS' argument=0.1",
+        "    Command word='OT' argument='hello'",
+        "  Line number=2",
+        "    Command axis=1 word='WS'",
+        "      argument: Register number=3",
+    ]
+    cell.write("a.mnt", "If INX(1) Then MOVER(0) = -5\n")
+    assert cell("run", "a.mnt", "--show-tree").out.splitlines()[:3] == [
+        "Module",
+        "  If",
+        "    condition: Name name='INX'",
+    ]
+    cell.write("b.mcl", "1MR5 5\n")
+    ran = cell("run", "b.mcl", "--show-tree")
+    assert (ran.status, ran.out) == (1, "")
+    assert "a number alone is no command" in ran.err
+    ran = cell("run", "a.mcl", "--show-tree", "--until", "1")
+    assert (ran.status, ran.out) == (2, "")
+    assert "--until is about a run: --show-tree runs nothing" in ran.err

@@ -21,6 +21,23 @@ def pure(action: Action) -> Action:
     return action
 
 
+def forms(row: Keyword) -> tuple[str, ...]:
+    """Return how a command is written, as TN1069 does: a is an axis, n a number.
+
+    A missing number is 0, so a command that accepts 0 has a form without one. A command that only answers has
+    none: what follows it depends on what it reads.
+    """
+    bare = f"{'a' if row.index in ('axis', 'axes') else ''}{row.name}"
+    if row.access == "C":
+        return (bare,)
+    if row.access != "W":
+        return ()
+    if row.unit == "text":
+        return (f'{bare}"text"',)
+    is_optional = (row.low is None or row.low <= 0) and (row.high is None or row.high >= 0)
+    return (bare, f"{bare}n") if is_optional else (f"{bare}n",)
+
+
 def not_simulated(task: CommandTask, command: Command) -> None:
     """Warn once that a command, which the board would accept, has no effect here."""
     assert command.row is not None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.mint.compile import keyword_use
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import number, place, unknown, value
@@ -90,9 +91,7 @@ def _in_whole_counts(b: Body, node: nodes.Expr, found: Value) -> Value:
         return found
     if node.args and type(node.args[0]) is not nodes.Number:
         return found  # the index is evaluated once
-    from motionlang.mint.compile.keyword_use import read_at
-
-    (axis,) = read_at(b, node, row)
+    (axis,) = keyword_use.read_at(b, node, row)
     return Value(f"{b.whole.use('env', 'in_whole_counts')}({found.bare}, {axis})", FLOAT)
 
 

@@ -1,0 +1,76 @@
+"""The syntax tree of a text: what `motionlang.parse` returns."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+
+import motionlang
+from motionlang.errors import ProgramError
+from motionlang.lang.dialect import dialect
+from motionlang.mccl.syntax.tree import Command, Line, Module, Register
+from motionlang.mint.syntax import nodes
+from tests.cases import cases
+from tests.mccl.syntax.test_grammar import Read, by_grammar, files
+
+# The four commands that TN1069 prints: their forms, an example and its tree.
+PROFILES = {
+    "PT": (("aPT",), "1PT", Command(1, "PT", None)),
+    "PP": (("aPP",), "2PP", Command(2, "PP", None)),
+    "PS": (("aPS", "aPSn"), "1PS", Command(1, "PS", None)),
+    "PS0.1": (("aPS", "aPSn"), "1ps0.1", Command(1, "PS", 0.1)),
+}
+
+
+def test_a_line_is_a_list_of_commands() -> None:
+    text = '# comment\n1MR1000 , 2MR-.5;x\n\nLU"A, B",RL@5,0MC1\n'
+    assert motionlang.parse(text, "mccl") == Module(
+        [
+            Line(2, [Command(1, "MR", 1000), Command(2, "MR", -0.5)]),
+            Line(4, [Command(None, "LU", "A, B"), Command(None, "RL", Register(5)), Command(0, "MC", 1)]),
+        ]
+    )
+
+
+def test_a_node_knows_its_offset() -> None:
+    text = " 1MR5,2TP\n3TP\n"
+    module = motionlang.parse(text, "mccl")
+    assert isinstance(module, Module)
+    assert [[text[each.at :][:3] for each in line.commands] for line in module.lines] == [
+        ["1MR", "2TP"],
+        ["3TP"],
+    ]
+
+
+@cases("name", PROFILES)
+def test_the_profile_commands_have_the_forms_that_are_printed(name: str) -> None:
+    forms, text, tree = PROFILES[name]
+    mccl = dialect("mccl")
+    row = mccl.table().get(tree.word)
+    assert row is not None
+    assert mccl.forms(row) == forms
+    assert motionlang.parse(text, "mccl") == Module([Line(1, [tree])])
+
+
+@settings(max_examples=200)
+@given(files)
+def test_the_tree_is_that_of_the_grammar(text: str) -> None:
+    module = motionlang.parse(text, "mccl")
+    assert isinstance(module, Module)
+    expected: Read = by_grammar(text)
+    found = [[(each.axis or 0, each.word) for each in line.commands] for line in module.lines]
+    assert found == [[each[:2] for each in line] for line in expected]
+
+
+def test_every_syntax_error_is_in_the_exception() -> None:
+    with pytest.raises(ProgramError) as error:
+        motionlang.parse("1MR5,7,1MR1.2.3\n1XX5\n1M\n", "mccl")
+    assert [(each.line, each.column) for each in error.value.diagnostics] == [(1, 6), (1, 8), (3, 1)]
+
+
+def test_a_tree_of_mint_is_a_module() -> None:
+    module = motionlang.parse("MOVER(0) = 5\n", "mint")
+    assert isinstance(module, nodes.Module)
+    assert repr(module.body) == "[Assign(False, Name([Number(0)], False, 'MOVER'), [Number(5)])]"
+    with pytest.raises(ProgramError):
+        motionlang.parse("MOVER(0) =\n", "mint")
