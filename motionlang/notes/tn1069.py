@@ -49,6 +49,10 @@ ERRATA = (
     "The printed position of the sinusoidal S-curve adds its sine, VEL T_A/(2 pi) sin(pi t/T_A), to VEL t/2; it is to "
     "be subtracted: at 0.3 T_A the print gives 7005.98 counts, the move has 533.84.",
     '"V maximum velocity (counts/sec^2)" is a misprint for counts/s.',
+    "The printed integrals of the sinusoidal S-curve have sin 2 pi t and cos 2 pi t; their results, and the right "
+    "formulas, have pi t/T_A.",
+    "The note calls the parabolic profile the smoothest. Its acceleration jumps from 0 to ACC at the start, so its "
+    "jerk is infinite there; that of the S-curves is finite.",
 )
 
 

@@ -33,6 +33,7 @@ ERRATA = (
     "The print has T_s = D/V - V/A for both profiles; for the S-curve D_a = V²/A, so T_s = D/V - 2 V/A.",
     "The print's T_move = T_a + T_s + T_o is T_a + T_s + T_d.",
     "The DAC formula lost its middle terms: it is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16.",
+    "Five time constants are 842.4 microseconds; the chapter says 840, five times the rounded 168.",
     "A step change must not occur in LESS than 253 microseconds; the chapter says 'under'.",
     "A time constant of 2/3 of the update time keeps the mean acceleration of a one-step update at 0.78 of the limit, "
     "but the onset of the step is still 1.5 times the limit: for the onset too the time constant must be the whole "
