@@ -10,9 +10,11 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
+from motionlang.notes.an00115 import formulas
 from motionlang.planners.reach import needed_distance, remedies, triangle
 from motionlang.planners.solve import NAMES, RULES, solve_move
 from motionlang.views.grid import Column, grid
@@ -54,6 +56,7 @@ Any figures that determine the move will do; a rule fills what is still free:
 
 examples:
   motionlang plan --distance 20 --time 0.6 --rule third
+  motionlang plan --distance 20 --time 0.6 --rule third --plot move.svg
   motionlang plan --distance 200 --speed 250 --accel 1250 --scale 1200
   motionlang plan --distance 20 --time 0.6 --speed 50 --rule equal --use-times --dialect mint
   motionlang plan --encoder-lines 1000 --gear 3:1 --pitch 10 --distance 200 --time 1 --accel-time 0.2 --decel-time 0.2
@@ -72,6 +75,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         "--use-times", action="store_true", help="ACCELTIME and DECELTIME instead of rates (Mint)"
     )
     parser.add_argument("--dialect", choices=dialects(), help="the language of the program; both without it")
+    parser.add_argument("--plot", metavar="FILE", help="draw the move into a .png or .svg file")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
     parser.epilog = EPILOG
 
@@ -94,6 +98,12 @@ def plan_command(arguments: argparse.Namespace) -> int:
     except ValueError as problem:
         changes = remedies(arguments.rule, given)
         parser.error(f"{problem}\n  hint: change one: {'; '.join(changes)}" if changes else str(problem))
+    stated = (set(given) - set(wanted)) | assumed
+    behind = formulas(move, stated, arguments.rule)
+    if arguments.plot:
+        status = _draw(move, arguments.plot, parser)
+        if status:
+            return status
     if backwards:
         move["distance"] = -move["distance"]
     programs = {
@@ -104,13 +114,37 @@ def plan_command(arguments: argparse.Namespace) -> int:
     notes = [f"scale: {how} = {_number(scale)} counts/uu"] if how else []
     notes += _unreached(move, wanted)
     if arguments.json:
-        document = {"schema": SCHEMA, "move": move, "scale": scale, "notes": notes, "programs": programs}
+        document = {
+            "schema": SCHEMA,
+            "move": move,
+            "formulas": behind,
+            "scale": scale,
+            "notes": notes,
+            "programs": programs,
+        }
         sys.stdout.write(json.dumps(document, indent=1) + "\n")
         return 0
     colour = wants_colour(sys.stdout)
-    lines = _lines(move, set(given) - set(wanted), assumed, notes, programs, colour)
+    lines = _lines(move, set(given) - set(wanted), assumed, behind, notes, programs, colour)
     text = "\n".join(lines) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
+    return 0
+
+
+def _draw(move: dict[str, float], path: str, parser: argparse.ArgumentParser) -> int:
+    """Draw the move; return 1 if the file cannot be written, which is reported."""
+    from motionlang.errors import Diagnostic
+    from motionlang.views.an00115_plot import draw_plan
+    from motionlang.views.diagnostics import render
+
+    if not path.lower().endswith((".png", ".svg")):
+        parser.error("--plot draws .png and .svg files")
+    need_writer("--plot", path)
+    try:
+        draw_plan(move, path)
+    except OSError as problem:
+        sys.stderr.write(render(Diagnostic("file", f"{path}: {problem.strerror or problem}"), None))
+        return 1
     return 0
 
 
@@ -183,13 +217,14 @@ def _lines(
     move: dict[str, float],
     given: set[str],
     assumed: set[str],
+    behind: dict[str, str],
     notes: list[str],
     programs: dict[str, str],
     colour: bool,
 ) -> list[str]:
     rows, styles = [], []
     for name in NAMES:
-        origin = "given" if name in given else "assumed" if name in assumed else ""
+        origin = "given" if name in given else "assumed" if name in assumed else behind.get(name, "")
         rows.append([name.replace("_", " "), _number(move[name]), UNITS[name], origin])
         styles.append("dim" if name in given else "")
     columns = (Column("figure", align="<"), Column("value"), Column("", align="<"), Column("", align="<"))

@@ -13,15 +13,15 @@ from tests.cli.programs import Cell
 
 THIRD = """\
 figure      value
-───────────────────────────────
+───────────────────────────────────────
 distance       20  uu     given
 time          0.6  s      given
-accel time    0.2  s
-slew time     0.2  s
-decel time    0.2  s
-speed          50  uu/s
-accel         250  uu/s²
-decel         250  uu/s²
+accel time    0.2  s      T / 3
+slew time     0.2  s      T / 3
+decel time    0.2  s      T / 3
+speed          50  uu/s   D / (Ta + Ts)
+accel         250  uu/s²  Sp / Ta
+decel         250  uu/s²  Sp / Td
 
 Mint
   SPEED(0) = 50

@@ -1,0 +1,96 @@
+"""AN00115: the formula behind each figure of a move, and the areas of the note's drawings."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from motionlang.notes import an00115
+from motionlang.planners.solve import NAMES, solve_move
+from motionlang.views.an00115_plot import draw_plan
+from tests.cases import cases
+
+# What is given, the rule, and the formula of each other figure as the note writes it.
+DERIVED: dict[str, tuple[dict[str, float], str | None, dict[str, str]]] = {
+    "the first example": (
+        {"distance": 12, "speed": 8, "accel": 16, "decel": 16},
+        None,
+        {
+            "accel_time": "Sp / Accel",
+            "decel_time": "Sp / Decel",
+            "slew_time": "(D - Da - Dd) / Sp",
+            "time": "Ta + Ts + Td",
+        },
+    ),
+    "the third rule": (
+        {"distance": 20, "time": 0.6},
+        "third",
+        {
+            "accel_time": "T / 3",
+            "slew_time": "T / 3",
+            "decel_time": "T / 3",
+            "speed": "D / (Ta + Ts)",
+            "accel": "Sp / Ta",
+            "decel": "Sp / Td",
+        },
+    ),
+    "unequal ramps": (
+        {"distance": 20, "slew_time": 0.2, "time": 0.6, "accel_time": 0.1},
+        None,
+        {
+            "decel_time": "T - Ta - Ts",
+            "speed": "2 D / (Ts + T)",
+            "accel": "Sp / Ta",
+            "decel": "Sp / Td",
+        },
+    ),
+    "an equation to solve": ({"distance": 20, "time": 1, "accel": 200, "decel": 300}, None, {}),
+}
+
+
+@cases("name", DERIVED)
+def test_each_figure_has_its_formula(name: str) -> None:
+    given, rule, expected = DERIVED[name]
+    assert an00115.formulas(solve_move(rule, **given), given, rule) == expected
+
+
+def test_every_formula_holds_for_a_move() -> None:
+    """Of the first example all eight figures are known; the triangle's formulas are those of a move without slew."""
+    move = solve_move(None, distance=12.0, speed=8.0, accel=16.0, decel=16.0)
+    short = solve_move(None, distance=4.0, slew_time=0.0, accel=16.0, decel=16.0)
+    for name, _, text, value in an00115.FORMULAS:
+        assert name in NAMES
+        figures = short if "sqrt" in text else move
+        assert value(figures) == pytest.approx(figures[name], rel=1e-12), text
+
+
+def area(corners: list[tuple[float, float]]) -> float:
+    """The area of a polygon, by the sum over its sides."""
+    sides = pairwise([*corners, corners[0]])
+    return abs(sum(x * v - u * y for (x, y), (u, v) in sides)) / 2
+
+
+def test_the_cut_triangle_makes_a_rectangle_of_the_trapezoid() -> None:
+    move = solve_move("third", distance=20.0, time=0.6)
+    assert area(an00115.trapezoid(move)) == pytest.approx(20.0)
+    assert area(an00115.rectangle(move)) == pytest.approx(20.0)
+    assert area(an00115.cut_triangle(move)) == pytest.approx(area(an00115.moved_triangle(move)))
+    assert an00115.rectangle(move)[2] == pytest.approx((0.4, 50.0))
+
+
+def test_the_drawing_names_the_figures(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    path = tmp_path / "move.svg"
+    draw_plan(solve_move("third", distance=20.0, time=0.6), str(path))
+    text = path.read_text(encoding="utf-8")
+    for label in (
+        "T = 0.6 s",
+        "Ta = 0.2 s",
+        "Ts = 0.2 s",
+        "Td = 0.2 s",
+        "Sp = 50",
+        "Distance = Sp (Ta + Ts)",
+    ):
+        assert f">{label}" in text or f"<!-- {label}" in text, label
