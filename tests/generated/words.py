@@ -70,6 +70,12 @@ def _readings() -> tuple[str, ...]:
     return tuple(row.name for row in rows if row.simulated and row.index == "axis" and "R" in row.access)
 
 
+def _example(row: Keyword) -> list[str]:
+    """The lines of an example. A loop that ends at 3 would have no end behind an example that has left 4."""
+    lines = row.example.split("\n")
+    return ["i = 0", *lines] if "i = i + 1" in row.example else lines
+
+
 def surroundings(draw: Draw, language: str) -> dict[str, object]:
     """Return changing inputs, an operator, and sometimes a simulated motor."""
     machine: dict[str, object] = {}
@@ -94,7 +100,7 @@ class MintWords(MintProgram):
     def _word(self) -> list[str]:
         row = self._row(declares=False)
         axis = str(self.draw.choice(AXES))
-        lines = row.example.split("\n")
+        lines = _example(row)
         if row.index == "axis" and not re.search(r"\(\d, ?\d|\([1-9]\)", row.example):
             lines = [line.replace("(0)", f"({axis})") for line in lines]
         return [self._varied(line) for line in lines]
@@ -119,8 +125,7 @@ class MintWords(MintProgram):
         if self.draw.chance(0.6):
             super()._end()
             return
-        example = _TAKEN.sub(r"\1_", self._row(declares=True).example)
-        self.lines += example.split("\n")
+        self.lines += [_TAKEN.sub(r"\1_", line) for line in _example(self._row(declares=True))]
 
 
 class McclWords(McclProgram):
