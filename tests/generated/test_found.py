@@ -5,7 +5,7 @@ Each is proved.
 
 from __future__ import annotations
 
-from math import hypot, sqrt
+from math import atan2, hypot, radians, sin, sqrt
 
 import pytest
 
@@ -847,3 +847,13 @@ def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
         "FEEDRATEPARAMETER(0, 0) = 25\nSRAMP(0) = 50\nSPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
     )
     assert result.time == pytest.approx(0.04025, abs=1e-6)
+
+
+def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:
+    """The arc ends 4 + sqrt(80) * sin(-atan2(4, 8) - 48.119°) behind; the cycle before ends with a rest of 40."""
+    table = "Dim rise(5) As Float = 4, 10, 25, 20, 0\nMASTERCHANNEL(2) = 1\n"
+    cam = f"{table}CAMTABLE(2, rise, NULL) : MASTERDISTANCE(2) = 40\n"
+    arc = "CAM(2) = 4 : GO(2)\nCIRCLER(0, 1) = -8, 4, -48.119 : GO(0)\nPAUSE IDLE(0)\n"
+    result = proved(cam + arc)
+    height = 4.0 - sqrt(80.0) * sin(atan2(4.0, 8.0) + radians(48.119))
+    assert places(result, 1, 2) == pytest.approx([height, 0.0])

@@ -311,8 +311,10 @@ def _beginning(along: Profile, least: float) -> float | None:
     if along.start > least:
         return along.crossing(0.0)
     # At the beginning within rounding, its first direction decides, as at the end of the cycle before.
-    if _runs_back(along, 0.0, least) is not None:
-        return along.crossing(0.0) if along.start > 0.0 else 0.0
+    back = _runs_back(along, 0.0, least)
+    if back is not None:
+        time = along.crossing(0.0) if along.start > 0.0 else 0.0
+        return time if time is not None and time <= back else 0.0  # an arc that begins there may not pass it
     ahead = along.crossing(least)
     return along.crossing(0.0, ahead) if ahead is not None else None
 
