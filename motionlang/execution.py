@@ -253,7 +253,9 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
         return dialect(wanted) if isinstance(wanted, str) else wanted
     found = dialect_of(source.name)
     if found is None:
-        raise ValueError(f"{source.name}: the suffix names no dialect; say which with --dialect mint or mccl")
+        raise ValueError(
+            f"{source.name}: unknown file extension; choose the language with --dialect mint or mccl"
+        )
     return found
 
 
@@ -345,7 +347,7 @@ def _execute(
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
-            result.notes.append(f"axis {names} was still jogging when the program had ended")
+            result.notes.append(f"axis {names} was still jogging when the program ended")
     except (KeyboardInterrupt, Terminated) as error:
         result.status = "interrupted"
 

@@ -89,7 +89,7 @@ class Run:
         from motionlang.log.track import Recorded
 
         if self.orders is None:
-            raise ValueError("a run is proved that was made with prove=True")
+            raise ValueError("the run was not made with prove=True")
         if not views:
             return prove(Recorded(self.controller), self.orders, self.time)
         from motionlang.report import moves
@@ -118,8 +118,8 @@ MOST_LINES = 5
 
 def tell_words(result: Run) -> None:
     """Report keywords without full effect, with the lines that used them."""
-    _tell(result, "words that have no effect here", result.machine.without_effect)
-    _tell(result, "values that nobody knows, 0 or empty here", result.machine.assumed)
+    _tell(result, "keywords without effect here", result.machine.without_effect)
+    _tell(result, "unknown values, 0 or empty here", result.machine.assumed)
 
 
 def _tell(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
@@ -145,8 +145,8 @@ def open_kept(result: Run, path: str) -> bool:
     try:
         result.machine.nv = NonVolatile(path)
     except InUse:
-        hint = "let it end first, or give each run a file of its own"
-        _no_kept(result, f"the nv data of {path} belong to another run, which has not ended", hint)
+        hint = "wait until it ends, or give each run its own file"
+        _no_kept(result, f"the nv data of {path} are in use by another run", hint)
         return False
     except (OSError, ValueError) as problem:
         _no_kept(result, f"the nv data of {path} cannot be read: {_why_not(problem)}")
@@ -160,7 +160,7 @@ def save_kept(result: Run) -> None:
     if kept.path is None:
         if kept.names:
             words = ", ".join(kept.names)
-            result.notes.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
+            result.notes.append(f"nv data kept only during the run (use --nv FILE): {words}")
         return
     try:
         kept.save()
@@ -194,7 +194,7 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
         elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
             polled = f"polled {task.looks_at}" if task.looks_at else "polled"
-            what = f"still {polled}, and nothing could change what it looks at any more"
+            what = f"still {polled}, which could no longer change"
             result.notes.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
 
 
@@ -222,8 +222,8 @@ def _lost(result: Run) -> list[Diagnostic]:
             text = result.source.line(homing.line)
             column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
             keys = f"axis.{axis}.home_switch, travel and index_every"
-            other = "home the other way, or " if homing.provided else ""
-            hint = f"{other}let the machine file say where it is: {keys}"
+            other = "home in the other direction, or " if homing.provided else ""
+            hint = f"{other}give its position in the machine file: {keys}"
             found.append(Diagnostic("never", homing.in_vain, homing.line, column, length=length, hint=hint))
     return found
 
@@ -285,10 +285,8 @@ def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
     for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
         text = result.source.line(move.line)
         column = len(text) - len(text.lstrip()) + 1 if text else 0
-        message = (
-            f"the program has ended, and {move.command} on axis {move.axis} was loaded and never started"
-        )
-        hint = f"GO({move.axis}) starts what is in the buffer"
+        message = f"the program ended, but {move.command} on axis {move.axis} was loaded and never started"
+        hint = f"GO({move.axis}) starts the buffered moves"
         diagnostic = Diagnostic(
             "never-started",
             message,
@@ -309,7 +307,7 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.status = "fault"
         result.diagnostics += lost
         return
-    message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
+    message = f"the program waits {stuck.wait.why}, which can never happen"
     _note_wait(result, stuck.task.at, stuck.wait.why)
     result.notes.append(f"line {line}: {message}")
     others = _others(result, stuck.task)
@@ -327,7 +325,7 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         for task, wait in ((stuck.task, stuck.wait), *((each, each.wait) for each in others))
         if wait is not None
     )
-    start = "start a move first, or let a machine file say what happens, and with run.until how long"
+    start = "start a move first, or add a machine file with the event it waits for and a time limit run.until"
     hint = next(filter(None, hints), start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))

@@ -89,7 +89,7 @@ def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown
 def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
     page = copy / "docs/keywords" / ("mccl.md" if word == "HY" else "mint.md")
     assert f"### {word}\n" in page.read_text(encoding="utf-8").replace(" · HFW", "")
-    assert "known from  made up (remembered" in python(copy, "-m", "motionlang", "keywords", word)
+    assert "known from  made up (from memory" in python(copy, "-m", "motionlang", "keywords", word)
 
 
 def test_the_linter_knows_it_by_its_row(copy: Path) -> None:

@@ -89,7 +89,7 @@ USES = {
     "run": 2,
 }
 PRINTS = {use for use, status in USES.items() if status == 0}
-FULL = "motionlang: the output cannot be written: no space left on device\n"
+FULL = "motionlang: cannot write the output: no space left on device\n"
 
 
 def result(

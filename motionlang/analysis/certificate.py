@@ -32,7 +32,7 @@ MOTOR = ("torque", "following_error")
 SLACK = 1e-9
 # Samples of each axis for the second check.
 SAMPLES = 100_000
-HINT = "give {} a section such as [axis.0.limits] with speed = 500, acceleration = 8000"
+HINT = "add a section such as [axis.0.limits] with speed = 500, acceleration = 8000 to {}"
 # The derivative that jumps where another one is infinite.
 JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
 
@@ -137,12 +137,12 @@ def violations(
 def _told(line: Limit) -> Diagnostic:
     if line.reached is None:
         message = f"the {line.name} of axis {line.axis} cannot be certified: no motor is simulated"
-        return Diagnostic("beyond-limit", message, hint=f"give the machine file [axis.{line.axis}.plant]")
+        return Diagnostic("beyond-limit", message, hint=f"add [axis.{line.axis}.plant] to the machine file")
     what = f"the {line.name} of axis {line.axis} reaches {line.reached:.6g} {line.unit} at {line.time:.6f} s"
     if line.reached == inf:
         jumps = JUMPS[line.name]
         what = (
-            f"the {line.name} of axis {line.axis} is infinite at {line.time:.6f} s, where its {jumps} jumps"
+            f"the {line.name} of axis {line.axis} is infinite at {line.time:.6f} s, because its {jumps} jumps"
         )
     return Diagnostic("beyond-limit", f"{what}; the machine allows {line.limit:.6g}", line.line)
 
@@ -177,6 +177,6 @@ def contradictions(controller: Controller, lines: list[Limit], until: float) -> 
                 slack = 1e-6 * max(1.0, abs(low), abs(high)) if high < float("inf") else 0.0
                 if values.min() < low - slack or values.max() > high + slack:
                     found.append(
-                        f"axis {number}: the {quantity} is sampled beyond its extremes {low:g} and {high:g}"
+                        f"axis {number}: the {quantity} has samples outside its extremes {low:g} and {high:g}"
                     )
     return found

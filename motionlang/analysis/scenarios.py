@@ -72,7 +72,7 @@ def unmet(result: Run, expected: list[Entry]) -> list[str]:
     for each in result.diagnostics:
         if each.severity == "error" and each.code not in codes and not (faults and not codes):
             place = f"line {each.line}: " if each.line else ""
-            found.append(f"the run had an error that was not expected: {place}{each.message} [{each.code}]")
+            found.append(f"the run had an unexpected error: {place}{each.message} [{each.code}]")
     return found
 
 
@@ -105,7 +105,7 @@ def _unmet_position(result: Run, entry: Entry) -> str:
         return f"{where}, and the run {_ended(result)} at {result.time:.6f} s"
     counts = a.position(at) if motor is None or at < result.time else motor.position
     position = a.scale.position_to_user(counts)
-    return _off(f"axis {axis} stands at {position:.6f} at {at:.6f} s", position, entry, "position", "uu")
+    return _off(f"axis {axis} is at {position:.6f} at {at:.6f} s", position, entry, "position", "uu")
 
 
 def _off(what: str, found: float, entry: Entry, name: str, unit: str) -> str:
@@ -114,7 +114,7 @@ def _off(what: str, found: float, entry: Entry, name: str, unit: str) -> str:
     assert isinstance(within, (int, float))
     if abs(found - wanted) <= within:
         return ""
-    return f"{what}, not at {wanted:g} {unit}: {found - wanted:+g} {unit}, and {within:g} is allowed"
+    return f"{what}, not at {wanted:g} {unit}: {found - wanted:+g} {unit}, allowed {within:g}"
 
 
 def _unmet_print(result: Run, entry: Entry) -> str:
@@ -160,6 +160,6 @@ def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool
 
 
 def _ended(result: Run) -> str:
-    return {"ended": "ended", "until": "was still going on", "fault": "stopped with an error"}.get(
+    return {"ended": "ended", "until": "was still running", "fault": "stopped with an error"}.get(
         result.status, result.status
     )

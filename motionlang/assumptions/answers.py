@@ -271,8 +271,11 @@ def machine_text(found: Answers, source: str) -> str:
     }
     hold, do, fit = (count[status] for status in (HOLDS, OTHER, UNKNOWN))
     lines = [
-        f"# What {source} says of a controller: {counted(hold, 'reading holds', 'readings hold')}, "
-        f"{counted(do, 'does', 'do')} not, {counted(fit, 'answer fits', 'answers fit')} nothing known."
+        (
+            f"# Answers of a controller in {source}: "
+            f"{counted(hold, 'assumption confirmed', 'assumptions confirmed')}, {do} refuted, "
+            f"{counted(fit, 'answer', 'answers')} unknown."
+        )
     ]
     others = [each for each in found.verdicts if each.status == OTHER]
     own = [each for each in others if each.can_be_set and each.reading.key.startswith(READINGS)]
@@ -287,7 +290,7 @@ def machine_text(found: Answers, source: str) -> str:
             lines += ["", f"[{table}]", f"{key} = {_toml_value(each.value)}  # {each.reading.question}"]
     fixed = [each for each in others if not each.can_be_set]
     if fixed:
-        lines += ["", "# These do not hold either, and cannot be set:"]
+        lines += ["", "# Also refuted, but without a key to set:"]
         lines += [f"# {each.reading.name}: {each.what} (answered {each.answer})" for each in fixed]
     return "\n".join(lines) + "\n"
 

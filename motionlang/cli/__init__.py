@@ -62,9 +62,7 @@ def _guarded(given: list[str]) -> int:
     except OSError as error:
         # Every other file has reported its errors by now: this is standard output, for example on a full
         # disk.
-        sys.stderr.write(
-            f"motionlang: the output cannot be written: {(error.strerror or str(error)).lower()}\n"
-        )
+        sys.stderr.write(f"motionlang: cannot write the output: {(error.strerror or str(error)).lower()}\n")
         silence()
         return 1
     except Exception as error:

@@ -31,7 +31,7 @@ def certify(result: Run, machine: str | None) -> list[Limit]:
     if machine is None:
         stem = os.path.splitext(result.source.name)[0]
         of_none = result.source.name == STDIN_NAME
-        machine = "a machine file" if of_none else f"{stem}{MACHINE_SUFFIX}, beside the program,"
+        machine = "a machine file" if of_none else f"{stem}{MACHINE_SUFFIX} next to the program"
     result.diagnostics += violations(result.controller, lines, result.time, machine)
     return lines
 
@@ -92,8 +92,8 @@ def certify_folder(folder: str, options: Options) -> int:
             complain(result.diagnostics, result.source, program)
         failed += wrong
         signed += not wrong
-    sys.stdout.write(f"{signed} of {signed + failed} machines keep their limits\n")
+    sys.stdout.write(f"{signed} of {signed + failed} machines within their limits\n")
     if without:
         more = f", and {len(without) - MOST_NAMED} more" if len(without) > MOST_NAMED else ""
-        sys.stdout.write(f"no limits are known for {len(without)}: {', '.join(without[:MOST_NAMED])}{more}\n")
+        sys.stdout.write(f"no limits given for {len(without)}: {', '.join(without[:MOST_NAMED])}{more}\n")
     return 1 if failed or not signed else 0

@@ -37,14 +37,14 @@ if TYPE_CHECKING:
 
 SCHEMA = "motionlang.check/2"
 EPILOG = """\
-Warnings are about what compiles and yet is hardly meant: a move that no GO starts, a wait that nothing can end.
-docs/lint.md explains each; a comment with `lint: ignore CODE` silences one on its line.
+Warnings point out code that compiles but is probably a mistake: a move that no GO starts, a wait that nothing can
+end. docs/lint.md explains each warning. A comment with `lint: ignore CODE` silences a warning on its line.
 
-exit status: 0 no file has a mistake; 1 one has (with --strict, or a warning); 2 the command line is wrong
+exit status: 0 no errors; 1 a file has an error (with --strict, or a warning); 2 the command line is invalid
 
 examples:
-  motionlang check pick.mnt --machine cell.toml      moves beyond the machine's travel, inputs that nothing drives
-  motionlang check old.prg --model mintmt            what MintMT does not accept of a Mint v4 program
+  motionlang check pick.mnt --machine cell.toml      find moves beyond the travel of the machine
+  motionlang check old.prg --model mintmt            find what MintMT does not accept
 """
 
 
@@ -80,26 +80,28 @@ def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang check` and its options."""
     parser = add_command(commands, "check", summary, _check_files, EPILOG)
     parser.add_argument(
-        "files", metavar="FILE", nargs="+", help="programs, or folders with programs; - reads standard input"
+        "files", metavar="FILE", nargs="+", help="programs, or folders of programs; - reads standard input"
     )
     add_dialect(parser)
     parser.add_argument(
         "--machine",
         metavar="M.toml",
-        help="the machine the programs are for; without it pick.machine.toml beside pick.mnt, if there is one",
+        help="the machine file; default: pick.machine.toml next to pick.mnt, if it exists",
     )
     parser.add_argument(
         "--model",
         type=_model,
         metavar="MODEL",
-        help="the controller they are for: mint4 or mintmt, or one of its names such as NextMove ESB; for MCCL one of "
-        f"{', '.join(MODELS)}",
+        help=(
+            "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL one of "
+            f"{', '.join(MODELS)}"
+        ),
     )
-    parser.add_argument("--strict", action="store_true", help="count warnings as mistakes")
+    parser.add_argument("--strict", action="store_true", help="treat warnings as errors")
     parser.add_argument(
         "--evidence",
         action="store_true",
-        help="list the open readings that each program depends on, and how strong each is",
+        help="list the unconfirmed assumptions that each program depends on, and the evidence for each",
     )
     parser.add_argument(
         "--literals",
@@ -109,7 +111,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser.add_argument(
         "--fix",
         action="store_true",
-        help="write what can only have been meant one way into the files, then tell what is left",
+        help="fix what has only one possible fix, in the files, then report the rest",
     )
     add_form(parser)
     add_jobs(parser)
@@ -168,7 +170,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
             rows[-1]["fixed"] = [each._asdict() for each in fixed]
         if options.form == "text":
             mended = f"{len(fixed)} fixed, " if fixed else ""
-            sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no mistakes'}\n")
+            sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no problems'}\n")
         if options.literals and source is not None and language:
             _list_literals(language, source, rows[-1], options.form == "json")
         if options.evidence and settings is not None and source is not None:

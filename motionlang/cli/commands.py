@@ -19,39 +19,39 @@ if TYPE_CHECKING:
 PROGRAM = "motionlang"
 # Every command: the module that has its options, imported only for this command, and its summary.
 COMMANDS = {
-    "run": ("run_options", "run a program on the virtual machine and report what it did"),
-    "init": ("init", "write a first machine file for a program, with guesses marked, and run it"),
-    "check": ("check", "report every mistake and every warning of every file; nothing is run"),
-    "repl": ("repl", "type a program line by line and watch the axes"),
-    "plan": ("plan", "find the missing figures of a move, and a program for it"),
-    "profiles": ("profiles", "compare the four velocity profiles of PMC's TN1069 by a move"),
-    "keywords": ("keywords", "list the words of a language, or explain one"),
-    "verify": ("verify", "run programs and compare them with their golden files"),
-    "pvt": ("pvt", "position-velocity-time moves for Copley drives"),
-    "servo": ("servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
+    "run": ("run_options", "run a program and report what it did"),
+    "init": ("init", "write a first machine file for a program, mark the guesses, and run it"),
+    "check": ("check", "find the errors and warnings of programs without running them"),
+    "repl": ("repl", "type a program line by line at an interactive prompt"),
+    "plan": ("plan", "work out the missing figures of a move and write a program for it"),
+    "profiles": ("profiles", "compare the four velocity profiles of PMC's TN1069"),
+    "keywords": ("keywords", "look up a keyword"),
+    "verify": ("verify", "compare programs with their golden files"),
+    "pvt": ("pvt", "work with position-velocity-time moves for Copley drives"),
+    "servo": ("servo", "simulate and tune the servo loop behind the profile"),
     "diff": (
         "diff",
-        "tell what is otherwise: two programs, machines or variants, or a program and its golden files or a recording",
+        "compare two runs: programs, machines or variants, or a program and its golden files",
     ),
-    "sweep": ("sweep", "run a program in many variants, on all processors, and say which is best"),
+    "sweep": ("sweep", "run many variants of a program and find the best"),
     "compare": (
         "compare",
-        "hold what a real controller recorded against the run: residuals, lag and overshoot, line by line",
+        "compare a recording from a real controller with the run",
     ),
-    "probe": ("probe", "ask a real controller which of the open readings hold"),
-    "serve": ("serve", "let hosts talk to a virtual board, or to a Mint program over Modbus"),
-    "completion": ("completion", "print what a shell needs to complete the command line"),
+    "probe": ("probe", "write a test program that settles open questions on a real controller"),
+    "serve": ("serve", "let hosts talk to a virtual controller, or to a Mint program over Modbus"),
+    "completion": ("completion", "print a completion script for bash, zsh or fish"),
 }
 
 EPILOG = """\
 examples:
-  motionlang run pick.mnt                        what the program prints, then a table of its moves
-  motionlang run pick.mnt --plot pick.png        position, velocity and acceleration as a picture
-  motionlang run pick.mnt --report json          the same figures for another program
-  motionlang check *.mnt                         every mistake of every file, nothing run
+  motionlang run pick.mnt                        print its output, then a table of its moves
+  motionlang run pick.mnt --plot pick.png        draw position, velocity and acceleration
+  motionlang run pick.mnt --report json          write the same figures as JSON
+  motionlang check *.mnt                         check without running
   motionlang plan --distance 20 --time 0.6 --rule third
-                                                 the speed and the rates of a move, and a program for it
-  motionlang keywords ACCELTIME                  what a word means, with an example
+                                                 work out speed and rates, write a program
+  motionlang keywords ACCELTIME                  look up a keyword
 """
 
 
@@ -93,7 +93,7 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
     """
     parser = Parser(
         prog=PROGRAM,
-        description="Run programs of motion controllers offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
+        description="Run motion-controller programs offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
         epilog=EPILOG,
     )
     parser.add_argument("--version", action="version", version=f"{PROGRAM} {__version__}")

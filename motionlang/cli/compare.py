@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 EPILOG = """\
-A column is given a meaning by --map: time, or a quantity and the number of its axis; *FACTOR turns its numbers into
-seconds or user units. Columns that are called as those of --trace need no --map. The delay between the two is found by
-least squares; scale, offset and lag are told, not taken out.
+Use --map to assign the columns of the recording: one to time, the others to a quantity and an axis. *FACTOR converts a
+column to seconds or user units. Columns with the names of --trace need no --map. The delay is fitted by least squares;
+scale, offset and lag are reported but not removed.
 
-exit status: 0 compared, and within the tolerance; 1 beyond it, or not compared; 2 the command line is wrong
+exit status: 0 within the tolerance; 1 tolerance exceeded, or nothing to compare; 2 the command line is invalid
 
 examples:
   motionlang compare pick.mnt drive.csv --map time=t*0.001 --map position.0=PosAct --tolerance 0.05
@@ -40,9 +40,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang compare` and its options."""
     parser = add_command(commands, "compare", summary, _command, EPILOG)
     parser.add_argument("file", metavar="FILE", help="the program")
-    parser.add_argument(
-        "recording", metavar="CSV", help="what was recorded, in columns; - reads standard input"
-    )
+    parser.add_argument("recording", metavar="CSV", help="the recording, in columns; - reads standard input")
     add_machine(parser)
     add_mapping(parser)
     parser.add_argument(
@@ -51,15 +49,16 @@ def add_parser(commands: Commands, summary: str) -> None:
         default=[],
         type=_tolerance,
         metavar="[WHAT=]X",
-        help="the largest residual allowed in user units: of every position, of position.0 …; may be repeated",
+        help=(
+            "the largest residual allowed, in user units, for every position or for one such as "
+            "position.0; may be repeated"
+        ),
     )
     parser.add_argument(
         "--until", type=machine_time, metavar="S", help="end the run after S seconds of machine time"
     )
-    parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page to look around in")
-    parser.add_argument(
-        "--all", action="store_true", help="every move with its phases, however many there are"
-    )
+    parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page")
+    parser.add_argument("--all", action="store_true", help="list every move with its phases")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
@@ -71,14 +70,13 @@ def add_mapping(parser: argparse.ArgumentParser) -> None:
         default=[],
         type=_mapped,
         metavar="WHAT=COLUMN",
-        help="which column has the time, position.0, velocity.1 …, by its name or number, and times what; may be "
-        "repeated",
+        help="assign a column, by name or number, to time, position.0, velocity.1 …; may be repeated",
     )
     parser.add_argument(
         "--delay",
         type=_seconds,
         metavar="S",
-        help="seconds that the recording is later than the run; found without it",
+        help="the delay of the recording behind the run, s; default: fitted",
     )
 
 
@@ -121,7 +119,7 @@ def _tolerance(text: str) -> tuple[str, float]:
 def _command(arguments: argparse.Namespace) -> int:
     parser = arguments.parser
     if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
-        parser.error("--plot draws .html pages here")
+        parser.error("--plot writes .html files here")
     result = _ran(arguments, parser)
     if result is None:
         return 1

@@ -38,11 +38,11 @@ def no_dialect(file: str) -> Diagnostic:
 
     name = "standard input" if file == STDIN else file
     suffix = os.path.splitext(file)[1]
-    what = f"its suffix {suffix} belongs to no dialect" if suffix else "it has no suffix"
+    what = f"no language has the extension {suffix}" if suffix else "it has no extension"
     if file == STDIN:
         what = "it has no name"
-    hint = "say --dialect mint or --dialect mccl; .mnt .mntx .prg are Mint, .mcl .mccl MCCL"
-    return Diagnostic("file", f"the language of {name} is unknown: {what}", hint=hint)
+    hint = "add --dialect mint or --dialect mccl; .mnt, .mntx and .prg are Mint, .mcl and .mccl are MCCL"
+    return Diagnostic("file", f"unknown language of {name}: {what}", hint=hint)
 
 
 def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str) -> None:

@@ -31,7 +31,7 @@ examples:
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang completion` and its options."""
     parser = add_command(commands, "completion", summary, completion_command, EPILOG)
-    parser.add_argument("shell", choices=SHELLS, help="the shell; needs the extra completion")
+    parser.add_argument("shell", choices=SHELLS, help="the shell; needs the extra `completion`")
 
 
 def completion_command(arguments: argparse.Namespace) -> int:

@@ -43,10 +43,10 @@ def crash(error: BaseException, arguments: Sequence[str], source: Source | None 
     try:
         folder = _bundle(error, arguments, source)
     except OSError as problem:
-        hint = f"what led to it could not be kept: {problem.strerror or problem}"
+        hint = f"the crash report could not be written: {problem.strerror or problem}"
     else:
-        hint = f"the program, the machine file, the options and where it happened lie in {folder}"
-    return Diagnostic("crash", f"motionlang has made a mistake: {what}", hint=hint)
+        hint = f"the program, the machine file, the options and the traceback are in {folder}"
+    return Diagnostic("crash", f"internal error: {what}", hint=hint)
 
 
 def _bundle(error: BaseException, arguments: Sequence[str], source: Source | None) -> str:
@@ -76,7 +76,7 @@ def _folder() -> str:
         except FileExistsError:
             continue
         return path
-    raise FileExistsError(17, "there are too many folders of crashes")
+    raise FileExistsError(17, "too many crash folders")
 
 
 def _inputs(arguments: Sequence[str]) -> Iterable[str]:

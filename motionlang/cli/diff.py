@@ -37,19 +37,19 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 EPILOG = """\
-A and B are programs, or reports as `run --report json` writes them; B may also be what a real controller recorded, in
-columns, which is held against the run of A as `compare` does. Without B, A is compared with its golden files, or, where
---set-b, --machine-b or --variant-b says what is otherwise, with itself. Moves, prints and events are aligned by what
-they are, not by their numbers: a line that is put in somewhere is no difference.
+A and B are programs, or reports written by `run --report json`. B may also be a recording from a real controller, in
+columns; it is compared with the run of A as in `compare`. Without B, A is compared with its golden files, or with
+itself under --set-b, --machine-b or --variant-b. Moves, prints and events are aligned by content, so an inserted
+program line is no difference.
 
-exit status: 0 nothing is otherwise; 1 something is; 2 the command line is wrong
+exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 
 examples:
-  motionlang diff pick.mnt                                what has changed since the golden files were written
+  motionlang diff pick.mnt                                compare with the golden files
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
-  motionlang diff pick.mnt --set-b rate=2000              one variant beside another
+  motionlang diff pick.mnt --set-b rate=2000              compare two values of a constant
   motionlang diff pick.mnt --machine-b worn.machine.toml
-  motionlang diff pick.mnt --variant-a 0 --variant-b 12   two variants of pick.sweep.toml
+  motionlang diff pick.mnt --variant-a 0 --variant-b 12   compare two variants of pick.sweep.toml
   motionlang diff pick.mnt drive.csv --map position.0=PosAct --tolerance position=0.05uu
 """
 # The suffixes of a recording; any other file is a program or a report.
@@ -67,30 +67,30 @@ def add_parser(commands: Commands, summary: str) -> None:
         add(
             f"--machine-{side}",
             metavar="M.toml",
-            help=f"the machine of {side.upper()}, instead of the one beside it",
+            help=f"the machine file of {side.upper()}; default: the one next to it",
         )
         add(
             f"--set-{side}",
             action="append",
             default=[],
             metavar="NAME=VALUE",
-            help=f"as --set of run, for {side.upper()}",
+            help=f"set a value for {side.upper()}, as --set of run",
         )
         add(
             f"--variant-{side}",
             type=int,
             metavar="N",
-            help=f"{side.upper()} is variant N of the sweep beside the program",
+            help=f"use variant N of the sweep next to the program as {side.upper()}",
         )
     add_world(parser)
     for side in "ab":
         add_world(parser, side)
     add_mapping(parser)
     add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
-        help="time=1ms, position=0.01uu, speed=2%%: what differs by less is the same; may be repeated")  # fmt: skip
+        help="ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated")  # fmt: skip
     add("--until", type=machine_time, metavar="S", help="end the runs after S seconds of machine time")
-    add("--plot", metavar="PAGE", help="draw both runs into an .html page to look around in")
-    add("--all", action="store_true", help="tell everything, not the first of each kind")
+    add("--plot", metavar="PAGE", help="draw both runs into an .html page")
+    add("--all", action="store_true", help="list every difference, not only the first ones of each kind")
     add("--json", action="store_true", help="print one JSON document and nothing else")
 
 
@@ -102,7 +102,7 @@ def diff_command(arguments: argparse.Namespace) -> int:
     except ValueError as error:
         parser.error(str(error))
     if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
-        parser.error("--plot draws .html pages here")
+        parser.error("--plot writes .html files here")
     other = arguments.b
     if other is None and (
         arguments.set_b or arguments.machine_b or arguments.variant_b is not None or world_of(arguments, "b")
@@ -111,9 +111,9 @@ def diff_command(arguments: argparse.Namespace) -> int:
     if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
         return _recorded(arguments, other, tolerance)
     if arguments.map or arguments.delay is not None:
-        parser.error(f"--map and --delay go with a recording as B: {', '.join(RECORDED)}")
+        parser.error(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
     if other is None and arguments.a.lower().endswith(".json"):
-        parser.error("a report is compared with another one: give B")
+        parser.error("a report needs a second report or program: give B")
     golden = other is None
     sides = []
     for side, path in (("a", arguments.a), ("b", other)):
@@ -144,7 +144,7 @@ def diff_command(arguments: argparse.Namespace) -> int:
 def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) -> int:
     """Compare a run with a recording and return the exit status."""
     if arguments.a.lower().endswith(".json"):
-        arguments.parser.error("a recording is held against a program, and A is a report")
+        arguments.parser.error("a recording is compared with a program, but A is a report")
     read = _side(arguments, "a", arguments.a)
     if read is None or read[1] is None:
         return 1
@@ -155,7 +155,7 @@ def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) ->
 def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:
     """Write the page of the new run with the old one behind it; 1 on failure."""
     if old is None or new is None:
-        parser.error("--plot draws two runs, and one of these is a report")
+        parser.error("--plot needs two runs, but one side is a report")
     from motionlang.views.scope import write_scope
 
     return written(path, lambda: write_scope(new, path, against=old))
@@ -217,7 +217,7 @@ def _variant(
 
     path = os.path.splitext(program)[0] + SUFFIX
     if not os.path.isfile(path):
-        raise ValueError(f"there is no {os.path.basename(path)} beside it of which this could be a variant")
+        raise ValueError(f"there is no {os.path.basename(path)} next to it")
     wishes = read_description(path)
     worlds = wishes.worlds()
     made = Sweep(
@@ -229,16 +229,14 @@ def _variant(
         until=wishes.until,
     )
     if not 0 <= number < len(made.space):
-        raise ValueError(
-            f"there is no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}"
-        )
+        raise ValueError(f"no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}")
     return made.job.of(made.space[number])
 
 
 def _golden(program: str) -> tuple[dict[str, Any], Run | None] | None:
     path = golden_files(program)[0]
     if not os.path.exists(path):
-        sys.stderr.write(f"{program}: no {os.path.basename(path)} beside it to be compared with; give B\n")
+        sys.stderr.write(f"{program}: no {os.path.basename(path)} next to it; give B\n")
         return None
     try:
         return _report(path)
@@ -286,7 +284,7 @@ def _print(found: Any, parted: Any, charges: Sequence[Charge], everything: bool)
 
     most = 1_000_000 if everything else MOST
     lines = diff_lines(found, parted, charges, colour=wants_colour(sys.stdout), most=most) or [
-        "nothing is otherwise"
+        "no difference"
     ]
     text = "\n".join(lines) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))

@@ -16,9 +16,11 @@ def add_form(parser: argparse.ArgumentParser) -> None:
         "--format",
         choices=FORMATS,
         default="text",
-        help="what is printed: text; one document for another tool, as JSON, SARIF or JUnit's XML; or the commands by "
-        "which GitHub marks the lines",
+        help=(
+            "the output format: text; one document of JSON, SARIF or JUnit XML; or GitHub workflow "
+            "commands, which annotate the lines"
+        ),
     )
     parser.add_argument(
-        "--json", action="store_const", dest="format", const="json", help="the same as --format json"
+        "--json", action="store_const", dest="format", const="json", help="same as --format json"
     )

@@ -59,7 +59,7 @@ def differences(program: str, result: Run) -> list[str]:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read()
         if lines != _lines(result.output) and expected.get("output") == result.output:
-            found.append(f"the printed output is not that of {os.path.basename(printed)}")
+            found.append(f"the printed output differs from {os.path.basename(printed)}")
     return found
 
 

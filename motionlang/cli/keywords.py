@@ -27,7 +27,10 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 # For a keyword whose meaning is remembered.
-MEANING = "what it means is open, too: run the example here and where axes may move so, and compare"
+MEANING = (
+    "its meaning is unconfirmed, too: run the example here and on a controller whose axes may "
+    "move, and compare"
+)
 SCHEMA = "motionlang.keywords/1"
 
 
@@ -38,9 +41,9 @@ def add_parser(commands: Commands, summary: str) -> None:
         "name",
         metavar="NAME",
         nargs="?",
-        help="the word to explain, by its name or its short form, or the group to list",
+        help="the keyword, by its name or short form, or a group of keywords",
     )
-    add_dialect(parser, "one language; both without it")
+    add_dialect(parser, "the language; default: both")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
@@ -117,7 +120,7 @@ def _page(row: Keyword, language: str, width: int, colour: bool) -> str:
 
 
 def _unknown(name: str, near: str | None) -> int:
-    hint = f"did you mean {near}?" if near else "motionlang keywords lists them all"
-    diagnostic = Diagnostic("unknown-word", f"there is no word {name}", hint=hint)
+    hint = f"did you mean {near}?" if near else "motionlang keywords lists all keywords"
+    diagnostic = Diagnostic("unknown-word", f"there is no keyword {name}", hint=hint)
     sys.stderr.write(render(diagnostic, colour=wants_colour(sys.stderr)))
     return 1

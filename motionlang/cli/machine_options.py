@@ -8,7 +8,6 @@ from motionlang.errors import ProgramError, clipped, shown
 from motionlang.execution import dialects
 from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import check_setting, current_key, read_value
-from motionlang.lang.machine.keys import KEYS
 
 if TYPE_CHECKING:
     import argparse
@@ -21,21 +20,20 @@ def add_machine(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--machine",
         metavar="M.toml",
-        help="the machine the program is to run on; without it pick.machine.toml beside pick.mnt, if there "
-        "is one",
+        help="the machine file; default: pick.machine.toml next to pick.mnt, if it exists",
     )
     parser.add_argument(
         "--set",
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="give a value to a name of the program, or, by a dotted name, to a key of the machine file: "
-        f"{', '.join(KEYS)}; may be repeated",
+        help="set a name of the program, or a key of the machine file by its dotted name, such as "
+        "controller.axes; may be repeated",
     )
 
 
 def add_dialect(
-    parser: argparse.ArgumentParser, what: str = "the language, where the suffix does not say it"
+    parser: argparse.ArgumentParser, what: str = "the language; default: by file extension"
 ) -> None:
     parser.add_argument("--dialect", choices=dialects(), help=what)
 

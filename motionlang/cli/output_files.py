@@ -35,7 +35,7 @@ def wrong_target(option: str, path: str) -> str | None:
     suffix = os.path.splitext(path)[1].lower()
     known = f"{', '.join(formats[:-1])} and {formats[-1]}"
     if suffix not in formats:
-        what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
+        what = f"not {suffix} files" if suffix else "so the file needs one of these extensions"
         return f"{option} writes {known}, {what}"
     if option != "--profile-to":
         need(option, "numpy")

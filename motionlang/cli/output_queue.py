@@ -83,7 +83,7 @@ class OutputQueue:
 
         After that there is space again.
         """
-        text = f"motionlang: {_lines(self._dropped)} of {self.name} dropped, as it was not read\n"
+        text = f"motionlang: {_lines(self._dropped)} of {self.name} dropped, because it was not read\n"
         self._dropped = 0
         if self._notes is not None:
             self._notes.write(text)

@@ -45,7 +45,7 @@ def add_jobs(parser: ArgumentParser) -> None:
         metavar="N",
         type=_jobs,
         default=0,
-        help="processes at once; without it as many as there are cores",
+        help="worker processes; default: one per core",
     )
 
 
@@ -53,5 +53,5 @@ def _jobs(text: str) -> int:
     import argparse
 
     if not text.isdecimal() or not 1 <= int(text) <= 1024:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of processes from 1 to 1024")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of processes from 1 to 1024")
     return int(text)

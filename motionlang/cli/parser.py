@@ -73,7 +73,7 @@ class Parser(argparse.ArgumentParser):
         file = re.search(r"COMMAND: invalid choice: '(\S+\.\w+)'", message)
         if file is not None:
             return f"{self.prog} run {file[1]} runs a program"
-        return f"{self.prog} --help explains the command line"
+        return f"{self.prog} --help lists the options"
 
     def _options(self) -> dict[str, str]:
         """Every option, and every choice as if it were one: --report json for --json."""

@@ -39,20 +39,20 @@ UNITS = {
     "decel": "uu/s²",
 }
 HELP = {
-    "distance": "distance of the move, user units; negative for a move the other way",
+    "distance": "distance of the move, user units; negative for the reverse direction",
     "time": "time of the whole move, seconds",
     "accel_time": "time from rest to speed, seconds",
     "slew_time": "time at speed, seconds",
     "decel_time": "time from speed to rest, seconds",
-    "speed": "slew speed, user units a second",
-    "accel": "acceleration, user units a second squared",
-    "decel": "deceleration; as the acceleration where nothing else is said",
+    "speed": "slew speed, user units/s",
+    "accel": "acceleration, user units/s²",
+    "decel": "deceleration, user units/s²; default: the acceleration",
 }
 EPILOG = """\
-Any figures that determine the move will do; a rule fills what is still free:
-  third    a third of the time each to speed up, to run and to slow down
-  quarter  a quarter to speed up, half to run, a quarter to slow down
-  equal    as long to speed up as to slow down
+Give any figures that determine the move; a rule fills in the rest:
+  third    a third of the time each for acceleration, slew and deceleration
+  quarter  a quarter for acceleration, half for slew, a quarter for deceleration
+  equal    the same time for acceleration and deceleration
 
 examples:
   motionlang plan --distance 20 --time 0.6 --rule third
@@ -68,13 +68,15 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser = add_command(commands, "plan", summary, plan_command)
     for name in NAMES:
         parser.add_argument(f"--{name.replace('_', '-')}", type=float, metavar="X", help=HELP[name])
-    parser.add_argument("--rule", choices=tuple(RULES), help="how to split the time where nothing else does")
+    parser.add_argument("--rule", choices=tuple(RULES), help="how to split the time if the figures do not")
     add_scale_arguments(parser)
-    parser.add_argument("--axis", type=int, metavar="N", help="the axis of the program; the language's first")
     parser.add_argument(
-        "--use-times", action="store_true", help="ACCELTIME and DECELTIME instead of rates (Mint)"
+        "--axis", type=int, metavar="N", help="the axis of the program; default: the first of the language"
     )
-    parser.add_argument("--dialect", choices=dialects(), help="the language of the program; both without it")
+    parser.add_argument(
+        "--use-times", action="store_true", help="write ACCELTIME and DECELTIME instead of rates (Mint)"
+    )
+    parser.add_argument("--dialect", choices=dialects(), help="the language of the program; default: both")
     parser.add_argument("--plot", metavar="FILE", help="draw the move into a .png or .svg file")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
     parser.epilog = EPILOG
@@ -92,7 +94,7 @@ def plan_command(arguments: argparse.Namespace) -> int:
     except ValueError as problem:
         parser.error(str(problem))
     if arguments.axis is not None and arguments.axis < (1 if arguments.dialect == "mccl" else 0):
-        parser.error("there is no such axis: Mint counts from 0, MCCL from 1")
+        parser.error("no such axis: Mint numbers axes from 0, MCCL from 1")
     try:
         move, assumed, wanted = _solve(given, arguments.rule)
     except ValueError as problem:
@@ -205,11 +207,14 @@ def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
     needed = needed_distance(speed, move["accel"], move["decel"])
     factor = needed / distance
     rates = {f"{name} {move[name] * factor:.6g}" for name in ("accel", "decel")}
-    each = f"{move['accel'] * factor:.6g} uu/s² up and down" if move["accel"] == move["decel"] else " and ".join(
-        sorted(rates))  # fmt: skip
+    each = " and ".join(sorted(rates))
+    if move["accel"] == move["decel"]:
+        each = f"{move['accel'] * factor:.6g} uu/s² for acceleration and deceleration"
     return [
-        f"a speed of {speed:g} uu/s is not reached: the peak is {move['speed']:.6g} after {move['accel_time']:.6g} s; "
-        f"it needs a distance of {needed:.6g} uu, or {each}"
+        (
+            f"the move does not reach {speed:g} uu/s: its peak is {move['speed']:.6g} after "
+            f"{move['accel_time']:.6g} s; it needs a distance of {needed:.6g} uu, or {each}"
+        )
     ]
 
 
@@ -236,7 +241,8 @@ def _lines(
         lines += [f"  {styled(line, 'word', colour)}" for line in program.splitlines()]
         if name == "mccl" and "US" not in program and "." in program:
             lines.append(
-                f"  {styled('note:', 'note', colour)} without a scale MCCL takes whole counts only; give --scale"
+                f"  {styled('note:', 'note', colour)} without a scale MCCL accepts only whole counts; give "
+                "--scale"
             )
     return lines
 

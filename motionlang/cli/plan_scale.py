@@ -19,18 +19,21 @@ def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options for the counts of a user unit."""
     parser.add_argument("--scale", type=float, metavar="COUNTS", help="counts per user unit (1)")
     parser.add_argument(
-        "--encoder-lines", type=float, metavar="N", help="lines of the motor's encoder a turn, for the scale"
+        "--encoder-lines",
+        type=float,
+        metavar="N",
+        help="encoder lines per motor revolution, to compute the scale",
     )
-    parser.add_argument("--quadrature", type=int, metavar="N", help="counts of each line: 1, 2 or 4 (4)")
+    parser.add_argument("--quadrature", type=int, metavar="N", help="counts per encoder line: 1, 2 or 4 (4)")
     parser.add_argument(
-        "--gear", type=_ratio, metavar="N[:M]", help="turns of the motor a turn of the load (1)"
+        "--gear", type=_ratio, metavar="N[:M]", help="motor revolutions per load revolution (1)"
     )
-    parser.add_argument("--pitch", type=float, metavar="X", help="user units that a turn of the load is")
+    parser.add_argument("--pitch", type=float, metavar="X", help="user units per load revolution")
     parser.add_argument(
-        "--degrees", action="store_true", help="user units are degrees: a turn of the load is 360"
+        "--degrees", action="store_true", help="user units are degrees, 360 per load revolution"
     )
     parser.add_argument(
-        "--resolution", type=float, metavar="X", help="user units between two counts of a linear encoder"
+        "--resolution", type=float, metavar="X", help="user units per count of a linear encoder"
     )
 
 
@@ -40,7 +43,7 @@ def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
     ways = [name for name in ("scale", "encoder_lines", "resolution") if getattr(arguments, name) is not None]
     if len(ways) > 1:
         one, other = (f"--{name.replace('_', '-')}" for name in ways[:2])
-        raise ValueError(f"{one} and {other} both give the scale")
+        raise ValueError(f"{one} and {other} both set the scale")
     parts = [name for name in ("quadrature", "gear", "pitch") if getattr(arguments, name) is not None]
     if lines is None and (parts or arguments.degrees):
         raise ValueError(f"--{parts[0] if parts else 'degrees'} needs --encoder-lines")
@@ -57,9 +60,7 @@ def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
 
 def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
     if arguments.degrees == (arguments.pitch is not None):
-        raise ValueError(
-            "--encoder-lines needs what a turn of the load is: --pitch or --degrees, one of them"
-        )
+        raise ValueError("--encoder-lines needs either --pitch or --degrees")
     lines, gear = arguments.encoder_lines, 1.0 if arguments.gear is None else arguments.gear
     quadrature = 4 if arguments.quadrature is None else arguments.quadrature
     turn = 360.0 if arguments.degrees else arguments.pitch

@@ -26,24 +26,23 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 EPILOG = """\
-The probe goes to standard output. The one of a language moves nothing and writes no setting, prints one answer a
-question, and can be stopped at any time. Run it on the controller after power-up, keep what the terminal shows, and let
---answers read it: it says which readings hold and which do not, on standard error, and prints the [assumptions] of a
-machine file that make the virtual controller answer alike. A probe of Mint is for MintMT.
+The test program (the probe) goes to standard output. It moves nothing, writes no settings, prints one answer per
+question, and can be stopped at any time. Run it on the controller after power-up, save the terminal output, and read it
+with --answers. That lists the confirmed and the refuted assumptions on standard error and prints the [assumptions] of a
+machine file that make the virtual controller give the same answers. Mint probes are for MintMT.
 
-What would write settings or may end with an error is asked by name, in a program of its own, whose remarks say what to
-do first and what each answer means. --list names every question, or those about a word; docs/fidelity.md has the
-readings behind them.
+Questions that write settings or may end with an error have programs of their own, by name; comments in the program say
+what to do first and what each answer means. --list shows all questions, or those about a keyword. docs/fidelity.md
+explains the assumptions.
 
-exit status: 0 all answers could be read; 1 some are missing, cut off or contradict one another; 2 the command line is
-wrong
+exit status: 0 every answer was read; 1 answers are missing, cut off or contradictory; 2 the command line is invalid
 
 examples:
-  motionlang probe mint > probe.mnt                        questions that move nothing
-  motionlang probe mint --motion 20 --axis 1 > probe.mnt   also those that move axis 1, within 20 user units
-  motionlang probe --answers log.txt > cell.machine.toml   what the controller said
-  motionlang probe mint.integer-overflow > probe.mnt       one question
-  motionlang probe HOMESPEED --list                        what is open of a word
+  motionlang probe mint > probe.mnt                        write the questions that need no motion
+  motionlang probe mint --motion 20 --axis 1 > probe.mnt   include motion of axis 1 within 20 user units
+  motionlang probe --answers log.txt > cell.machine.toml   read the answers
+  motionlang probe mint.integer-overflow > probe.mnt       write one question
+  motionlang probe HOMESPEED --list                        list the questions about a keyword
 """
 
 
@@ -59,17 +58,24 @@ def add_parser(commands: Commands, summary: str) -> None:
         "what",
         metavar="mint|mccl|NAME",
         nargs="?",
-        help="the language that the controller speaks, or the name of one question",
+        help="the language of the controller, or the name of one question",
     )
-    add("--list", action="store_true", help="name the questions of a language or about a word, a line each")
-    add("--answers", metavar="LOG", help="what the controller's terminal showed; - reads standard input")
+    add(
+        "--list",
+        action="store_true",
+        help="list the questions of a language or about a keyword, one per line",
+    )
+    add("--answers", metavar="LOG", help="read the controller's terminal output; - reads standard input")
     add(
         "--motion",
         type=_distance,
         metavar="DISTANCE",
-        help="ask also what needs motion: the axis moves within so many user units of where it stands",
+        help=(
+            "include questions that need motion; the axis moves at most this far, in user units, from "
+            "its position"
+        ),
     )
-    add("--axis", type=int, metavar="N", help="the axis that is asked; without it the first one")
+    add("--axis", type=int, metavar="N", help="the axis to test; default: the first")
     add("--skip", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated")
 
 
@@ -79,7 +85,7 @@ def _distance(text: str) -> float:
     except ValueError:
         value = math.nan
     if not 0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text!r} is no distance above 0")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a distance above 0")
     return value
 
 
@@ -88,37 +94,35 @@ def _probe(arguments: argparse.Namespace) -> int:
     what: str | None = arguments.what
     if arguments.answers is not None:
         if arguments.motion is not None or arguments.axis is not None or arguments.skip or arguments.list:
-            parser.error("--answers reads what a probe was answered; the other options write one")
+            parser.error("--answers reads answers; the other options write a probe")
         if what is not None and what not in dialects():
             said = f"{what!r} is not one of {', '.join(dialects())}"
             parser.error(
-                f"{said}; --answers tells of each question in the log" if what in questions() else said
+                f"{said}; --answers reports every question in the log" if what in questions() else said
             )
         return _answers(arguments.answers, what or "")
     if what is None and not arguments.list:
-        parser.error("say which language the controller speaks, mint or mccl, or give --answers LOG")
+        parser.error("give the language of the controller, mint or mccl, or --answers LOG")
     if arguments.list:
         return _list(parser, what)
     assert what is not None
     language = what if what in dialects() else _named(parser, what).language
     axis = dialect(language).first_axis if arguments.axis is None else arguments.axis
     if not 0 <= axis < 100:
-        parser.error(f"--axis {axis}: there is no such axis")
+        parser.error(f"--axis {axis}: no such axis")
     motion = None if arguments.motion is None else Motion(axis, arguments.motion)
     if what not in dialects():
         if arguments.skip:
-            parser.error(f"--skip leaves a question out of many, and {what} is one")
+            parser.error(f"--skip leaves questions out of a list, but {what} is a single question")
         if _named(parser, what).motion and motion is None:
-            parser.error(f"{what} is told by motion: say within which distance, such as --motion 20")
+            parser.error(f"{what} needs motion: give the distance, such as --motion 20")
         sys.stdout.write(alone(questions()[what], axis, motion))
         return 0
     names = [each.name for each in asked(language, motion=True)]
     for name in arguments.skip:
         if name not in names:
             near = nearest(name, names)
-            parser.error(
-                f"--skip {name}: there is no such question" + (f"; did you mean {near}?" if near else "")
-            )
+            parser.error(f"--skip {name}: no such question" + (f"; did you mean {near}?" if near else ""))
     sys.stdout.write(written(language, axis, motion, arguments.skip))
     return 0
 
@@ -130,13 +134,13 @@ def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
         return found.probe
     if found is not None:
         others = "".join(f"; or: {each}" for each in found.alternatives)
-        problem = f"{name} is told by no program. {found.question}: {found.chosen}{others}"
+        problem = f"no program can settle {name}. {found.question}: {found.chosen}{others}"
     elif _about(name):
-        problem = f"{name} is a word: motionlang probe {name} --list names the questions about it"
+        problem = f"{name} is a keyword: motionlang probe {name} --list shows the questions about it"
     else:
         near = nearest(name, (*dialects(), *questions()))
-        problem = f"{name!r} is not one of mint, mccl, nor a question" + (
-            f"; did you mean {near}?" if near else "; motionlang probe --list names the questions"
+        problem = f"{name!r} is neither mint, mccl nor a question" + (
+            f"; did you mean {near}?" if near else "; motionlang probe --list shows the questions"
         )
     return parser.error(problem)
 
@@ -158,7 +162,7 @@ def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
     else:
         known = _about(what) or [each for each in questions().values() if each.name == what]
         if not known:
-            parser.error(f"{what} is no word, or nothing of it is open")
+            parser.error(f"{what} is not a keyword, or has no open question")
     found = [each for each in known if each.probe is not None]
     width = max((len(each.name) for each in found), default=0)
     for each in found:
@@ -169,7 +173,7 @@ def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
         end = f"  ({', '.join(marks)})" if marks else ""
         sys.stdout.write(f"{each.name:<{width}}  {each.question}{end}\n")
     if len(found) < len(known) and what not in dialects() and what is not None:
-        sys.stdout.write("told by no program:\n")
+        sys.stdout.write("not settled by a program:\n")
         for each in known:
             if each.probe is None:
                 sys.stdout.write(f"{each.name:<{width}}  {each.question}\n")
@@ -200,12 +204,12 @@ def _told(found: Answers) -> str:
     }
     if by_status[HOLDS]:
         names = ", ".join(_names(each.reading for each in by_status[HOLDS]))
-        lines += [f"{counted(len(by_status[HOLDS]), 'reading holds', 'readings hold')}:"]
+        lines += [f"{counted(len(by_status[HOLDS]), 'assumption confirmed', 'assumptions confirmed')}:"]
         lines += textwrap.wrap(names, 98, initial_indent="  ", subsequent_indent="  ", break_on_hyphens=False)
     if by_status[OTHER]:
-        lines += [f"{counted(len(by_status[OTHER]), 'does', 'do')} not:", *map(_other, by_status[OTHER])]
+        lines += [f"{len(by_status[OTHER])} refuted:", *map(_other, by_status[OTHER])]
     if by_status[UNKNOWN]:
-        lines += ["answered as nothing that is known would, so that nothing is set:"]
+        lines += ["unknown answers, which set nothing:"]
         lines += [f"  {each.reading.name}: {each.answer!r}" for each in by_status[UNKNOWN]]
     return "\n".join(lines) + "\n"
 
@@ -215,7 +219,7 @@ def _names(found: Iterable[Reading]) -> list[str]:
     names = [each.name for each in found]
     rest = [name for name in names if not name.endswith(DEFAULT)]
     many = len(names) - len(rest)
-    return [*rest, f"and what {many} settings are at power-up"] if many > SHOWN else names
+    return [*rest, f"and {many} settings at power-up"] if many > SHOWN else names
 
 
 def _other(verdict: Verdict) -> str:

@@ -43,7 +43,11 @@ OPTIONS = (
     ("velocity", "V", "velocity, counts/s (40000)"),
     ("distance", "S", "distance, counts (40000)"),
     ("deceleration", "D", "deceleration, counts/s²; as the acceleration where nothing else is said"),
-    ("ramp", "N", "the part of T_A in which the trapezoidal S-curve's acceleration rises, 0 to 0.5 (0.1)"),
+    (
+        "ramp",
+        "N",
+        ("the fraction of T_A in which the acceleration of the trapezoidal S-curve rises, 0 to 0.5 (0.1)"),
+    ),
 )
 
 
@@ -55,7 +59,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser.add_argument(
         "--published",
         action="store_true",
-        help="the published figures beside the exact ones, each erratum named",
+        help="show the published figures next to the exact ones, and list the errata",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the four profiles into a .png or .svg file")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
@@ -71,10 +75,10 @@ def profiles_command(arguments: argparse.Namespace) -> int:
     except (ValueError, OverflowError) as problem:
         parser.error(str(problem))
     if arguments.published and not demand.printed:
-        parser.error("--published goes with the note's own move only")
+        parser.error("--published works only for the move of the note")
     if arguments.plot:
         if not arguments.plot.lower().endswith((".png", ".svg")):
-            parser.error("--plot draws .png and .svg files")
+            parser.error("--plot writes .png and .svg files")
         need_writer("--plot", arguments.plot)
         status = _draw(demand, arguments.plot)
         if status:
@@ -107,13 +111,13 @@ def _lines(demand: Demand, rows: Sequence[Row], as_printed: bool, colour: bool) 
     head = "TN1069: one move in four profiles"
     slowing = "" if demand.symmetric else f"D = {demand.deceleration:g} counts/s², "
     given = (
-        f"A = {demand.acceleration:g} counts/s², {slowing}V = {demand.velocity:g} counts/s, "
-        f"S = {demand.distance:g} counts; 1000 cycles a second"
+        f"A = {demand.acceleration:g} counts/s², {slowing}V = {demand.velocity:g} counts/s, S = "
+        f"{demand.distance:g} counts; 1000 cycles per second"
     )
     lines = [styled(head, "bold", colour), given, ""]
     lines += _table(demand, rows, as_printed, colour)
     if as_printed:
-        lines += ["", styled("the print is wrong here", "bold", colour)]
+        lines += ["", styled("the printed figure is wrong", "bold", colour)]
         for number, erratum in enumerate(ERRATA, 1):
             lines += textwrap.wrap(erratum, WIDTH, initial_indent=f"{number}. ", subsequent_indent="   ")
     return lines

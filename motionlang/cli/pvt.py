@@ -41,9 +41,9 @@ def add_parser(family: Commands, summary: str) -> None:
         dest="pvt_command", required=True, metavar="plot | refine | export | stream"
     )
     for name, help_text, handler in (
-        ("plot", "what a drive makes of points, segment by segment, and as a picture", plot),
-        ("refine", "velocities for positions, and the acceleration jumps they leave", refine),
-        ("export", "a move, or the motion of a program, as CSV, serial words or CAN frames", export),
+        ("plot", "show the motion that a drive makes of points, segment by segment, or as a picture", plot),
+        ("refine", "choose velocities for positions, and show the remaining acceleration jumps", refine),
+        ("export", "write a move, or the motion of a program, as CSV, serial words or CAN frames", export),
         ("stream", "send a move to a simulated drive over CANopen and compare the motion", stream),
     ):
         parser = commands.add_parser(name, help=help_text, description=help_text)
@@ -141,7 +141,7 @@ def _guarded(handler: Handler) -> Handler:
         try:
             return handler(args)
         except UsageError as problem:
-            hint = "motionlang pvt --help explains the command line"
+            hint = "motionlang pvt --help lists the options"
             print(f"motionlang pvt: error: {problem}\n  hint: {hint}", file=sys.stderr)
             return USAGE
         except SourceError as error:

@@ -98,11 +98,11 @@ def _refuse_strangers(args: argparse.Namespace, source: str) -> None:
     for option, sources in SERVES.items():
         if getattr(args, option) is not None and source not in sources:
             homes = " or ".join(NAMES[name] for name in sources)
-            raise UsageError(f"--{option} has nothing to do here: it goes with {homes}")
+            raise UsageError(f"--{option} has no effect here: it needs {homes}")
     if args.sweeps is not None and args.velocities != "refine":
-        raise UsageError("--sweeps has nothing to do here: it goes with --velocities refine")
+        raise UsageError("--sweeps has no effect here: it needs --velocities refine")
     if args.linear and args.velocities:
-        raise UsageError("--linear leaves out the velocities that --velocities chooses")
+        raise UsageError("--linear omits the velocities that --velocities chooses")
 
 
 def _is_program(file: str) -> bool:
@@ -156,7 +156,7 @@ def _from_scurve(args: argparse.Namespace) -> Move:
         else:
             points = split_long(limited_scurve(args.scurve, args.jerk, *limits, grid=GRID))
     except ArithmeticError:
-        raise ProgramError([Diagnostic("range", "the limits leave no move of finite figures")]) from None
+        raise ProgramError([Diagnostic("range", "no finite move is possible within these limits")]) from None
     except ValueError as problem:
         raise ProgramError([Diagnostic("range", str(problem))]) from None
     return Move(f"S-curve, {args.scurve:g} counts", points)
@@ -182,7 +182,7 @@ def _from_file(args: argparse.Namespace) -> Move:
             replace(points[-1], time=0.0)
         ]
     elif args.time is not None:
-        raise UsageError(f"{source.name} has its own times: --time has nothing to do here")
+        raise UsageError(f"{source.name} has its own times: --time has no effect")
     if "velocity" not in table.has and not args.velocities:
         points = _with_velocities(points, "exact", args.sweeps or 1)
     return Move(source.name, points, source, table.lines)
@@ -213,7 +213,7 @@ def _from_program(args: argparse.Namespace) -> Move:
         raise ProgramError([Diagnostic("values", f"no axis moves in {result.source.name}")])
     if args.axis is None and len(moved) > 1:
         many = ", ".join(map(str, moved))
-        raise UsageError(f"axes {many} move in {result.source.name}: say which one with --axis")
+        raise UsageError(f"axes {many} move in {result.source.name}: choose one with --axis")
     number = moved[0] if args.axis is None else args.axis
     if number not in moved:
         raise UsageError(f"axis {number} does not move in {result.source.name}")

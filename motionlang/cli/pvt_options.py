@@ -18,31 +18,43 @@ def add_input(parser: argparse.ArgumentParser) -> None:
     """Add the options for the source of points: a file, positions, S-curve or program."""
     add = parser.add_argument
     add(
-        "file", nargs="?", help="points (.csv: position, velocity, time), or a program whose motion is fitted"
+        "file",
+        nargs="?",
+        help="points (.csv: position, velocity, time), or a program whose motion is to be fitted",
     )
-    add("--positions", type=_numbers, metavar="P,P,…", help="points instead of a file, counts")
+    add("--positions", type=_numbers, metavar="P,P,…", help="points in counts, instead of a file")
     add(
         "--time",
         type=_numbers,
         metavar="MS[,MS…]",
-        help="milliseconds between two points, or of each segment",
+        help="time between points, ms: one for all, or one for each segment",
     )
-    add("--scurve", type=_number, metavar="COUNTS", help="an S-curve of this distance instead of a file")
-    add("--jerk", type=_positive, metavar="J", help="its jerk, counts/s3 (or --time, of its four segments)")
-    add("--accel", type=_positive, metavar="A", help="its largest acceleration, counts/s2")
-    add("--speed", type=_positive, metavar="V", help="its largest velocity, counts/s")
-    add("--velocities", choices=["given", *METHODS], help="choose the velocities anew")
-    add("--sweeps", type=_count, metavar="N", help="how often refine goes through the points")
-    add("--linear", action="store_true", help="leave out the velocities: linear interpolation")
-    add("--start", type=_number, metavar="COUNTS", help="where the motor stands before the move")
-    add("--axis", type=int, metavar="N", help="of a program: the axis to fit")
+    add(
+        "--scurve",
+        type=_number,
+        metavar="COUNTS",
+        help="an S-curve of this distance, counts, instead of a file",
+    )
+    add(
+        "--jerk",
+        type=_positive,
+        metavar="J",
+        help="jerk of the S-curve, counts/s³ (or --time for its four segments)",
+    )
+    add("--accel", type=_positive, metavar="A", help="acceleration limit of the S-curve, counts/s²")
+    add("--speed", type=_positive, metavar="V", help="velocity limit of the S-curve, counts/s")
+    add("--velocities", choices=["given", *METHODS], help="how to choose the velocities")
+    add("--sweeps", type=_count, metavar="N", help="passes over the points by refine")
+    add("--linear", action="store_true", help="omit the velocities and interpolate linearly")
+    add("--start", type=_number, metavar="COUNTS", help="position of the motor before the move")
+    add("--axis", type=int, metavar="N", help="the axis of the program to fit")
     add(
         "--tolerance",
         type=_positive,
         metavar="COUNTS",
-        help="of a program: how closely to fit it",
+        help="the tolerance of the fit to a program",
     )
-    add("--dialect", choices=["mint", "mccl"], help="of a program: its language")
+    add("--dialect", choices=["mint", "mccl"], help="the language of the program")
     add(
         "--plot", type=_picture, metavar="OUT", help="draw the motion with its knots into a .png or .svg file"
     )
@@ -55,7 +67,11 @@ def _add_plot(parser: argparse.ArgumentParser) -> None:
 def _add_refine(parser: argparse.ArgumentParser) -> None:
     _add_report(parser)
     parser.add_argument(
-        "--compare", type=_counts, default=[1, 2], metavar="N,N…", help="numbers of sweeps to show"
+        "--compare",
+        type=_counts,
+        default=[1, 2],
+        metavar="N,N…",
+        help="show the result after these numbers of passes",
     )
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="write the points with their velocities as CSV"
@@ -64,7 +80,7 @@ def _add_refine(parser: argparse.ArgumentParser) -> None:
 
 def _add_export(parser: argparse.ArgumentParser) -> None:
     formats = ["csv", "serial", "pdo", "sdo", "record"]
-    parser.add_argument("--format", choices=formats, default="csv", help="what to write (csv)")
+    parser.add_argument("--format", choices=formats, default="csv", help="the output format (csv)")
     parser.add_argument("--relative", action="store_true", help="write distances instead of positions")
     parser.add_argument("--node", type=_node, default=1, metavar="ID", help="CANopen node of the drive (1)")
     parser.add_argument("-o", "--output", metavar="FILE", help="write to a file instead of standard output")
@@ -77,23 +93,28 @@ def _add_stream(parser: argparse.ArgumentParser) -> None:
         "--transfer",
         default="pdo",
         choices=["pdo", "sdo", "0", "-1", "-2", "-3"],
-        help="object 0x2010, or a sub-mode",
+        help="how to send the points: by PDO or SDO to object 0x2010, or in a sub-mode",
     )
     add("--node", type=_node, default=1, metavar="ID", help="CANopen node of the drive (1)")
     add(
         "--poll-interval",
         type=_positive,
         metavar="MS",
-        help="milliseconds between two looks of the master (1; with --transfer 0 the time between two points)",
+        help="polling interval of the master, ms (1; with --transfer 0, the time between points)",
     )
     add("--relative", action="store_true", help="send distances instead of positions")
     add("--interface", default="virtual", metavar="NAME", help="python-can interface (virtual)")
-    add("--channel", default="", metavar="NAME", help="its channel, vcan0 for instance")
-    add("--real", action="store_true", help="a real drive answers on the bus: simulate none, move it")
+    add("--channel", default="", metavar="NAME", help="channel of the interface, such as vcan0")
+    add("--real", action="store_true", help="stream to a real drive on the bus and move it; simulate none")
 
 
 def _add_report(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--report", choices=["table", "json", "none"], default="table")
+    parser.add_argument(
+        "--report",
+        choices=["table", "json", "none"],
+        default="table",
+        help="the report: table (the default), one JSON document, or none",
+    )
 
 
 OPTIONS: dict[str, Callable[[argparse.ArgumentParser], None]] = {

@@ -37,7 +37,7 @@ def run_stream(args: argparse.Namespace, move: Move) -> int:
     try:
         return _stream_to_real(args, move) if args.real else _stream_to_simulated(args, move)
     except BusError as problem:
-        hint = "python-can needs an interface that this machine has; virtual works everywhere"
+        hint = "choose an interface of python-can that this computer has; virtual works everywhere"
         sys.stderr.write(render(Diagnostic("file", str(problem), hint=hint)))
         return 1
 
@@ -81,7 +81,7 @@ def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
         sys.stderr.write(render(Diagnostic("never", f"the stream failed: {error}")))
         return 1
     if args.report != "none":
-        print(f"{done.sent} points sent, {done.resent} of them again")
+        print(f"{done.sent} points sent, {done.resent} of them resent")
     return 0
 
 
@@ -138,7 +138,7 @@ def _lines(
         ("end", f"{figure(drive.position)} counts after {drive.now:.3f} s"),
     ]
     if done:
-        again = f", {done.resent} of them again" if done.resent else ""
+        again = f", {done.resent} of them resent" if done.resent else ""
         level = (
             f"; never fewer than {done.lowest} in the buffer"
             if done.lowest < SIZE
@@ -147,7 +147,7 @@ def _lines(
         pairs.insert(2, ("points", f"{done.sent} sent{again}{level}"))
     if error is not None:
         shown = f"{error:.3g} counts" if error > 1e-6 else "none"
-        pairs.append(("departure", f"{shown}, of the drive's motion from the points sent"))
+        pairs.append(("departure", f"{shown} between the motion of the drive and the points"))
     lines = pairs_lines(pairs)
     return lines + [""] * bool(drive.log) + [f"{time:10.6f} s  {what}" for time, what in drive.log]
 

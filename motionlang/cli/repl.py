@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang repl` and its options."""
     parser = add_command(commands, "repl", summary, _repl)
-    parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first, or mint or mccl")
+    parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first, or the language")
     add_machine(parser)
     add_world(parser)
 

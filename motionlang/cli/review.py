@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 HELP = """\
-y  accept this change: the golden files will have it
-n  leave it as it was
-a  accept this one and all that follow in this program
-d  leave this one and all that follow in this program
-q  quit: this one and all that follow stay as they were
+y  accept this change into the golden files
+n  reject this change
+a  accept this change and the rest of this program
+d  reject this change and the rest of this program
+q  quit and reject this change and all others
 """
 
 
@@ -80,13 +80,13 @@ def review(program: str, result: Run) -> bool:
             old = checked(json.load(file))
         found = difference(old, new)
     except FileNotFoundError:
-        return _whole(program, result, f"there is no {name} yet. Write it?")
+        return _whole(program, result, f"{name} does not exist. Write it?")
     except ValueError:
-        return _whole(program, result, f"{name} is no report of which changes could be told. Write it anew?")
+        return _whole(program, result, f"{name} is not a report. Overwrite it?")
     all_of_them = changes(found)
     if not all_of_them:  # printed output is stored twice, and only the other one differs
         other = os.path.basename(printed)
-        return _whole(program, result, f"what is printed is not that of {other}. Accept it?")
+        return _whole(program, result, f"the printed output differs from {other}. Accept it?")
     accepted, ends = _asked(program, all_of_them, found)
     whole = len(accepted) == len(all_of_them)
     if accepted:

@@ -156,8 +156,11 @@ def _proof(result: Run) -> Proof | None:
         return None
     profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
     if result.status == "interrupted" and profiles > PROVED_IN_TIME:
-        message = f"the run is not proved: it was ended after {profiles} profiles of motion"
-        hint = f"up to {PROVED_IN_TIME} are proved after a signal; --until ends a run and has it proved"
+        message = f"the run was not verified: it ended after {profiles} profiles of motion"
+        hint = (
+            f"at most {PROVED_IN_TIME} are verified after a signal; a run that --until ends is always "
+            "verified"
+        )
         result.diagnostics.append(Diagnostic("proof", message, hint=hint))
         return None
     return result.proof()
@@ -322,6 +325,7 @@ def _report(result: Run, options: Options) -> None:
 
 def _rests_on(result: Run, options: Options) -> str:
     from motionlang.report import assumptions
+
     """Return the number of open assumptions of the run, for a complete report only.
 
     Every program depends on some.

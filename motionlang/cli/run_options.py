@@ -27,11 +27,11 @@ HIGHEST_RATE = 10e6
 # The options that --show-code and --show-tree use; the others are about a run.
 FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "show_tree", "no_cache"))
 RUN_EPILOG = """\
-The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
-Time is the machine's own: an hour of it takes a moment, unless --realtime is given.
+The language is chosen by file extension: .mnt, .mntx and .prg are Mint, .mcl and .mccl are MCCL.
+Time is machine time: an hour takes a moment, unless you give --realtime.
 
-exit status: 0 the program ran; 1 it is wrong or faulted, or an axis met a limit, a following error or a fault that
-nobody handled (standard error says where, --allow accepts it); 2 the command line is wrong
+exit status: 0 success; 1 the program has an error or a fault, or an axis met an unhandled limit, following error or
+fault (standard error has the line, --allow accepts it); 2 the command line is invalid
 
 examples:
   motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
@@ -52,16 +52,20 @@ def add_parser(commands: Commands, summary: str) -> None:
         "--report",
         choices=REPORTS,
         default="table",
-        help="what follows the program's own output: a table (the default), or nothing; "
-        "json prints one JSON document and nothing else",
+        help=(
+            "the report after the program's output: table (the default), none, or json for one JSON "
+            "document and nothing else"
+        ),
     )
-    parser.add_argument("--all", action="store_true", help="the table with every move, phase and line")
+    parser.add_argument("--all", action="store_true", help="list every move, phase and line in the table")
     parser.add_argument(
         "--until",
         type=machine_time,
         metavar="S",
-        help="end the run after S seconds of machine time; without it the machine file says when, or it ends after "
-        f"one shift, {ONE_SHIFT:.0f} s = 8 h",
+        help=(
+            "end the run after S seconds of machine time; default: run.until of the machine file, or "
+            f"{ONE_SHIFT:.0f} s = 8 h"
+        ),
     )
     parser.add_argument(
         "--realtime",
@@ -69,32 +73,36 @@ def add_parser(commands: Commands, summary: str) -> None:
         nargs="?",
         const=1.0,
         metavar="FACTOR",
-        help="hold the run to the wall clock, FACTOR machine seconds a second (1 without a FACTOR)",
+        help="run at FACTOR × real time; FACTOR defaults to 1",
     )
     parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
     parser.add_argument(
         "--rate",
         type=_rate,
         metavar="HZ",
-        help=f"samples a second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
+        help=f"samples per second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
     )
     parser.add_argument(
         "--columns",
         type=_columns,
         metavar="NAME,…",
-        help="what the trace has besides the time, such as position,velocity.0: of every axis, or of one",
+        help=(
+            "columns of the trace in addition to time, for every axis or for one, such as position,velocity.0"
+        ),
     )
     parser.add_argument(
         "--trajectory-points",
         action="store_true",
-        help="trace the points that the trajectory generator computes and the straight lines between them, "
-        "which is what the servo loop is told, instead of the exact curve",
+        help=(
+            "trace the controller's trajectory points, joined by straight lines, as the servo loop "
+            "receives them, instead of the exact curve"
+        ),
     )
     parser.add_argument(
         "--trajectory-rate",
         type=_rate,
         metavar="HZ",
-        help=f"points a second of --trajectory-points ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
+        help=f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex boards)",
     )
     parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
     parser.add_argument(
@@ -102,74 +110,83 @@ def add_parser(commands: Commands, summary: str) -> None:
         dest="begin",
         type=machine_time,
         metavar="S",
-        help="the first second that the picture of --plot shows; an .html page has the rest, too",
+        help="start of the time span that --plot shows, s; an .html page also has the rest",
     )
     parser.add_argument(
-        "--to", dest="end", type=machine_time, metavar="S", help="the last second that it shows"
+        "--to", dest="end", type=machine_time, metavar="S", help="end of the time span that --plot shows, s"
     )
     parser.add_argument(
-        "--axes", type=_axes, metavar="N,…", help="the axes that it shows, such as 0,2 (all that moved)"
+        "--axes",
+        type=_axes,
+        metavar="N,…",
+        help="the axes that --plot shows, such as 0,2; default: all that moved",
     )
     parser.add_argument(
         "--path",
         type=_path,
         metavar="X,Y",
-        help="draw the path of two or three axes, its colour the speed, instead of curves over time",
+        help="draw the path of two or three axes, coloured by speed, instead of curves over time",
     )
     parser.add_argument(
         "--nv",
         metavar="FILE",
-        help="keep what the program declares nv, and NVLONG and NVFLOAT, in FILE from one run to the next",
+        help="keep nv variables, NVLONG and NVFLOAT in FILE between runs",
     )
     parser.add_argument(
         "--log-size",
         metavar="GB",
         type=lambda text: _number(text, 0.0, 1e6, "a number of gigabytes, 0 or more"),
-        help="how much the log of the run may take on the disk before it ends (8)",
+        help="disk space that the log may take before the run ends, GB (8)",
     )
     parser.add_argument(
         "--allow",
         metavar="KIND,…",
         type=_allowed,
         default=frozenset(),
-        help="events that do not make the exit status 1: limit, soft-limit, following-error, fault, or all",
+        help="events that do not make the exit status 1: limit, soft-limit, following-error, fault or all",
     )
     parser.add_argument(
         "--prove",
         action="store_true",
-        help="hold the motion against what the program ordered, and say what was proved; status 1 where it is not so",
+        help="verify the motion against the commanded limits; exit 1 on a violation",
     )
     parser.add_argument(
         "--paths",
         action="store_true",
-        help="list the paths of several axes: length, speed along the path, corner, and why it stops there",
+        help=(
+            "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
+        ),
     )
     parser.add_argument(
         "--profile",
         action="store_true",
-        help="tell where the time goes: by cause, line and sub, along the chain of what the end waited for",
+        help="show where the time goes, by cause, line and sub, along the critical path",
     )
     parser.add_argument(
         "--profile-to",
         metavar="FILE",
-        help="write that into FILE: .json, .trace.json (Perfetto) or .speedscope.json",
+        help="write the time profile into FILE: .json, .trace.json (Perfetto) or .speedscope.json",
     )
     parser.add_argument(
         "--certify",
         action="store_true",
-        help="hold what each axis reached against the [axis.N.limits] of the machine file: a table to sign; status 1 "
-        "where one is passed. FILE may be a folder. It proves the motion, too",
+        help=(
+            "check what each axis reached against [axis.N.limits] of the machine file and print a table "
+            "to sign; exit 1 if a limit is exceeded. FILE may be a folder. Includes --prove"
+        ),
     )
     parser.add_argument(
         "--show-code",
         action="store_true",
-        help="run nothing: print the Python that a Mint program is compiled to, next to the lines of the program; "
-        "of MCCL, which is interpreted, the function that carries out each command",
+        help=(
+            "print the generated Python next to each line of a Mint program, or the function behind each "
+            "command of an MCCL program, without running it"
+        ),
     )
     parser.add_argument(
         "--show-tree", action="store_true", help="print the syntax tree of the program; do not run it"
     )
-    parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
+    parser.add_argument("--no-cache", action="store_true", help="compile again and do not store the result")
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
@@ -234,26 +251,24 @@ def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser
         shown = "--show-code" if arguments.show_code else "--show-tree"
         for action in parser._actions:
             if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
-                parser.error(f"{action.option_strings[0]} is about a run: {shown} runs nothing")
+                parser.error(f"{action.option_strings[0]} has no effect with {shown}, which runs nothing")
     if arguments.trace is None:
         for name in ("rate", "columns", "trajectory_points"):
             if getattr(arguments, name):
-                parser.error(f"--{name.replace('_', '-')} is about a trace: give --trace OUT")
+                parser.error(f"--{name.replace('_', '-')} needs --trace OUT")
     if arguments.plot is None:
         for option, name in (("from", "begin"), ("to", "end"), ("axes", "axes"), ("path", "path")):
             if getattr(arguments, name) is not None:
-                parser.error(f"--{option} is about a picture: give --plot OUT")
+                parser.error(f"--{option} needs --plot OUT")
     elif arguments.end is not None and arguments.end <= (arguments.begin or 0.0):
-        parser.error("--to is not after --from: there is nothing in between")
+        parser.error("--to must be after --from")
     if arguments.report != "table":
         for name in ("all", "paths", "profile"):
             if getattr(arguments, name):
                 instead = ": --profile-to FILE writes the profile" if name == "profile" else ""
-                parser.error(
-                    f"--{name} is about the table, which --report {arguments.report} leaves out{instead}"
-                )
+                parser.error(f"--{name} needs the table, which --report {arguments.report} omits{instead}")
     if arguments.trajectory_rate and not arguments.trajectory_points:
-        parser.error("--trajectory-rate is about --trajectory-points, which is missing")
+        parser.error("--trajectory-rate needs --trajectory-points")
 
 
 def _columns(text: str) -> list[str]:
@@ -289,7 +304,9 @@ def _allowed(text: str) -> frozenset[str]:
         return frozenset(ALLOWED)
     unknown = sorted(names - ALLOWED.keys())
     if unknown:
-        raise argparse.ArgumentTypeError(f"{unknown[0]!r} is no event to allow: {', '.join(ALLOWED)} or all")
+        raise argparse.ArgumentTypeError(
+            f"--allow cannot accept {unknown[0]!r}: choose from {', '.join(ALLOWED)} or all"
+        )
     return names
 
 
@@ -303,12 +320,12 @@ def _axes(text: str) -> tuple[int, ...]:
 def _path(text: str) -> tuple[int, ...]:
     axes = _axes(text)
     if len(axes) not in (2, 3) or len(set(axes)) != len(axes):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a path: two or three axes make one, such as 0,1")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a path: give two or three axes, such as 0,1")
     return axes
 
 
 def _rate(text: str) -> float:
-    what = f"a number of samples a second above 0, {HIGHEST_RATE:,.0f} at most"
+    what = f"a number of samples per second above 0, {HIGHEST_RATE:,.0f} at most"
     return _number(text, 0.0, HIGHEST_RATE, what, open_low=True)
 
 

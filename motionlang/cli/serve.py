@@ -24,12 +24,12 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 EPILOG = """\
-The board is a PMC controller that understands ASCII MCCL; FILE is sent to it first, as a downloader would.
-With --clock real a move takes the time that it takes. With --clock lockstep time stands still unless a host waits for
-an answer, so that the same lines are answered the same; a line takes --step seconds, or as long as it waits.
+The board is a PMC controller with ASCII MCCL; FILE is sent to it first, as a downloader would. With --clock real,
+machine time follows real time. With --clock lockstep, machine time passes only while a host waits for an answer, so the
+same lines always get the same answers; a line takes --step seconds, or as long as it waits.
 
-With --modbus FILE is a Mint program, and a Modbus TCP client reads and writes its comms array or NetData: element n is
-the holding registers 2n, the low half, and 2n + 1. In lock step machine time goes on by --step for each request.
+With --modbus, FILE is a Mint program, and Modbus TCP clients read and write its comms array or NetData: element n is
+holding registers 2n (low half) and 2n + 1. In lock step, machine time advances by --step for each request.
 
 examples:
   motionlang serve --tcp 127.0.0.1:5010                    then: nc 127.0.0.1 5010
@@ -43,32 +43,41 @@ def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang serve` and its options."""
     parser = add_command(commands, "serve", summary, serve_command, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", nargs="?", help="commands that the board gets first; - reads standard input")
+    add("file", metavar="FILE", nargs="?", help="commands to send to the board first; - reads standard input")
     add(
         "--tcp",
         type=_address,
         action="append",
         default=[],
         metavar="HOST:PORT",
-        help="listen here; without HOST only this computer can connect, port 0 is any that is free; may be repeated",
+        help=(
+            "listen on this address; without HOST only this computer can connect, port 0 is any free "
+            "port; may be repeated"
+        ),
     )
     add(
         "--modbus",
         type=_address,
         metavar="HOST:PORT",
-        help="run a Mint program and let Modbus TCP clients reach its memory here",
+        help="run a Mint program and serve its memory to Modbus TCP clients on this address",
     )
-    add("--pty", action="store_true", help="make a serial device, and print its path (not on Windows)")
+    add("--pty", action="store_true", help="create a serial device and print its path (not on Windows)")
     _add_time(parser)
     add(
         "--echo",
         action=argparse.BooleanOptionalAction,
-        help="send back what hosts send; without it TCP does not, and a serial device as the board does",
+        help=(
+            "echo the characters that hosts send; default: off for TCP, as on the board for a serial device"
+        ),
     )
-    add("--max-hosts", type=_count, default=64, metavar="N", help="connections at once (64)")
     add(
-        "--log", action="store_true", help="show on standard error what hosts send and what they are answered"
+        "--max-hosts",
+        type=_count,
+        default=64,
+        metavar="N",
+        help="maximum number of simultaneous connections (64)",
     )
+    add("--log", action="store_true", help="log commands and answers to standard error")
     add_machine(parser)
 
 
@@ -78,15 +87,17 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
         "--clock",
         choices=("real", "lockstep"),
         default="real",
-        help="how machine time passes: with the wall clock (real, the default), or while a host waits (lockstep)",
+        help="how machine time passes: in real time (default), or in lock step, only while a host waits",
     )
-    add("--factor", type=_positive, metavar="X", help="machine seconds a second, with --clock real (1)")
+    add("--factor", type=_positive, metavar="X", help="run at X × real time, with --clock real (1)")
     add(
         "--step",
         type=_seconds,
         metavar="S",
-        help="machine seconds that a line takes at least (0.001), or by which time goes on for a Modbus request "
-        "(0.01), with --clock lockstep",
+        help=(
+            "with --clock lockstep, the least machine time of a line (0.001 s), or the machine time of a "
+            "Modbus request (0.01 s)"
+        ),
     )
 
 
@@ -120,29 +131,27 @@ def _check(args: argparse.Namespace) -> None:
     """End the command if options conflict."""
     error = args.parser.error
     if not args.tcp and not args.pty and args.modbus is None:
-        error("no host could connect: give --tcp HOST:PORT, --pty or --modbus HOST:PORT")
+        error("no address for hosts: give --tcp HOST:PORT, --pty or --modbus HOST:PORT")
     if args.factor is not None and args.clock != "real":
-        error("--factor is about the wall clock: it goes with --clock real")
+        error("--factor needs --clock real")
     if args.step is not None and args.clock != "lockstep":
-        error("--step is about lock step: it goes with --clock lockstep")
+        error("--step needs --clock lockstep")
     if args.modbus is not None:
         _check_modbus(args)
     elif _speaks_mint(args):
-        error("a board that is served understands MCCL; a Mint program is served with --modbus HOST:PORT")
+        error("the board accepts only MCCL; serve a Mint program with --modbus HOST:PORT")
 
 
 def _check_modbus(args: argparse.Namespace) -> None:
     error = args.parser.error
     if args.tcp or args.pty:
-        error("--modbus serves a Mint program, --tcp and --pty an MCCL board: one of them at a time")
+        error("--modbus serves a Mint program, --tcp and --pty an MCCL board; use one or the other")
     if args.echo is not None or args.log:
-        error("--echo and --log are about hosts that send lines; Modbus has none")
+        error("--echo and --log have no effect with --modbus")
     if args.file is None:
-        error("--modbus needs the Mint program that it serves: motionlang serve FILE --modbus HOST:PORT")
+        error("--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT")
     if not _speaks_mint(args):
-        error(
-            "--modbus serves the memory of a Mint program; for a file without a Mint suffix say --dialect mint"
-        )
+        error("--modbus serves a Mint program; for a file with another extension add --dialect mint")
 
 
 def _speaks_mint(args: argparse.Namespace) -> bool:

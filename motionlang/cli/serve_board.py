@@ -73,25 +73,26 @@ def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
     board = console.board
     time = "in lock step" if args.clock == "lockstep" else "in real time"
     if args.factor:
-        time += f", {args.factor:g} machine seconds a second"
+        time += f", {args.factor:g} × real time"
     _say(f"{board.model.title}, {len(board.numbers)} axes, {time}; Ctrl-C ends it\n")
     for host, port in args.tcp:
         try:
             found, port = server.listen(host, port, echo=bool(args.echo))
         except (OSError, UnicodeError) as error:
-            return _cannot(f"nobody can connect at {shown(host, port)}", error)
+            return _cannot(f"cannot listen on {shown(host, port)}", error)
         if not is_loopback(found):
             _complain(
-                f"warning: whoever reaches this computer can connect to {shown(found, port)}; there is no password"
+                f"warning: any computer that can reach this one can connect to {shown(found, port)}; there is "
+                "no password"
             )
         _say(f"listening on {shown(found, port)}\n")
     if args.pty:
         try:
             _say(f"serial device {server.device(echo=args.echo)}\n")
         except ImportError as error:
-            return _cannot("there are no pseudo-terminals on this system, use --tcp", error)
+            return _cannot("this system has no pseudo-terminals; use --tcp", error)
         except OSError as error:
-            return _cannot("a serial device cannot be made", error)
+            return _cannot("cannot create a serial device", error)
     return True
 
 

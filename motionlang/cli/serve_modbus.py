@@ -43,7 +43,7 @@ def serve_modbus(
         server.start()
     except (OSError, UnicodeError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")
+        return _refuse(f"cannot listen on {shown(host, port)}: {reason}", "choose another port")
     _greet(server, source, str(settings.get("controller.model", "")))
     before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # a normal end, like Ctrl-C
     try:
@@ -76,7 +76,9 @@ def _greet(server: ModbusServer, source: Source, model: str) -> None:
         mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
         _say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")
     if not is_loopback(server.host):
-        _say(f"warning: whoever reaches this computer can write through {where}; there is no password\n")
+        _say(
+            f"warning: any computer that can reach this one can write through {where}; there is no password\n"
+        )
 
 
 def _farewell(result: Run, server: ModbusServer, file: str, queues: list[OutputQueue]) -> int:

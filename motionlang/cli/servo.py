@@ -46,8 +46,13 @@ def add_parser(family: Commands, summary: str) -> None:
     for name, (what, handler, options) in _COMMANDS.items():
         parser = commands.add_parser(name, help=what, description=what)
         options(parser)
-        parser.add_argument("--report", choices=["table", "json", "none"], default="table")
-        parser.add_argument("--plot", metavar="OUT", help="draw it into a .png or .svg file")
+        parser.add_argument(
+            "--report",
+            choices=["table", "json", "none"],
+            default="table",
+            help="the report: table (the default), one JSON document, or none",
+        )
+        parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
         parser.set_defaults(command=_guarded(name, handler))
 
 
@@ -275,21 +280,25 @@ def run(args: argparse.Namespace) -> int:
 
 _COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], None]]] = {
     "slip": (
-        "how fast a load held by friction may be accelerated, and whether a move keeps to it",
+        "find the highest acceleration for a load held by friction, and check a move against it",
         slip,
         slip_options,
     ),
-    "dac": ("what one DAC step asks of a motor, and the override that holds it back", dac, dac_options),
+    "dac": (
+        "show the acceleration that one DAC step demands, and the override that limits it",
+        dac,
+        dac_options,
+    ),
     "compare": (
-        "the four profiles of TN1069 under servo, at equal acceleration and equal time",
+        "compare the four profiles of TN1069 under servo, at equal acceleration and equal time",
         compare,
         compare_options,
     ),
-    "step": ("the answer of a simulated axis to a step", step, step_options),
-    "tune": ("first gains for a motor and a bandwidth, as Mint and as MCCL have them", tune, tune_options),
-    "run": ("a program's motion through a servo and a motor", run, run_options),
-    "listing": ("the C program that closes chapter 12, run", listing, listing_options),
-    "figure": ("the figures of chapter 12, in numbers and drawn", figure, figure_options),
+    "step": ("show the step response of a simulated axis", step, step_options),
+    "tune": ("suggest gains for a motor and a bandwidth, for Mint and MCCL", tune, tune_options),
+    "run": ("run a program with a simulated servo loop and motor", run, run_options),
+    "listing": ("run the C program at the end of chapter 12", listing, listing_options),
+    "figure": ("show the figures of chapter 12, as numbers or drawn", figure, figure_options),
 }
 
 
@@ -304,10 +313,10 @@ def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
 
     if args.distance is None:
         if args.accel is not None or args.profile is not None:
-            raise ValueError("to check a move give its --distance and its --accel")
+            raise ValueError("to check a move, give --distance and --accel")
         return []
     if args.accel is None:
-        raise ValueError("to check a move give its --accel as well")
+        raise ValueError("to check a move, give --accel as well")
     speed = args.move_speed or args.speed / SECONDS[args.per]
     found = []
     for shape in (args.profile,) if args.profile else SHAPES:

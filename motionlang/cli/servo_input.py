@@ -38,7 +38,7 @@ def add_plant(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help=f"one thing about the motor: {', '.join(PLANT)}; may be repeated",
+        help=f"a property of the motor: {', '.join(PLANT)}; may be repeated",
     )
 
 
@@ -50,24 +50,24 @@ def add_loop(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help=f"one thing about the loop: {', '.join(SERVO)}; may be repeated",
+        help=f"a property of the servo loop: {', '.join(SERVO)}; may be repeated",
     )
     add(
         "--mint",
         action="append",
         default=[],
         metavar="WORD=VALUE",
-        help=f"a gain as Mint has it: {', '.join(gains_of('mint'))}",
+        help=f"a gain in Mint's units: {', '.join(gains_of('mint'))}",
     )
     add(
         "--mccl",
         action="append",
         default=[],
         metavar="WORD=VALUE",
-        help=f"a gain as MCCL has it: {', '.join(gains_of('mccl'))}",
+        help=f"a gain in MCCL's units: {', '.join(gains_of('mccl'))}",
     )
-    add("--model", choices=MODELS, default="multiflex", help="whose MCCL gains (multiflex)")
-    add("--bandwidth", type=float, metavar="HZ", help="no gains given: tune for this bandwidth (50)")
+    add("--model", choices=MODELS, default="multiflex", help="the board of the MCCL gains (multiflex)")
+    add("--bandwidth", type=float, metavar="HZ", help="bandwidth to tune for if no gains are given, Hz (50)")
 
 
 def gains_of(language: str) -> dict[str, str]:
@@ -91,7 +91,7 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
     from dataclasses import replace
 
     if args.mint and args.mccl:
-        raise ValueError("gains are Mint's or MCCL's, not both")
+        raise ValueError("give gains of either Mint or MCCL, not both")
     section = _section(args, "servo") | pairs(args.loop, SERVO)
     if args.mint:
         return make_loop(section, mint_loop(written(gains_of("mint"), numbers(args.mint))))

@@ -22,10 +22,14 @@ def slip_options(parser: argparse.ArgumentParser) -> None:
     _add_friction(parser)
     add("--weight", type=_positive, default=dissect.WEIGHT_LB, metavar="W", help="weight of the load (5 lb)")
     add("--distance", type=_positive, metavar="D", help="check a move of this distance")
-    add("--move-speed", type=_positive, metavar="V", help="its speed, units a second (the --speed)")
-    add("--accel", type=_positive, metavar="A", help="its acceleration, units/s²")
-    add("--profile", choices=["trapezoid", "sinusoidal", "scurve", "parabolic"], help="its shape (all four)")
-    add("--ramp", type=_positive, default=0.1, metavar="N", help="the ramp of the S-curve (0.1)")
+    add("--move-speed", type=_positive, metavar="V", help="speed of the move, units/s (--speed)")
+    add("--accel", type=_positive, metavar="A", help="acceleration of the move, units/s²")
+    add(
+        "--profile",
+        choices=["trapezoid", "sinusoidal", "scurve", "parabolic"],
+        help="profile of the move (all four)",
+    )
+    add("--ramp", type=_positive, default=0.1, metavar="N", help="ramp fraction of the S-curve (0.1)")
 
 
 def dac_options(parser: argparse.ArgumentParser) -> None:
@@ -39,7 +43,13 @@ def dac_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="bits of the DAC; may be repeated (12 and 16)",
     )
-    add("--fraction", type=_positive, default=0.25, metavar="X", help="demanded share of the limit (0.25)")
+    add(
+        "--fraction",
+        type=_positive,
+        default=0.25,
+        metavar="X",
+        help="demanded acceleration as a fraction of the limit (0.25)",
+    )
     add("--gain", type=_count, default=60, metavar="KP", help="proportional gain of the loop (60)")
 
 
@@ -52,9 +62,15 @@ def _add_friction(parser: argparse.ArgumentParser) -> None:
         metavar="MU",
         help="coefficient of friction (0.1)",
     )
-    add("--gravity", type=_positive, default=dissect.GRAVITY_FT, metavar="G", help="32.2, for ft; 9.81 for m")
-    add("--speed", type=_positive, default=dissect.SPEED_FT_MIN, metavar="V", help="speed to reach (100)")
-    add("--per", choices=list(SECONDS), default="minute", help="what the speed is per (minute)")
+    add(
+        "--gravity",
+        type=_positive,
+        default=dissect.GRAVITY_FT,
+        metavar="G",
+        help="acceleration of gravity: 32.2 for ft, 9.81 for m",
+    )
+    add("--speed", type=_positive, default=dissect.SPEED_FT_MIN, metavar="V", help="target speed (100)")
+    add("--per", choices=list(SECONDS), default="minute", help="time unit of the speed (minute)")
     add("--unit", default="ft", help="the name of the length unit (ft)")
 
 
@@ -66,16 +82,26 @@ def compare_options(parser: argparse.ArgumentParser) -> None:
     add("--distance", type=_positive, default=40_000.0, metavar="D", help="counts (40000, as in TN1069)")
     add("--speed", type=_positive, default=40_000.0, metavar="V", help="counts/s (40000)")
     add("--accel", type=_positive, default=100_000.0, metavar="A", help="counts/s² (100000)")
-    add("--equal", choices=["acceleration", "time"], help="only this comparison")
-    add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
-    add("--ramp", type=_positive, default=0.1, metavar="N", help="the ramp of the trapezoidal S-curve (0.1)")
+    add(
+        "--equal",
+        choices=["acceleration", "time"],
+        help="show only the comparison at equal acceleration or at equal time",
+    )
+    add("--window", type=_positive, default=1.0, metavar="C", help="settling window, counts (1)")
+    add(
+        "--ramp",
+        type=_positive,
+        default=0.1,
+        metavar="N",
+        help="ramp fraction of the trapezoidal S-curve (0.1)",
+    )
 
 
 def step_options(parser: argparse.ArgumentParser) -> None:
     add_plant(parser)
     add_loop(parser)
     parser.add_argument("--size", type=_positive, default=100.0, metavar="C", help="counts (100)")
-    parser.add_argument("--time", type=_positive, default=0.5, metavar="S", help="seconds to watch (0.5)")
+    parser.add_argument("--time", type=_positive, default=0.5, metavar="S", help="time to simulate, s (0.5)")
 
 
 def tune_options(parser: argparse.ArgumentParser) -> None:
@@ -83,9 +109,9 @@ def tune_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add_plant(parser)
     add("--loop", action="append", default=[], metavar="NAME=VALUE", help="rates and limits of the loop")
-    add("--bandwidth", type=_positive, default=50.0, metavar="HZ", help="wanted closed-loop bandwidth (50)")
-    add("--no-integral", action="store_true", help="leave the integral out")
-    add("--size", type=_positive, default=100.0, metavar="C", help="counts of the step shown (100)")
+    add("--bandwidth", type=_positive, default=50.0, metavar="HZ", help="closed-loop bandwidth, Hz (50)")
+    add("--no-integral", action="store_true", help="omit the integral term")
+    add("--size", type=_positive, default=100.0, metavar="C", help="size of the step shown, counts (100)")
     add(
         "--scale",
         type=_positive,
@@ -105,9 +131,9 @@ def listing_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--distance", type=_count, default=20_000, metavar="D", help="counts (20000)")
     add("--speed", type=_count, default=50, metavar="V", help="MxVel, counts per update (50)")
-    add("--accel", type=_count, default=1, metavar="A", help="what the velocity changes by (1)")
-    add("--hold", type=_count, default=4, metavar="N", help="RegCnt: updates a DAC value is held (4)")
-    add("--steps", type=_whole, default=32, metavar="N", help="MxDAC_Stps; 0: no override (32)")
+    add("--accel", type=_count, default=1, metavar="A", help="change of velocity per update (1)")
+    add("--hold", type=_count, default=4, metavar="N", help="RegCnt: updates per DAC value (4)")
+    add("--steps", type=_whole, default=32, metavar="N", help="MxDAC_Stps: override limit, 0 for none (32)")
     add("--kp", type=_whole, default=40, metavar="K", help="proportional gain (40)")
     add("--ki", type=_whole, default=0, metavar="K", help="integral gain (0)")
     add("--kd", type=_whole, default=80, metavar="K", help="differential gain (80)")
@@ -119,24 +145,36 @@ def listing_options(parser: argparse.ArgumentParser) -> None:
         metavar="V",
         help="counts per update at full scale (100)",
     )
-    add("--time-constant", type=_positive, default=2.0, metavar="T", help="of the drive, in updates (2)")
-    add("--updates", type=_count, default=1000, metavar="N", help="updates to run (1000)")
+    add(
+        "--time-constant",
+        type=_positive,
+        default=2.0,
+        metavar="T",
+        help="time constant of the drive, in updates (2)",
+    )
+    add("--updates", type=_count, default=1000, metavar="N", help="number of updates (1000)")
 
 
 def run_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of `servo run`: a program, its time limit, motor and loop."""
     add = parser.add_argument
     add("file", metavar="FILE", help="the program")
-    add("--dialect", choices=["mint", "mccl"], help="the language, where the suffix does not say it")
-    add("--until", type=_positive, default=600.0, metavar="S", help="end after this machine time (600)")
+    add("--dialect", choices=["mint", "mccl"], help="the language; default: by file extension")
+    add(
+        "--until",
+        type=_positive,
+        default=600.0,
+        metavar="S",
+        help="end the run after S seconds of machine time (600)",
+    )
     add(
         "--settle-time",
         type=_positive,
         default=0.5,
         metavar="S",
-        help="seconds to watch after the program (0.5)",
+        help="time to simulate after the program ends, s (0.5)",
     )
-    add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
+    add("--window", type=_positive, default=1.0, metavar="C", help="settling window, counts (1)")
     add_plant(parser)
     add_loop(parser)
 
@@ -151,7 +189,7 @@ def _positive(text: str) -> float:
 def _count(text: str) -> int:
     value = _number(text, int)
     if not 1 <= value <= 10**9:
-        raise _refused(text, "a whole number from 1 on")
+        raise _refused(text, "a whole number, 1 or more")
     return int(value)
 
 

@@ -43,7 +43,7 @@ class Whole(FileIO):
         while left:
             written = super().write(left)
             if written is None:
-                raise BlockingIOError("the output takes no more")
+                raise BlockingIOError("the output is closed")
             left = left[written:]
         return size
 

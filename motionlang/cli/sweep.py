@@ -62,9 +62,9 @@ def sweep_command(arguments: argparse.Namespace) -> int:
     try:
         done = _earlier(arguments, sweep)
     except OtherSweep:
-        why = "what is varied or kept, or the program, was changed"
+        why = "the program or the sweep has changed"
         what = f"{arguments.out}{PART} has the rows of another sweep: {why}"
-        complain([Diagnostic("file", what, hint="run without --resume to begin anew")], None, arguments.file)
+        complain([Diagnostic("file", what, hint="run without --resume to start again")], None, arguments.file)
         return 2
     return _run(arguments, sweep, report, done)
 
@@ -82,7 +82,7 @@ def _wrong_files(arguments: argparse.Namespace) -> str | None:
         if problem is not None:
             return problem
     if arguments.resume and arguments.out is None:
-        return "--resume goes on with what is beside --out, which is missing"
+        return "--resume needs --out, next to which the unfinished rows are stored"
     return None
 
 
@@ -116,7 +116,7 @@ def _description(arguments: argparse.Namespace) -> Description:
         if getattr(wishes, name):
             need(f"--{name}", "numpy")
     if wishes.minimise is not None and wishes.maximise is not None:
-        raise ValueError("one thing is best: give --minimise or --maximise")
+        raise ValueError("give either --minimise or --maximise, not both")
     return wishes
 
 
@@ -166,7 +166,7 @@ def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
         return {}
     part = arguments.out + PART
     if not os.path.exists(part):
-        sys.stderr.write(f"{part} is not there: nothing to go on with, all {len(sweep)} variants are run\n")
+        sys.stderr.write(f"{part} does not exist: nothing to resume, so all {len(sweep)} variants run\n")
         return {}
     return {row[0]: row for row in read(part, _digest(sweep)) if 0 <= row[0] < len(sweep)}
 
@@ -209,7 +209,7 @@ def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict
         if journal is not None:
             status = max(status, _finish(arguments, sweep, report, rows, journal))
     if ended:
-        on = "; --resume goes on" if journal is not None else ""
+        on = "; --resume continues" if journal is not None else ""
         sys.stderr.write(f"ended after {len(rows)} of {len(sweep)} variants{on}\n")
         return SIGNALS.status
     return status

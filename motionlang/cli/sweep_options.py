@@ -13,13 +13,13 @@ REPORTS = ("table", "csv", "none")
 # Rows of the table without --rows.
 MOST_ROWS = 20
 EPILOG = f"""\
-Every variant is a whole run. What can be kept of one:
+Each variant is a complete run. Quantities for --keep:
 {chr(10).join(f"  {row.name:<13} {row.help}{f', {row.unit}' if row.unit else ''}" for row in ROWS)}
 
-Expressions have these names and those that are varied, numbers, + - * / % **, comparisons, and, or, not, abs, min, max.
-Ctrl-C keeps the rows that are there; --resume goes on.
+Expressions may use these names, the varied names, numbers, + - * / % **, comparisons, and, or, not, abs, min, max.
+Ctrl-C keeps the finished rows; --resume continues.
 
-exit status: 0 every variant ran well; 1 some did not; 2 the command line is wrong; 130 Ctrl-C
+exit status: 0 all variants succeeded; 1 some failed; 2 the command line is invalid; 130 Ctrl-C
 
 examples:
   motionlang sweep pick.mnt --vary rate=500:5000:10 --vary gain=1,2,4 --keep time,peak.0
@@ -33,7 +33,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of `sweep`."""
     add = parser.add_argument
     add(
-        "file", metavar="FILE", help="the program; pick.sweep.toml beside pick.mnt says what is not said here"
+        "file",
+        metavar="FILE",
+        help="the program; pick.sweep.toml next to pick.mnt has defaults for the options",
     )
     add_machine(parser)
     add_world(parser)
@@ -42,71 +44,76 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUES",
-        help="a name of the program, or by a dotted name a key of the machine file: FIRST:LAST:COUNT or A,B,C; "
-        "may be repeated: every combination is a variant",
+        help=(
+            "vary a name of the program, or a key of the machine file by its dotted name: "
+            "FIRST:LAST:COUNT or A,B,C; may be repeated, and each combination is a variant"
+        ),
     )
-    add(
-        "--machines", metavar="DIR", help="run on every machine file of a folder instead of the program's own"
-    )
+    add("--machines", metavar="DIR", help="run on every machine file of a folder instead of the program's")
     add(
         "--scenarios",
         metavar="DIR",
-        help="run in every scenario of a folder, each on top of the machine file",
+        help="run in every scenario of a folder, each overlaid on the machine file",
     )
-    add("--random", type=_count, metavar="N", help="draw N variants at random instead of running them all")
+    add("--random", type=_count, metavar="N", help="run a random sample of N variants")
     add(
         "--latin",
         type=_count,
         metavar="N",
-        help="draw N variants as a Latin hypercube, which covers more with fewer",
+        help="run a Latin hypercube sample of N variants",
     )
     add(
         "--seed",
         type=int,
         metavar="S",
-        help="the beginning of what is drawn (0): the same for the same variants",
+        help="the seed of the sample (0)",
     )
-    add("--keep", metavar="NAMES", help="what is kept of each run, by commas (time); the list is below")
+    add(
+        "--keep", metavar="NAMES", help="quantities to record, separated by commas (time); see the list below"
+    )
     add("--until", type=machine_time, metavar="S", help="end every run after S seconds of machine time")
     add(
         "--prove",
         action="store_true",
-        help="hold the motion of every variant against what the program ordered",
+        help="verify the motion of every variant against the commanded limits",
     )
     add(
         "--certify",
         action="store_true",
-        help="a variant that passes a limit of the machine file is a bad one",
+        help="a variant fails if it exceeds a limit of the machine file",
     )
-    add("--minimise", metavar="EXPR", help="tell the variant for which this is smallest")
-    add("--maximise", metavar="EXPR", help="tell the variant for which this is largest")
-    add("--where", metavar="EXPR", help="of those only for which this is true")
-    add("--pareto", metavar="A,B", help="tell the variants than which no other is better in all of these")
+    add("--minimise", metavar="EXPR", help="find the variant with the smallest value")
+    add("--maximise", metavar="EXPR", help="find the variant with the largest value")
+    add("--where", metavar="EXPR", help="consider only variants for which this is true")
+    add("--pareto", metavar="A,B", help="find the Pareto front of these quantities")
     add("--out", metavar="ROWS", help="write every row into a file: .csv or .parquet")
-    add("--resume", action="store_true", help="go on with what a sweep that was ended has left beside --out")
+    add("--resume", action="store_true", help="continue an interrupted sweep")
     add(
         "--plot",
         metavar="PICTURE",
-        help="draw the rows: a line over one name, a heat map over two, or the front (.png, .svg)",
+        help=(
+            "draw the rows into a .png or .svg file: a line for one varied name, a heat map for two, or "
+            "the Pareto front"
+        ),
     )
     add(
         "--report",
         choices=REPORTS,
         default="table",
-        help="what is printed: a table (the default), all rows as CSV, nothing",
+        help="the printed report: table (the default), csv for all rows, or none",
     )
     add(
         "--rows",
         type=_rows,
         default=MOST_ROWS,
         metavar="N",
-        help=f"rows of the table ({MOST_ROWS}); 0 is all",
+        help=f"rows of the table ({MOST_ROWS}); 0 for all",
     )
     add(
         "--jobs",
         type=_count,
         metavar="N",
-        help="processes that run at a time; without it as many as there are processors",
+        help="worker processes; default: one per core",
     )
 
 

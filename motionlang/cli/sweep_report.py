@@ -117,7 +117,7 @@ class Report:
 
         colour = wants_colour(sys.stdout)
         shown = front if self._costs else self._where(sweep, rows, good)
-        what = f"{len(front)} of {len(good)} variants are on the front" if self._costs else ""
+        what = f"{len(front)} of {len(good)} variants on the Pareto front" if self._costs else ""
         if not self._costs and len(shown) < len(good):
             what = f"{len(shown)} of {len(good)} variants with {self._expressions['where'].text}"
         most = arguments.rows or len(shown)
@@ -139,7 +139,7 @@ class Report:
         if cells:
             lines += sweep_table(names, units, cells, width=width, colour=colour, best=marked)
         if len(shown) > most:
-            lines.append(f"and {len(shown) - most} more; --rows 0 shows them, --out FILE keeps them")
+            lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --out FILE writes all")
         if wanted is not None:
             lines += ["", self._told_best(sweep, rows, best, wanted)]
         text = "\n".join(lines) + "\n"
@@ -168,7 +168,7 @@ class Report:
             message = f"{problem['code']}: {problem['message']}{place}"
             # Errors that differ only in figures are grouped.
             alike.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
-        sys.stderr.write(f"{len(bad)} of {count} variants are bad\n")
+        sys.stderr.write(f"{len(bad)} of {count} variants failed\n")
         for message, indices in alike.values():
             named = [
                 ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
@@ -220,7 +220,7 @@ class Report:
         figures = [name for name in self.keep if any(_is_number(values[name]) for _, values in table)]
         varied = [name for name in self.names if len({v[name] for _, v in table if _is_number(v[name])}) > 1]
         if not figures or not varied:
-            return "nothing that is kept, or nothing that is varied, is a number"
+            return "no recorded quantity or no varied name is a number"
         others = [name for name in self.names if name != varied[0]]
         kinds = {tuple(str(values[name]) for name in others) for _, values in table}
         if len(varied) == 1 or len(kinds) <= MOST_LINES:

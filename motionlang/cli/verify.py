@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 
 SCHEMA = "motionlang.verify/1"
 NOBODY = """\
---review asks of each change, and nobody answers: standard input is at its end. Run it in a terminal, pipe the answers,
-a line each, or accept everything with --update. The golden files of this program are as they were.
+--review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
+accept all changes with --update. The golden files of this program are unchanged.
 """
 
 
@@ -45,22 +45,20 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="PATH",
         nargs="*",
         default=["scripts"],
-        help="programs, or folders with programs (scripts); pick.mnt has its report in pick.golden.json beside it, "
-        "and what it prints in pick.golden.txt",
+        help=(
+            "programs, or folders of programs (scripts); the golden files of pick.mnt are "
+            "pick.golden.json, with its report, and pick.golden.txt, with its output"
+        ),
     )
-    parser.add_argument("--update", action="store_true", help="write the golden files anew")
-    parser.add_argument(
-        "--review", action="store_true", help="ask of each change of each program whether it is accepted"
-    )
+    parser.add_argument("--update", action="store_true", help="rewrite the golden files that differ")
+    parser.add_argument("--review", action="store_true", help="ask whether to accept each change")
     add_form(parser)
     add_jobs(parser)
 
 
 def _verify_all(arguments: argparse.Namespace) -> int:
     if arguments.review and (arguments.update or arguments.format != "text"):
-        arguments.parser.error(
-            "--review asks, and goes with neither --update, which accepts everything, nor --format"
-        )
+        arguments.parser.error("--review cannot be combined with --update or --format")
     return verify_command(
         arguments.paths, arguments.update, arguments.format, arguments.jobs, arguments.review
     )
@@ -96,7 +94,7 @@ def verify_command(
                     return 2
     if form == "text":
         good = f"{_count(verdicts, 'program')}{_besides(verdicts)}"
-        sys.stdout.write(f"{good} {'have their golden files' if rewrite else 'as their golden files say'}\n")
+        sys.stdout.write(f"{good} {'have current golden files' if rewrite else 'match their golden files'}\n")
     elif form == "json":
         sys.stdout.write(
             json.dumps({"schema": SCHEMA, "programs": list(map(_row, verdicts))}, indent=1) + "\n"
@@ -123,7 +121,7 @@ def _review(program: str, verdict: Verdict) -> None:
             as_golden = review(verdict.name, result)
             verdict.failed = not as_golden or bool(unmet(result, scenario.expected))
     except (OSError, ValueError, ProgramError) as error:
-        sys.stderr.write(f"{verdict.name}: nothing is written: {error}\n")
+        sys.stderr.write(f"{verdict.name}: nothing written: {error}\n")
 
 
 def _review_rows(program: str, verdict: Verdict) -> None:
@@ -164,7 +162,7 @@ def _judged(rewrite: bool, program: str) -> list[Verdict]:
 def _verify(verdict: Verdict) -> None:
     report, _ = golden_files(verdict.name)
     if not os.path.exists(report):
-        verdict.fail(f"no {os.path.basename(report)} beside it; --update writes one")
+        verdict.fail(f"no {os.path.basename(report)} next to it; --update writes one")
         return
     result = _ran(verdict)
     if result is None:

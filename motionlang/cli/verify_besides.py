@@ -74,7 +74,9 @@ def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
     elif golden:
         found += differences(path, result)
     elif not scenario.expected:
-        found.append("it expects nothing, and has no golden file: write [[expect]], or --update")
+        found.append(
+            "it has neither [[expect]] entries nor a golden file; add [[expect]] or run with --update"
+        )
     verdict.tell(found)
 
 
@@ -102,7 +104,7 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         _write(verdict, golden, names, rows)
         return
     if not os.path.exists(golden):
-        verdict.tell([f"no {os.path.basename(golden)} beside it; --update writes one"])
+        verdict.tell([f"no {os.path.basename(golden)} next to it; --update writes one"])
         return
     with open(golden, encoding="utf-8", newline="") as file:
         expected = list(csv.reader(file))

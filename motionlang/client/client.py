@@ -232,7 +232,7 @@ class Client:
                 said = self._wire.receive(min(QUIET, seconds) if lines[-1] else end - self._wire.now())
             except ConnectionLost:
                 if code_of(data.decode("latin-1").strip()) is not None:
-                    raise ConnectionLost("the server has no room for a further host") from None
+                    raise ConnectionLost("the server accepts no more hosts") from None
                 raise
             data += said
             self.version, whole = version_in(data)

@@ -81,7 +81,7 @@ class Core(Readings):
             raise Refusal(
                 "zero-speed",
                 f"axis {a.index} cannot move: its speed is {speed:g}",
-                "a move needs a speed above zero, else it would start and never end",
+                "set a speed above zero; the move would never end",
             )
         accel, decel = self.rates(a, speed)
         if move.rates is not None:

@@ -104,7 +104,7 @@ class Master:
         except canopen.SdoCommunicationError:
             raise StreamError(f"node {self.node_id} does not answer") from None
         except canopen.SdoAbortedError as refusal:
-            raise StreamError(f"the drive refused a message: {refusal}") from None
+            raise StreamError(f"the drive rejected a message: {refusal}") from None
         except can.CanError as problem:
             raise StreamError(f"the bus failed: {problem}") from None
 
@@ -300,7 +300,7 @@ class Master:
         try:
             self._variable(index, sub).raw = value
         except canopen.SdoAbortedError as refusal:
-            raise StreamError(f"the drive refused object {index:#06x}:{sub}: {refusal}") from None
+            raise StreamError(f"the drive rejected object {index:#06x}:{sub}: {refusal}") from None
 
     def _read(self, index: int, sub: int = 0) -> int:
         return int(self._variable(index, sub).raw)

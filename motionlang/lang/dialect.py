@@ -63,7 +63,7 @@ def unknown_model(name: str) -> tuple[str, str] | None:
     models = [model for each in languages for model in each.models()]
     near = nearest(name, models)
     hint = f"did you mean {near}?" if near else f"there are {', '.join(models)}"
-    return f"{shown(name)} is no controller that is known here", hint
+    return f"{shown(name)} is not a known controller", hint
 
 
 class Dialect:

@@ -35,9 +35,9 @@ def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic])
         if other is language:
             continue
         if len(_wrong_lines(other.check(begin))) * _TIMES <= min(len(wrong), _ASKED):
-            lost = f"{len(wrong)} of its first {lines} lines make no sense in {language.title}"
+            lost = f"{len(wrong)} of its first {lines} lines are not {language.title}"
             message = f"this is {other.title}, not {language.title}: {lost}"
-            hint = f"--dialect {other.name} takes it, and so does a name that ends with {other.suffixes[0]}"
+            hint = f"add --dialect {other.name}, or rename the file to {other.suffixes[0]}"
             return [Diagnostic("language", message, hint=hint)]
     return list(found)
 

@@ -18,26 +18,26 @@ WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))
 # The effects of a statement on the axes it names. A keyword has at most one of the first group, its role in a
 # program that is followed step by step; the others add details.
 ROLES = {
-    "move": "puts a move into the buffer of its axis, of which it is known where it ends",
-    "entry": "puts something else into the buffer: a dwell, an output",
-    "course": "puts a motion into the buffer, of which nobody knows where it ends",
-    "path": "puts a move of several axes together into the buffers, which the GO of the first one starts",
-    "go": "starts what is in the buffer",
-    "stop": "ends what the axis does and empties its buffer",
+    "move": "loads a move with a known end into the buffer of its axis",
+    "entry": "loads another entry into the buffer: a dwell, an output",
+    "course": "loads a motion without a known end into the buffer",
+    "path": "loads a move of several axes into their buffers; GO of the first axis starts it",
+    "go": "starts the buffered moves",
+    "stop": "stops the axis and empties its buffer",
     "act": "moves the axis at once, without GO",
-    "scale": "changes what a user unit is",
-    "zero": "gives the present position another value",
+    "scale": "changes the user unit",
+    "zero": "sets the present position to another value",
 }
 TRAITS = {
-    "relative": "what it is given is a distance, not a position",
-    "line": "a path that ends where its values say",
-    "endless": "the motion ends when something stops it",
-    "abrupt": "the axis stands at once",
-    "all": "it means every axis, whatever it names",
-    "datum": "the axis has another zero afterwards",
-    "follows": "the axis moves with its master, whatever it does itself",
-    "hands-over": "from now on an input, a table or an analogue value moves the axis, too",
-    "switch": "what the axis was doing may have ended",
+    "relative": "its value is a distance, not a position",
+    "line": "a path that ends at the given positions",
+    "endless": "the motion continues until it is stopped",
+    "abrupt": "the axis stops at once",
+    "all": "it affects all axes",
+    "datum": "it moves the zero of the axis",
+    "follows": "the axis moves with its master in addition to its own motion",
+    "hands-over": "an input, a table or an analogue value also moves the axis from then on",
+    "switch": "the motion of the axis may have ended",
 }
 
 

@@ -103,8 +103,8 @@ def _is_ignored(diagnostic: Diagnostic, codes: set[str]) -> bool:
 
 def _unknown(code: str, line: int, column: int) -> Diagnostic:
     near = nearest(code, WARNINGS)
-    hint = f"did you mean {near}?" if near else "docs/lint.md has all of them"
-    message = f"there is no warning {code} that could be ignored"
+    hint = f"did you mean {near}?" if near else "docs/lint.md lists all warnings"
+    message = f"there is no warning {code}"
     if code in CODES:
-        message, hint = f"{code} is a mistake, which cannot be ignored", ""
+        message, hint = f"{code} is an error and cannot be ignored", ""
     return Diagnostic("silenced", message, line, column, length=len(code), hint=hint, severity="warning")

@@ -19,7 +19,7 @@ _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
         "the result is too large for a number",
         "check the values that go into this line",
     ),
-    MemoryError: ("limit", "the program needs more memory than there is", "make its arrays smaller"),
+    MemoryError: ("limit", "the program needs too much memory", "make its arrays smaller"),
 }
 
 

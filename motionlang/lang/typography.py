@@ -35,8 +35,8 @@ def typographic(text: str) -> tuple[str, str] | None:
     if not kind:
         return None
     if kind == "blank":
-        return "a blank that does not break a line stands here, not a plain one", "type a plain blank"
-    return f"{character} is a typographic {kind}, not the plain {plain}", f"type {plain}"
+        return "this is a non-breaking space, not a plain one", "type a plain space"
+    return f"{character} is a typographic {kind}, not a plain {plain}", f"type {plain}"
 
 
 def unclosed(text: str) -> tuple[str, str] | None:

@@ -304,8 +304,8 @@ def notes(controller: Controller) -> list[str]:
             continue
         if chosen.gains == "suggested":
             found.append(
-                f"axis {number}: neither the program nor the machine file sets gains for its motor; "
-                f"it ran with those suggested for {chosen.bandwidth:g} Hz"
+                f"axis {number}: its motor has no gains; it ran with those suggested for {chosen.bandwidth:g} "
+                "Hz"
             )
         elif not has_gains(chosen.loop):
             found.append(f"axis {number}: all gains of its motor are 0, so it does not follow its demand")

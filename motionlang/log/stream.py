@@ -103,7 +103,7 @@ class Store:
             self.held += size
             return part
         if self._written + size > self.disk:
-            words = f"the log of the run has come to {self.disk / 1e9:g} GB"
+            words = f"the log of the run has reached {self.disk / 1000000000.0:g} GB"
             raise Refusal("limit", words, "shorten the run with --until")
         try:
             self._append(part)
@@ -111,7 +111,7 @@ class Store:
             from motionlang.files import reason
 
             words = f"the log of the run cannot be written: {reason(problem)}"
-            raise Refusal("limit", words, "shorten the run with --until, or make room on the disk") from None
+            raise Refusal("limit", words, "shorten the run with --until, or free disk space") from None
         place = self._written, size
         self._written += size
         return place

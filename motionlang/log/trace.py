@@ -110,7 +110,7 @@ def quantity_of(column: str) -> tuple[str, str]:
     quantity = text.replace("-", " ")
     if quantity not in UNITS and quantity not in MOTOR:
         names = ", ".join(name.replace(" ", "-") for name in (*UNITS, *MOTOR))
-        raise ValueError(f"{text!r} is no quantity of an axis: {names} are")
+        raise ValueError(f"{text!r} is not a quantity of an axis; choose from {names}")
     return quantity, axis
 
 

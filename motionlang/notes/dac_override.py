@@ -60,7 +60,7 @@ def demonstrate(
     With 16 bits it allows, every update, as many steps as the motor's time constant does.
     """
     if not share < 1.0:
-        raise ValueError(f"the demanded share of the limit must be below 1, not {share:g}")
+        raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:g}")
     coarse = dac_timing(speed, limit, 12)
     fine_steps = max(1, int(coarse.electrical_time_constant / dac_timing(speed, limit, 16).step_time))
     held = max(1, ceil(coarse.hold_time / UPDATE - 1e-9))

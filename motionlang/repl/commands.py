@@ -65,10 +65,10 @@ def obey(session: Session, line: str) -> None:
     command = COMMANDS.get(word.lower())
     if command is None:
         near = nearest(word, COMMANDS)
-        hint = f"did you mean .{near}?" if near else ".help lists what the prompt understands"
+        hint = f"did you mean .{near}?" if near else ".help lists the commands"
         _wrong(session, "unknown-word", f"there is no command .{word}", hint)
     elif (argument and not command.argument) or (not argument and command.argument[:1].isalpha()):
-        _wrong(session, "values", f"{command.usage} is how it is written", command.help)
+        _wrong(session, "values", f"usage: {command.usage}", command.help)
     else:
         try:
             command.obey(session, argument)
@@ -101,7 +101,7 @@ def _help_on(session: Session, word: str) -> None:
         session.say(page([row], session.dialect.name, width=session.width, colour=session.colour))
     else:
         near = nearest(word, session.dialect.table().names())
-        _wrong(session, "unknown-word", f"{word} is no keyword", f"did you mean {near}?" if near else "")
+        _wrong(session, "unknown-word", f"{word} is not a keyword", f"did you mean {near}?" if near else "")
 
 
 def _axes(session: Session, _: str) -> None:
@@ -131,7 +131,7 @@ def _settle(session: Session, _: str) -> None:
 
 def _live(session: Session, argument: str) -> None:
     if session.live is None:
-        _wrong(session, "not-simulated", "only a prompt at a terminal can be live", ".run S lets time pass")
+        _wrong(session, "not-simulated", ".live needs a terminal", "use .run S to let time pass")
     elif argument.lower() in ("on", "off"):
         session.live = argument.lower() == "on"
     else:
@@ -218,7 +218,7 @@ def load_file(session: Session, path: str) -> None:
         _wrong(
             session,
             "file",
-            f"{path} is a {dialect_name(other.name)} program; this prompt speaks {here}",
+            f"{path} is a {dialect_name(other.name)} program; this prompt runs {here}",
         )
     else:
         session.load(source)
@@ -235,11 +235,11 @@ def _quit(session: Session, _: str) -> None:
 COMMANDS: dict[str, Command] = {
     command.name: command
     for command in (
-        Command("help", "[WORD]", "This list, or what a keyword does.", _help),
-        Command("axes", "", "Every axis in use: position, velocity, target, what it is doing.", _axes),
-        Command("time", "", "Machine time and positions, in one line.", _time),
+        Command("help", "[WORD]", "Show this list, or explain a keyword.", _help),
+        Command("axes", "", "Show every axis in use: position, velocity, target, state.", _axes),
+        Command("time", "", "Show machine time and positions in one line.", _time),
         Command("run", "S", "Let S seconds of machine time pass.", _run),
-        Command("settle", "", "Let the motion that is under way end.", _settle),
+        Command("settle", "", "Run until the motion ends.", _settle),
         Command(
             "input", "N=V@S", "A digital input: 2=1 now, 2=1@0.5 in 0.5 s, 2=1@0.5..0.9 a pulse.", _input
         ),
@@ -248,11 +248,16 @@ COMMANDS: dict[str, Command] = {
             "answer", "TEXT", "The line for the next INPUT; PROMPT=TEXT for one that asks PROMPT.", _answer
         ),
         Command("keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _keys),
-        Command("live", "on|off", "Let machine time follow the clock on the wall.", _live),
-        Command("report", "", "Every move so far: distance, duration, peak speed, phases.", _report),
-        Command("plot", "[FILE]", "The velocities so far as a chart, or all as a .png or .svg file.", _plot),
-        Command("load", "FILE", "Run a program; its names and the machine live on.", load_file),
-        Command("reset", "", "Power-up: machine time zero, no names, no moves.", _reset),
-        Command("quit", "", "Leave, as Ctrl-D does.", _quit),
+        Command("live", "on|off", "Let machine time follow real time.", _live),
+        Command("report", "", "List every move so far: distance, duration, peak speed, phases.", _report),
+        Command(
+            "plot",
+            "[FILE]",
+            "Chart the velocities so far, or draw everything into a .png or .svg file.",
+            _plot,
+        ),
+        Command("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
+        Command("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
+        Command("quit", "", "Leave, like Ctrl-D.", _quit),
     )
 }

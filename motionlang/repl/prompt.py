@@ -42,8 +42,9 @@ def converse(session: Session) -> int:
     ask = _asker(session, live)
     session.ask = _answer
     print(
-        f"motionlang {__version__}, {dialect_name(session.dialect.name)}, {len(session.machine.controller.axes)} axes. "
-        "Tab completes, .help helps, Ctrl-D leaves."
+        f"motionlang {__version__}, {dialect_name(session.dialect.name)}, "
+        f"{len(session.machine.controller.axes)} axes. Tab completes, .help lists commands, Ctrl-D "
+        "leaves."
     )
     while not session.over:
         try:

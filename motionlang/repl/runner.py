@@ -126,9 +126,9 @@ class Runner:
                 self._pass_on(source)
         except (Interrupted, KeyboardInterrupt) as error:
             at = self._scheduler.parent.at_error(error)
-            self._tell_at(source, at, "interrupted", "the command was ended from the keyboard")
+            self._tell_at(source, at, "interrupted", "the command was interrupted from the keyboard")
         except Stuck as stuck:
-            message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
+            message = f"the command waits {stuck.wait.why}, which can never happen"
             hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
             hint = what_ends(self.dialect, source, self.machine, stuck.task, stuck.wait, True) or hint
             self._tell_at(source, self._scheduler.parent.at, "never", message, hint)

@@ -24,7 +24,7 @@ from motionlang.views.terminal import WIDTH, harmless
 Show = Callable[[str], None]
 
 REMARK_ON_MOTION = (
-    "-- axis {} in motion, and time stands still: .run S goes on S seconds, .settle to the end\n"
+    "-- axis {} in motion, time is paused: .run S continues for S seconds, .settle until rest\n"
 )
 
 
@@ -175,7 +175,7 @@ class Session:
             self.failed = self.failed or diagnostic.severity == "error"
             origin = self._origin(diagnostic, source)
             if origin is not None and (meant := without_dot(origin.text.strip())):
-                diagnostic.hint = f"the prompt's own words begin with a dot: {meant}"
+                diagnostic.hint = f"commands of the prompt begin with a dot: {meant}"
             self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:

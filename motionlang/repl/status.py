@@ -32,7 +32,7 @@ def table(machine: Machine) -> str:
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
     lines = ["  ".join(text.rjust(width) for text, width in zip(row, widths, strict=False)) for row in rows]
     text = "".join(f"{line}  {row[4]}".rstrip() + "\n" for line, row in zip(lines, rows, strict=True))
-    return text if len(rows) > 1 else f"{len(machine.controller.axes)} axes, none has moved\n"
+    return text if len(rows) > 1 else f"{len(machine.controller.axes)} axes, none moved yet\n"
 
 
 def number_text(value: float, digits: int = 10) -> str:

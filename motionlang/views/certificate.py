@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from motionlang import __version__
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import styled
-from motionlang.views.words import figure
+from motionlang.views.words import counted, figure
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,12 +36,12 @@ def certificate_lines(
     within = sum(line.verdict == "within" for line in lines)
     out = [styled(f"limits of {run.source.name}", "bold", colour)]
     out += grid(COLUMNS, rows, width=width, colour=colour, styles=styles)
-    out += ["", f"{within} of {len(lines)} limits are kept"]
+    out += ["", f"{within} of {len(lines)} limits met"]
     if proof is not None:
         broken = len(proof.violations)
-        looked = ", ".join(f"{count} {name}" for name, count in proof.counts.items() if count)
-        out.append(f"the motion is as the program ordered it: {looked or 'nothing moved'}" if not broken
-                   else f"the motion is not as the program ordered it: {broken} violations")  # fmt: skip
+        checked = ", ".join(counted(count, name[:-1]) for name, count in proof.counts.items() if count)
+        out.append(f"motion verified: {checked or 'nothing moved'}" if not broken
+                   else f"the motion differs from the commands: {counted(broken, 'violation')}")  # fmt: skip
     out.append(
         f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
     )

@@ -64,7 +64,7 @@ def render_comparison(
     if made.moves:
         parts.append(_moves(made.moves, width, colour, everything))
     if made.is_within is not None:
-        verdict = "every residual keeps its tolerance" if made.is_within else _verdict(made)
+        verdict = "every residual is within its tolerance" if made.is_within else _verdict(made)
         parts.append([styled(verdict, "note" if made.is_within else "error", colour)])
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
@@ -72,10 +72,10 @@ def render_comparison(
 def _verdict(made: Comparison) -> str:
     beyond = [row for row in made.moves if row["within"] is False]
     if not beyond:
-        return "a residual is beyond its tolerance while nothing moved"
+        return "a residual exceeds its tolerance while nothing moved"
     if len(made.moves) == 1:
-        return "the move is beyond its tolerance"
-    return f"{len(beyond)} of {len(made.moves)} moves are beyond their tolerance"
+        return "the move exceeds its tolerance"
+    return f"{len(beyond)} of {len(made.moves)} moves exceed their tolerance"
 
 
 def _signal(row: Row, rows: Sequence[Row]) -> list[str]:
@@ -97,7 +97,7 @@ def _peaks(row: Row, rows: Sequence[Row]) -> list[str]:
     places = decimals_of(
         [each[name] for each in rows for name in ("peak", "rms") if each["peak"] is not None]
     )
-    verdict = {None: "", True: "within", False: "beyond"}[row["within"]]
+    verdict = {None: "", True: "within", False: "exceeded"}[row["within"]]
     return [figure(row["peak"], places), figure(row["peak_time"], 6), figure(row["rms"], places), verdict]
 
 
@@ -121,9 +121,7 @@ def _moves(rows: Sequence[Row], width: int, colour: bool, everything: bool) -> l
             styles.append(phase["name"])
     lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
     if len(shown) < len(rows):
-        lines.append(
-            styled(f"the {len(shown)} worst of {len(rows)} moves; --all shows the others", "dim", colour)
-        )
+        lines.append(styled(f"the {len(shown)} worst of {len(rows)} moves; --all shows all", "dim", colour))
     return lines
 
 

@@ -20,7 +20,7 @@ MOST_LINES, MOST_LISTED = 20, 60
 LONGEST = 40
 
 _KINDS = (
-    Column("what takes the time", align="<", style="word"),
+    Column("cause", align="<", style="word"),
     Column("seconds", "s"),
     Column(""),
     Column("", align="<"),
@@ -69,7 +69,7 @@ def render_profile(
     """
     whole = made.seconds
     parts = [
-        [styled(f"where the {clock_time(whole)} go", "bold", colour)],
+        [styled(f"time profile of {clock_time(whole)}", "bold", colour)],
         _kinds(made, whole, width, colour),
     ]
     slacks = made.slacks()
@@ -116,7 +116,7 @@ def _lines(made: TimeProfile, whole: float, width: int, colour: bool, everything
     lines = grid(_LINES, [_line(made, share, whole) for share in shown], width=width, colour=colour)
     if len(shown) < len(shares):
         rest = fsum(share.seconds for share in shares[len(shown) :])
-        more = f"… and {len(shares) - len(shown)} more lines, {_seconds(rest)} s: --all shows them"
+        more = f"… and {len(shares) - len(shown)} more lines, {_seconds(rest)} s: --all shows all"
         lines.append(styled(more, "dim", colour))
     return lines
 

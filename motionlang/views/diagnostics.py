@@ -75,7 +75,7 @@ def render_all(
     found = list(diagnostics)
     texts = [render(each, source, name=name, colour=colour, width=width) for each in found[:MOST]]
     if len(found) > MOST:
-        texts.append(f"and {tally(found[MOST:])} more, which the JSON report has\n")
+        texts.append(f"and {tally(found[MOST:])} more in the JSON report\n")
     return "\n".join(texts)
 
 

@@ -47,9 +47,9 @@ def diff_lines(
         part = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
         out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{part})", "bold", colour))
         if charges:
-            out.append(f"of that: {_charged(charges, MOST_CHARGED if most == MOST else most)}")
+            out.append(f"by line: {_charged(charges, MOST_CHARGED if most == MOST else most)}")
     out += _first([_line(*each) for each in _together(found.lines)], most, "lines")
-    out += _first([f"no more: {_move(each)}" for each in found.gone], most, "moves that are gone")
+    out += _first([f"missing: {_move(each)}" for each in found.gone], most, "missing moves")
     out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
     out += [_tail(found.tail)] if found.tail else []
     out += _first([_print(*each) for each in found.prints], most, "printed lines")
@@ -58,11 +58,11 @@ def diff_lines(
     out += _first(found.others, most, "others")
     if parted is not None:
         out.append(
-            f"the motion parts at {parted.time:.6f} s: axis {parted.axis}, by {parted.largest:.6g} uu at most "
-            f"(at {parted.largest_at:.6f} s)"
+            f"the motion diverges at {parted.time:.6f} s: axis {parted.axis}, by at most "
+            f"{parted.largest:.6g} uu (at {parted.largest_at:.6f} s)"
         )
     elif found.first is not None and out:
-        out.append(f"the motion is first otherwise at {found.first[0]:.6f} s, on axis {found.first[1]}")
+        out.append(f"the motion first differs at {found.first[0]:.6f} s, on axis {found.first[1]}")
     elif found.is_commanded:
         out.append("only the commanded speed differs, the motion does not")
     return out
@@ -82,7 +82,7 @@ def _place(charge: Charge) -> str:
         return f"line {new}" if new else "no line"
     if old is None:
         return f"line {new} (new)"
-    return f"line {old} (no more)" if new is None else f"line {old} (now {new})"
+    return f"line {old} (missing)" if new is None else f"line {old} (now {new})"
 
 
 def _first(lines: list[str], most: int, what: str) -> list[str]:
@@ -164,8 +164,8 @@ def change_lines(found: Difference, change: Change) -> list[str]:
         for (i, _), number in found.hunks.items():
             move = next(gone if i is not None else new)
             if number == what:
-                told.append(f"{'new' if i is None else 'no more'}: {_move(move)}")
-        return _first(told, MOST, "such moves")
+                told.append(f"{'new' if i is None else 'missing'}: {_move(move)}")
+        return _first(told, MOST, "moves of this kind")
     if kind == "field":
         return _first(found.fields[what], MOST, "others")
     if kind == "end":
@@ -180,12 +180,12 @@ def _tail(seconds: float) -> str:
 
 
 def _error(how: str, what: str) -> str:
-    return f"{'no more' if how == 'gone' else 'new'}: {printable(what)}"
+    return f"{'missing' if how == 'gone' else 'new'}: {printable(what)}"
 
 
 def _event(was: Any, is_: Any, later: float) -> str:
     if was is None or is_ is None:
-        return f"{'no more' if is_ is None else 'new'}: {_happened(was if is_ is None else is_)}"
+        return f"{'missing' if is_ is None else 'new'}: {_happened(was if is_ is None else is_)}"
     told = [
         f"{name} {_value(was.get(name))} → {_value(is_.get(name))}"
         for name in ("value", "limit", "text")
@@ -211,5 +211,5 @@ def _print(old: int | None, new: int | None, was: str, is_: str) -> str:
     if old is None:
         return f"new: printed line {new}, {printable(is_)!r}"
     if new is None:
-        return f"no more: printed line {old}, {printable(was)!r}"
+        return f"missing: printed line {old}, {printable(was)!r}"
     return f"printed line {new}: {printable(was)!r} → {printable(is_)!r}"

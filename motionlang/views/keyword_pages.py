@@ -23,7 +23,7 @@ MOST = 12
 # Titles of groups whose names are not titles.
 TITLES = {
     "io": "Inputs and outputs",
-    "v4": "Older words",
+    "v4": "Older keywords",
     "state": "State of an axis",
     "tables": "Cams and splines",
 }
@@ -40,10 +40,16 @@ def markdown(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], S
     simulated = [row for row in rows if row.simulated]
     known = [row for row in rows if not row.simulated]
     lines = [
-        f"# The words of {dialect_name(dialect)}",
+        f"# {dialect_name(dialect)} keywords",
         "",
-        f"{len(simulated)} words are simulated, {len(known)} more are known and answered as not simulated. Written",
-        "from the keyword table by `python -m tests.derived`; `motionlang keywords WORD` shows the same.",
+        (
+            f"{len(simulated)} keywords are simulated; {len(known)} more are recognised but not "
+            "simulated. Generated"
+        ),
+        (
+            "from the keyword table by `python -m tests.derived`; `motionlang keywords KEYWORD` shows "
+            "the same."
+        ),
     ]
     groups = _groups(simulated)
     lines += ["", *(f"* [{_title(group)}](#{_title(group).lower().replace(' ', '-')})" for group in groups)]
@@ -57,7 +63,7 @@ def markdown(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], S
     groups = _groups(known) if apart else {"": known}
     for group, members in groups.items():
         title = ["", f"### {_title(group)}"] if group else []
-        lines += [*title, "", "| word | meaning |", "|---|---|"]
+        lines += [*title, "", "| keyword | meaning |", "|---|---|"]
         lines += [f"| `{row.name}` | {_cell(row.help)} |" for row in members]
     return "\n".join(lines) + "\n"
 

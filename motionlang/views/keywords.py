@@ -21,16 +21,16 @@ ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
 # The certainty of a fact, by the first word of its strength.
 TRUST = {
     "manual": "printed in a manual",
-    "code": "read off running code",
-    "sibling": "printed of a product that is alike",
-    "memory": "remembered, not checked against a manual",
-    "choice": "a choice: no source says it",
+    "code": "taken from running code",
+    "sibling": "printed for a similar product",
+    "memory": "from memory, not checked against a manual",
+    "choice": "a choice: no source",
 }
 UNITS = {
     "uu": "user units",
-    "uu/s": "user units a second",
-    "uu/s2": "user units a second squared",
-    "uu/s3": "user units a second cubed",
+    "uu/s": "user units/s",
+    "uu/s2": "user units/s²",
+    "uu/s3": "user units/s³",
     "s": "seconds",
     "ms": "milliseconds",
     "%": "percent",
@@ -110,8 +110,8 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     title = f"{styled(row.name, 'bold', colour)} · {dialect_name(dialect)} {row.kind}"
     lines = [title, "", *textwrap.wrap(row.help, width - 2, initial_indent="  ", subsequent_indent="  ")]
     if not row.simulated:
-        lines += ["", f"  {styled('not simulated', 'warning', colour)}: the word is recognised, and a program that "
-                  "uses it is told so."]  # fmt: skip
+        lines += ["", (f"  {styled('not simulated', 'warning', colour)}: the keyword is recognised, and a program "
+"that uses it gets a message.")]  # fmt: skip
     known = [(name, text) for name, text in facts(row, dialect) if text]
     label = max(len(name) for name, _ in known)
     lines.append("")

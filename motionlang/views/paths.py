@@ -36,7 +36,7 @@ def render_paths(
 ) -> str:
     """The table as text that ends with a newline."""
     if not rows:
-        return "no path was run: no axes that begin and end together on one line\n"
+        return "no path was run: no axes begin and end together on one line\n"
     shown = rows if everything else rows[:MOST]
     time = decimals_of([row.duration for row in shown], 6)
     length = decimals_of([row.length for row in shown])
@@ -58,7 +58,7 @@ def render_paths(
     ]
     lines = grid(_COLUMNS, texts, width=width, colour=colour)
     if len(shown) < len(rows):
-        lines.append(styled(f"… and {len(rows) - len(shown)} more paths: --all shows them", "dim", colour))
+        lines.append(styled(f"… and {len(rows) - len(shown)} more paths: --all shows all", "dim", colour))
     return "\n".join(lines) + "\n"
 
 
@@ -70,7 +70,7 @@ def at_its_end(row: PathRow) -> str:
     if row.ended:
         return f"ended by {row.ended}"
     if row.exit_speed:
-        return "runs through"
+        return "continues"
     if row.corner is None:
-        return "stops: no path follows at once"
+        return "stops: no next path"
     return f"stops: corner of {row.corner:.1f}°" if row.corner > SMOOTH else "stops: the paths are not joined"

@@ -202,9 +202,9 @@ def _title(figure: Figure, run: Run, hidden: int, unseen: int) -> None:
     height = figure.get_figheight()
     what = f"{dialect_name(run.dialect.name)}  ·  {outcome(run)}"
     if hidden:
-        what += f"  ·  {hidden} more axes moved and are not drawn"
+        what += f"  ·  {hidden} more axes moved but are not drawn"
     if unseen:
-        what += f"  ·  {unseen} more channels changed and are not drawn"
+        what += f"  ·  {unseen} more channels changed but are not drawn"
     name = printable(run.source.name)
     figure.text(LEFT, 1 - 0.3 / height, name, fontsize=14, fontweight="bold", va="center", parse_math=False)
     figure.text(LEFT, 1 - 0.54 / height, what, fontsize=9, color=FAINT, va="center", parse_math=False)

@@ -63,7 +63,7 @@ def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
     if quiet(step, profile.peak_speed):
         text += f"; largest velocity jump {figure(step)} counts/s"
     largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
-    return f"{text}; largest acceleration jump {figure(largest)} counts/s², the ends left out"
+    return f"{text}; largest acceleration jump {figure(largest)} counts/s² between the ends"
 
 
 def comparison_lines(

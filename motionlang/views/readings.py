@@ -21,12 +21,10 @@ LONG = 7
 def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False) -> str:
     """List strength, name and question of each assumption, with the default below it."""
     if not found:
-        return "  rests on no open reading\n"
-    count = f"{len(found)} open reading{'s' if len(found) > 1 else ''}"
+        return "  depends on no unconfirmed assumption\n"
+    count = f"{len(found)} unconfirmed assumption{'s' if len(found) > 1 else ''}"
     asked, settable = sum(each.probe is not None for each in found), sum(each.key != "" for each in found)
-    lines = [
-        f"  rests on {count}; {asked} can be asked of a controller (motionlang probe), {settable} can be set"
-    ]
+    lines = [f"  depends on {count}; a probe can settle {asked}, the machine file can set {settable}"]
     for each in found:
         lines.append("")
         name = styled(each.name, "word", colour)
@@ -40,7 +38,7 @@ def of_word(found: Sequence[Reading], axis: int, *, width: int = 100, colour: bo
 
     Each has the program to type and the meaning of each answer of a controller.
     """
-    how = "left open by the sources; motionlang probe NAME writes the program that asks a controller"
+    how = "not settled by the sources; motionlang probe NAME writes a test program for a controller"
     lines = [styled(f"  {how}", "dim", colour)]
     for each in found:
         lines += ["", f"  {styled(each.name, 'word', colour)}"]
@@ -59,17 +57,17 @@ def _asked(reading: Reading, axis: int, width: int, colour: bool) -> list[str]:
         lines += _wrapped(f"first: {needs}", width)
     if probe.motion:
         how = f"motionlang probe {reading.name} --motion DISTANCE"
-        lines += _wrapped(f"asked in motion, by a program for the distance that you allow: {how}", width)
+        lines += _wrapped(f"needs motion: write a test program with {how}", width)
     elif probe.behind or len(before) >= LONG:
-        lines += _wrapped(f"asked by the program of motionlang probe {reading.name}", width)
+        lines += _wrapped(f"write a test program with motionlang probe {reading.name}", width)
     else:
         typed = [*before, f"PRINT {ask}" if probe.language == "mint" else ask]
         if probe.error:
-            typed.append(f"' of an error, ONERROR does PRINT {probe.error}")
+            typed.append(f"' after an error, ONERROR does PRINT {probe.error}")
         lines += [f"      {styled(line, 'word', colour)}" for line in typed]
     lines += [f"    {line}" for line in meanings(reading, max(40, width - 4))[1:]]
     beyond = [] if probe.form else reading.alternatives[len(probe.answers) - 1 :]
-    lines += [line for other in beyond for line in _wrapped(f"or, which it does not tell: {other}", width)]
+    lines += [line for other in beyond for line in _wrapped(f"or, not distinguished by it: {other}", width)]
     return lines
 
 

@@ -94,7 +94,7 @@ def plot_front(
         )
         panel.plot(
             [p[0] for p in front], [p[1] for p in front], "o-", color=BLUE, markersize=4, linewidth=1.2,
-            drawstyle="steps-post", label="none is better in both",
+            drawstyle="steps-post", label="Pareto front",
         )  # fmt: skip
         panel.legend(frameon=False, fontsize=8)
         dress(panel, _labelled(y, units))

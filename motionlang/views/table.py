@@ -49,7 +49,7 @@ _MOVES = (
     Column("to", "uu", drop=3),
     Column("distance", "uu"),
     Column("peak", "uu/s"),
-    Column("asked for", "uu/s", drop=7),
+    Column("commanded", "uu/s", drop=7),
     Column("ended by", align="<", drop=2, style="warning"),
 )
 # The index of the column of the commanded speed, which is shown if a move did not reach it.
@@ -197,7 +197,7 @@ def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list
         texts = [[*cells[:_ASKED], *cells[_ASKED + 1 :]] for cells in texts]
     lines = grid(columns, texts, width=width, colour=colour, styles=styles)
     if len(shown) < moves.count:
-        more = f"… and {_grouped(moves.count - len(shown))} more moves: --all shows them"
+        more = f"… and {_grouped(moves.count - len(shown))} more moves: --all shows all"
         lines.append(styled(more, "dim", colour))
     return lines
 
@@ -250,7 +250,7 @@ def _happened(events: _Events, width: int, colour: bool) -> list[str]:
     lines = [styled("events", "bold", colour), *grid(_EVENTS, texts, width=width, colour=colour)]
     if len(events.shown) < events.count:
         named = ", ".join(f"{kind} {_grouped(count)}" for kind, count in sorted(events.counts.items()))
-        lines.append(styled(f"in all: {named}; --all shows them", "dim", colour))
+        lines.append(styled(f"total: {named}; --all shows all", "dim", colour))
     return lines
 
 

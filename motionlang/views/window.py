@@ -29,9 +29,7 @@ class Window(NamedTuple):
         """
         end = last if self.end is None else min(self.end, last)
         if self.begin >= end and self.begin > 0.0:
-            raise ValueError(
-                f"the run ended after {last:g} s, so there is nothing to see from {self.begin:g} s on"
-            )
+            raise ValueError(f"the run ended after {last:g} s, before --from {self.begin:g} s")
         return self.begin, end
 
     def of(self, axes: Sequence[int]) -> tuple[int, ...]:

@@ -9,11 +9,16 @@ if TYPE_CHECKING:
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 _OUTCOMES = {
     "ended": "ended after {}",
-    "until": "still running at {}, where its time was up",
+    "until": "still running at the time limit of {}",
     "fault": "stopped by an error at {}",
     "interrupted": "interrupted at {}",
     "open": "{} so far",  # a session, which ends only when its user leaves
 }
+
+
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun, such as "1 move" or "2 moves"."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def outcome(run: Run) -> str:

@@ -63,7 +63,7 @@ def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
         ("event = 'stop'", "an event 'stop' did not happen; nothing did"),
         ("never_event = 'limit'\naxis = 0", ""),
         ("axis = 0\nposition = 100", ""),
-        ("axis = 0\nposition = 90\nwithin = 5", "axis 0 stands at 100.000000 at 1.100"),
+        ("axis = 0\nposition = 90\nwithin = 5", "axis 0 is at 100.000000 at 1.100040 "),
         ("axis = 0\nposition = 50\nat = 0.8\nwithin = 0.1", ""),
         ("axis = 0\nposition = 50\nat = 8", "axis 0 is expected at 50 at 8 s, and the run ended at 1.100"),
         ("time = 1.1\nwithin = 0.001", ""),
@@ -97,7 +97,7 @@ def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
 def test_an_error_that_nobody_expected_is_told() -> None:
     result = run(Source("stroke.mnt", STROKE), machine={"controller.axes": 1}, cache=False)
     (found,) = unmet(result, [])
-    assert found.startswith("the run had an error that was not expected: line 2: ")
+    assert found.startswith("the run had an unexpected error: line 2: ")
     assert found.endswith("[never]")
     assert unmet(result, [{"diagnostic": "never"}]) == []
     assert unmet(result, [{"status": result.status}]) == ([] if result.status == "fault" else [found])
@@ -111,7 +111,7 @@ def test_an_error_that_nobody_expected_is_told() -> None:
         ("position = 3", "needs the axis"),
         ("status = 'done'", "must be one of ended, until, fault"),
         ("event = 'limits'", "must be one of limit, soft limit"),
-        ("prints = 'x'\nwithin = 1", "within of .* says nothing of prints"),
+        ("prints = 'x'\nwithin = 1", "within of .* has no effect on prints"),
         ("pints = 'x'", "has no key pints"),
         ("time = 1\nwithin = 0", "must be a number above 0"),
     ],

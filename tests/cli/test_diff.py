@@ -13,14 +13,14 @@ def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) ->
     cell.write("pick.mnt", PICK)
     cell.write("fast.mnt", PICK.replace("= 1000", "= 2000"))
     cell("verify", "pick.mnt", "--update")
-    assert cell("diff", "pick.mnt").out == "nothing is otherwise\n"
+    assert cell("diff", "pick.mnt").out == "no difference\n"
     ran = cell("diff", "pick.mnt", "fast.mnt")
     assert (ran.status, ran.err) == (1, "")
     assert ran.out.startswith(
-        "time: 0.700050 → 0.600050 s (-0.100000 s, -14 %)\nof that: line 3 -0.100000 s\n"
+        "time: 0.700050 → 0.600050 s (-0.100000 s, -14 %)\nby line: line 3 -0.100000 s\n"
         "line 3: MOVEA of axis 0, 1 move: "
     )
-    assert "the motion parts at 0.000" in ran.out
+    assert "the motion diverges at 0.000" in ran.out
     assert cell("diff", "pick.mnt", "--set-b", "rate=2000").out == ran.out
     cell.write("pick.mnt", PICK.replace("= 1000", "= 2000"))
     assert cell("diff", "pick.mnt").out.startswith("time: 0.700050 → 0.600050 s")  # the old one comes first
@@ -35,9 +35,9 @@ def test_both_runs_lie_over_one_another_in_a_page(cell: Cell) -> None:
     ran = cell("diff", "pick.mnt", "--set-b", "rate=2000", "--plot", "both.html")
     assert (ran.status, ran.err) == (1, "")
     assert '"against":{"program":"pick.mnt"' in (cell.folder / "both.html").read_text(encoding="utf-8")
-    assert "--plot draws .html pages" in cell("diff", "pick.mnt", "--plot", "both.png").err
+    assert "--plot writes .html files" in cell("diff", "pick.mnt", "--plot", "both.png").err
     cell("verify", "pick.mnt", "--update")
-    assert "one of these is a report" in cell("diff", "pick.mnt", "--plot", "both.html").err
+    assert "but one side is a report" in cell("diff", "pick.mnt", "--plot", "both.html").err
 
 
 def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
@@ -49,20 +49,20 @@ def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
     cell.write("lost.json", json.dumps({"schema": "motionlang.report/2", "moves": [move]}))
     cell.write("wrong.machine.toml", "axes = 3\n")
     for words, status, told in (
-        (("pick.mnt",), 1, "no pick.golden.json beside it"),
+        (("pick.mnt",), 1, "no pick.golden.json next to it"),
         (("pick.mnt", "none.mnt"), 1, "none.mnt cannot be read"),
         (("pick.mnt", "cut.json"), 1, "cut.json is not JSON"),
-        (("pick.mnt", "other.json"), 1, "other.json cannot be compared with: it is no report of a run"),
+        (("pick.mnt", "other.json"), 1, "other.json cannot be compared with: it is not a report of a run"),
         (
             ("lost.json", "lost.json"),
             1,
             "lost.json cannot be compared with: its move 0 lacks start_time, phases",
         ),
         (("cut.json",), 2, "give B"),
-        (("pick.mnt", "odd.txt"), 1, "the language of odd.txt is unknown"),
+        (("pick.mnt", "odd.txt"), 1, "unknown language of odd.txt"),
         (("pick.mnt", "--machine-b", "wrong.machine.toml"), 1, "there is no key axes"),
         (("pick.mnt", "--set-b", "rat=1"), 1, "did you mean rate"),
-        (("pick.mnt", "pick.mnt", "--tolerance", "time=1h"), 2, "is no tolerance such as"),
+        (("pick.mnt", "pick.mnt", "--tolerance", "time=1h"), 2, "is not a tolerance such as"),
     ):
         ran = cell("diff", *words)
         assert ran.status == status, (words, ran)
@@ -76,7 +76,7 @@ def test_a_run_against_a_recording(cell: Cell) -> None:
     )
     assert cell("run", "pick.mnt", "--report", "none", "--trace", "drive.csv").status == 0
     ran = cell("diff", "pick.mnt", "drive.csv", "--tolerance", "position=0.01uu")
-    assert (ran.status, ran.out.splitlines()[-1]) == (0, "every residual keeps its tolerance")
+    assert (ran.status, ran.out.splitlines()[-1]) == (0, "every residual is within its tolerance")
     ran = cell(
         "diff",
         "pick.mnt",
@@ -95,10 +95,10 @@ def test_a_run_against_a_recording(cell: Cell) -> None:
 def test_two_variants_of_a_sweep(cell: Cell) -> None:
     cell.write("pick.mnt", "Const rate = 1000\nACCEL(0) = rate : MOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n")
     cell.write("pick.sweep.toml", "[vary]\nrate = [1000, 2000, 1000]\n")
-    assert cell("diff", "pick.mnt", "--variant-a", "0", "--variant-b", "2").out == "nothing is otherwise\n"
+    assert cell("diff", "pick.mnt", "--variant-a", "0", "--variant-b", "2").out == "no difference\n"
     ran = cell("diff", "pick.mnt", "--variant-b", "1")
     assert (ran.status, "line 2: MOVEA of axis 0, 1 move: duration " in ran.out) == (1, True)
     ran = cell("diff", "pick.mnt", "--variant-b", "3")
-    assert (ran.status, ran.err) == (1, "pick.mnt: there is no variant 3: pick.sweep.toml has 0 to 2\n")
+    assert (ran.status, ran.err) == (1, "pick.mnt: no variant 3: pick.sweep.toml has 0 to 2\n")
     cell.write("other.mnt", "WAIT(1)\n")
-    assert "there is no other.sweep.toml beside it" in cell("diff", "other.mnt", "--variant-b", "1").err
+    assert "there is no other.sweep.toml next to it" in cell("diff", "other.mnt", "--variant-b", "1").err

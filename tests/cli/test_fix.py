@@ -48,7 +48,7 @@ def test_the_notation_of_the_other_age(cell: Cell) -> None:
         "SPEED(0) = 10\nIF INX(1) Then\n  x = 7 Mod 4\nEnd If\nWHILE INX(1)\n  WAIT = 5\nEnd While\nPRINT x\n"
     )
     assert "old.prg:2:10: fixed[model]: DO -> Then\n" in ran.err
-    assert ran.out == "old.prg: 7 fixed, no mistakes\n"
+    assert ran.out == "old.prg: 7 fixed, no problems\n"
 
 
 BLOCKS = {
@@ -89,7 +89,7 @@ def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
 def test_more_fixes_than_a_check_tells_mistakes(cell: Cell) -> None:
     """A check stops at 100 errors, in the middle of a block."""
     path = cell.write("old.prg", "a = 1\n" + "IF a DO\n a = SPEED.0\nENDIF\n" * 150 + "PRINT a\n")
-    assert cell("check", "old.prg", "--model", "mintmt", "--fix").out == "old.prg: 450 fixed, no mistakes\n"
+    assert cell("check", "old.prg", "--model", "mintmt", "--fix").out == "old.prg: 450 fixed, no problems\n"
     assert path.read_text() == "a = 1\n" + "IF a Then\n a = SPEED(0)\nEnd If\n" * 150 + "PRINT a\n"
 
 
@@ -131,7 +131,7 @@ def test_json_has_what_was_fixed(cell: Cell) -> None:
     assert (fixed["line"], fixed["column"], fixed["before"], fixed["after"]) == (2, 1, "Go3", "GO(3)")
     (row,) = json.loads(cell("check", "a.mnt", "--fix", "--format", "json").out)["files"]
     assert row["fixed"] == []
-    assert cell("check", "a.mnt", "--fix").out == "a.mnt: no mistakes\n"
+    assert cell("check", "a.mnt", "--fix").out == "a.mnt: no problems\n"
     assert "fixed" not in json.loads(cell("check", "a.mnt", "--format", "json").out)["files"][0]
 
 

@@ -69,7 +69,7 @@ def test_verify(form: str, cell: Cell) -> None:
     cell("verify", "ballscrew.mcl", "--update")
     ran = cell("verify", "ballscrew.mcl", "jog.mcl", "--format", form)
     assert ran.status == 1
-    assert "no jog.golden.json beside it" in ran.out
+    assert "no jog.golden.json next to it" in ran.out
     if form == "json":
         document = json.loads(ran.out)
         assert [each["as_golden"] for each in document["programs"]] == [True, False]

@@ -52,4 +52,4 @@ def test_a_line_is_typed_where_the_program_asks_and_keys_where_it_looks_for_them
 def test_a_program_that_does_not_listen_is_not_waited_for(tmp_path: Path) -> None:
     status, _, err = played(tmp_path, 'PRINT "x"\nPAUSE INX(3)\n')
     assert status == 1
-    assert "the program waits until INX(3), and nothing can end the wait" in err
+    assert "the program waits until INX(3), which can never happen" in err

@@ -28,7 +28,7 @@ SPEED · Mint setting
   short form  SP (memory low)
   use         read and write
   for         an axis (code, Mint type library)
-  unit        user units a second
+  unit        user units/s
   default     40000
   range       0 or more
   group       axis
@@ -55,8 +55,8 @@ def test_the_page_of_a_word() -> None:
 
 def test_the_page_of_a_word_that_is_not_simulated_says_so() -> None:
     text = page([CAM], "mint")
-    assert "  not simulated: the word is recognised, and a program that uses it is told so.\n" in text
-    assert "  known from  Mint type library (remembered, not checked against a manual)\n" in text
+    assert "  not simulated: the keyword is recognised, and a program that uses it gets a message.\n" in text
+    assert "  known from  Mint type library (from memory, not checked against a manual)\n" in text
 
 
 def test_the_list() -> None:
@@ -84,7 +84,7 @@ def test_json_has_every_field_of_the_table(cell: Cell) -> None:
 def test_a_word_that_no_language_has(cell: Cell) -> None:
     ran = cell("keywords", "SPEEED")
     assert (ran.status, ran.out) == (1, "")
-    assert ran.err == "error[unknown-word]: there is no word SPEEED\n  hint: did you mean SPEED?\n"
+    assert ran.err == "error[unknown-word]: there is no keyword SPEEED\n  hint: did you mean SPEED?\n"
 
 
 def test_a_group_can_be_named(cell: Cell) -> None:
@@ -117,7 +117,7 @@ def test_the_page_of_a_word_says_what_is_left_open_and_what_to_type(
 ) -> None:
     assert main(["keywords", "HOMESPEED"]) == 0
     text = capsys.readouterr().out
-    assert "what it means is open, too" in text
+    assert "its meaning is unconfirmed, too" in text
     begin = text.index("  mint.homespeed-scale\n")
     assert text[begin:].splitlines()[:8] == [
         "  mint.homespeed-scale",
@@ -141,7 +141,7 @@ def test_what_is_told_in_motion_or_by_a_long_program_names_its_command(
         in text
     )
     assert main(["keywords", "TIMEREVENT"]) == 0
-    assert "asked by the program of motionlang probe mint.timerevent\n" in capsys.readouterr().out
+    assert "write a test program with motionlang probe mint.timerevent\n" in capsys.readouterr().out
 
 
 def test_what_no_program_tells_names_its_alternatives(capsys: pytest.CaptureFixture[str]) -> None:

@@ -55,7 +55,7 @@ def test_the_scenario_has_an_end(cell: Cell) -> None:
     cell.write("orders.machine.toml", PULSE)
     ran = cell("run", "orders.mnt", "--report", "none")
     assert (ran.status, ran.out) == (1, "250\n")
-    assert "error[never]: the program waits until INX(3), and nothing can end the wait" in ran.err
+    assert "error[never]: the program waits until INX(3), which can never happen" in ran.err
     cell.write("orders.machine.toml", f"run.until = 2.0\n{PULSE}")
     ran = cell("run", "orders.mnt")
     assert (ran.status, ran.err) == (0, "")
@@ -67,11 +67,11 @@ FAR = "[[input]]\nchannel = 1\naxis = 44\nabove = 1.0\n\n[axis.12]\nstart = 3\n"
 FAR_TOLD = """\
 error[machine-file]: [[input]]: there is no axis 44
  --> far.toml
-  hint: the axes are 0 to 7; controller.axes says how many there are
+  hint: the axes are 0 to 7; controller.axes sets their number
 
 error[machine-file]: axis.12: there is no axis 12
  --> far.toml
-  hint: the axes are 0 to 7; controller.axes says how many there are
+  hint: the axes are 0 to 7; controller.axes sets their number
 """
 
 

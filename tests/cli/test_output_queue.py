@@ -62,7 +62,7 @@ def test_a_gap_is_reported_where_it_is(pipe: Pipe) -> None:
         pipe.queue.write(f"lost {number}\n")
     assert pipe.queue.dropped == 8
     assert [pipe.reader.readline() for _ in range(written)] == [f"{number}\n" for number in range(written)]
-    note = "motionlang: 8 lines of standard error dropped, as it was not read\n"
+    note = "motionlang: 8 lines of standard error dropped, because it was not read\n"
     assert pipe.reader.readline() == note
     pipe.queue.write("there is room again\n")
     assert pipe.reader.readline() == "there is room again\n"
@@ -77,7 +77,8 @@ def test_a_gap_in_the_output_is_reported_on_standard_error() -> None:
         for _ in range(written):
             out.reader.readline()
         assert (
-            notes.reader.readline() == "motionlang: 1 line of standard output dropped, as it was not read\n"
+            notes.reader.readline()
+            == "motionlang: 1 line of standard output dropped, because it was not read\n"
         )
         out.queue.write("next\n")
         assert out.reader.readline() == "next\n"

@@ -74,7 +74,7 @@ def test_the_programs_make_the_move_that_was_planned(
 
 
 def test_mccl_without_a_scale_knows_whole_counts_only(cell: Cell) -> None:
-    note = "  note: without a scale MCCL takes whole counts only; give --scale\n"
+    note = "  note: without a scale MCCL accepts only whole counts; give --scale\n"
     quarter = ("plan", "--distance", "20", "--time", "0.6", "--rule", "quarter")
     assert cell(*quarter).out.endswith(note)
     assert note not in cell(*quarter, "--scale", "1200").out
@@ -100,7 +100,7 @@ def test_what_was_assumed_is_said(cell: Cell) -> None:
             "no number is large enough for the speed",
         ),
         (("--distance", "1", "--slew-time", "-1"), "slew time must be zero or more"),
-        (("--distance", "1", "--axis", "0", "--dialect", "mccl"), "there is no such axis"),
+        (("--distance", "1", "--axis", "0", "--dialect", "mccl"), "no such axis"),
         (("--distance", "far"), "argument --distance: invalid float value: 'far'"),
     ],
 )
@@ -123,8 +123,8 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
     assert document["move"]["slew_time"] == 0.0
     (note,) = document["notes"]
     assert note == (
-        "a speed of 300 uu/s is not reached: the peak is 141.421 after 0.0707107 s; "
-        "it needs a distance of 45 uu, or 9000 uu/s² up and down"
+        "the move does not reach 300 uu/s: its peak is 141.421 after 0.0707107 s; "
+        "it needs a distance of 45 uu, or 9000 uu/s² for acceleration and deceleration"
     )
     for name, program in document["programs"].items():
         assert "300" in program
@@ -193,11 +193,11 @@ def test_an_impossible_demand_says_which_value_to_change(cell: Cell, line: str, 
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("--encoder-lines 1000", "--encoder-lines needs what a turn of the load is: --pitch or --degrees"),
-        ("--encoder-lines 1000 --pitch 10 --degrees", "--encoder-lines needs what a turn of the load is"),
+        ("--encoder-lines 1000", "--encoder-lines needs either --pitch or --degrees"),
+        ("--encoder-lines 1000 --pitch 10 --degrees", "--encoder-lines needs either --pitch or --degrees"),
         ("--gear 3", "--gear needs --encoder-lines"),
         ("--degrees", "--degrees needs --encoder-lines"),
-        ("--scale 3 --resolution 1", "--scale and --resolution both give the scale"),
+        ("--scale 3 --resolution 1", "--scale and --resolution both set the scale"),
         ("--resolution 0", "resolution must be greater than zero"),
         ("--encoder-lines 1000 --pitch nan", "per turn must be greater than zero"),
         ("--encoder-lines 1000 --pitch 1 --gear 3:0", "argument --gear: invalid"),

@@ -33,7 +33,7 @@ def test_the_whole_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
         "assumptions": {"mint.homespeed-default": 12.5, "mint.float-zeros": "dropped"},
     }
     assert "mint.homespeed-default: What HOMESPEED is until a program writes it: 12.5, not 4000" in said
-    assert "readings hold:\n  mint.float-precision, mint.float-to-integer" in said
+    assert "assumptions confirmed:\n  mint.float-precision, mint.float-to-integer" in said
 
 
 def test_answers_of_which_some_are_missing_are_read_and_told(
@@ -51,18 +51,18 @@ def test_answers_of_which_some_are_missing_are_read_and_told(
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ((), "say which language the controller speaks"),
-        (("basic",), "'basic' is not one of mint, mccl"),
-        (("zzzzzz",), "nor a question; motionlang probe --list names the questions"),
-        (("mint.numberof", "--answers", "log"), "--answers tells of each question in the log"),
+        ((), "give the language of the controller"),
+        (("basic",), "'basic' is neither mint, mccl nor a question"),
+        (("zzzzzz",), "nor a question; motionlang probe --list shows the questions"),
+        (("mint.numberof", "--answers", "log"), "--answers reports every question in the log"),
         (("mint.truht",), "did you mean mint.truth?"),
         (("HOMESPEED",), "motionlang probe HOMESPEED --list"),
-        (("mint.second-offset",), "say within which distance, such as --motion 20"),
-        (("NOTHING", "--list"), "NOTHING is no word, or nothing of it is open"),
-        (("mint", "--motion", "none"), "'none' is no distance above 0"),
-        (("mint", "--axis", "-1"), "there is no such axis"),
+        (("mint.second-offset",), "needs motion: give the distance, such as --motion 20"),
+        (("NOTHING", "--list"), "NOTHING is not a keyword, or has no open question"),
+        (("mint", "--motion", "none"), "'none' is not a distance above 0"),
+        (("mint", "--axis", "-1"), "no such axis"),
         (("mint", "--skip", "mint.trut"), "did you mean mint.truth?"),
-        (("--answers", "log.txt", "--axis", "1"), "--answers reads what a probe was answered"),
+        (("--answers", "log.txt", "--axis", "1"), "--answers reads answers"),
     ],
 )
 def test_what_is_wrong_with_a_command_line(
@@ -98,7 +98,7 @@ def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
     log = tmp_path / "log.txt"
     log.write_text("\n".join(run(str(program), cache=False).output), encoding="utf-8")
     status, _, said = probe(tmp_path, capsys, "--answers", str(log))
-    assert (status, said) == (0, "1 reading holds:\n  mint.homespeed-scale\n")
+    assert (status, said) == (0, "1 assumption confirmed:\n  mint.homespeed-scale\n")
 
 
 def test_a_question_that_moves_says_how_far(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -136,4 +136,4 @@ def test_a_question_that_no_program_tells_is_said_with_its_answers(
     with pytest.raises(SystemExit) as ended:
         main(["probe", "motion.contourmode"])
     assert ended.value.code == 2
-    assert "motion.contourmode is told by no program" in capsys.readouterr().err
+    assert "no program can settle motion.contourmode" in capsys.readouterr().err

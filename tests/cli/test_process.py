@@ -85,7 +85,7 @@ def test_a_full_disk_under_standard_output_is_said_once() -> None:
         ran = subprocess.run(
             [*COMMAND, "keywords"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
         )
-    message = "motionlang: the output cannot be written: no space left on device\n"
+    message = "motionlang: cannot write the output: no space left on device\n"
     assert (ran.returncode, ran.stderr) == (1, message)
 
 
@@ -125,7 +125,7 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
 
 
 HURRY = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
-TOLD = "JOG starts motion after motion and waits for none"
+TOLD = "JOG starts motions without waiting for them"
 
 
 def test_a_loop_that_never_waits_is_told_while_it_runs(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from tests.cli.programs import Cell
 
 TABLE = """\
 TN1069: one move in four profiles
-A = 100000 counts/s², V = 40000 counts/s, S = 40000 counts; 1000 cycles a second
+A = 100000 counts/s², V = 40000 counts/s, S = 40000 counts; 1000 cycles per second
 
                                        trapezoidal   sinusoidal  trapezoidal 0.1    parabolic
 ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -89,8 +89,8 @@ def test_it_is_drawn(cell: Cell, tmp_path: Path, kind: str) -> None:
         ("--deceleration -3", "the deceleration must be above zero"),
         ("--distance inf", "the distance must be above zero"),
         ("--ramp 0.5", "the ramp must be above 0 and below 0.5, not 0.5"),
-        ("--velocity 3 --published", "--published goes with the note's own move only"),
-        ("--plot a.txt", "--plot draws .png and .svg files"),
+        ("--velocity 3 --published", "--published works only for the move of the note"),
+        ("--plot a.txt", "--plot writes .png and .svg files"),
     ],
 )
 def test_a_move_that_there_is_not(cell: Cell, line: str, message: str) -> None:

@@ -108,8 +108,8 @@ def test_a_suffix_that_no_dialect_owns(cell: Cell) -> None:
     ran = cell("run", "pick.txt")
     assert (ran.status, ran.out) == (2, "")
     assert ran.err == (
-        "error[file]: the language of pick.txt is unknown: its suffix .txt belongs to no dialect\n"
-        "  hint: say --dialect mint or --dialect mccl; .mnt .mntx .prg are Mint, .mcl .mccl MCCL\n"
+        "error[file]: unknown language of pick.txt: no language has the extension .txt\n"
+        "  hint: add --dialect mint or --dialect mccl; .mnt, .mntx and .prg are Mint, .mcl and .mccl are MCCL\n"
     )
     assert cell("run", "pick.txt", "--dialect", "mccl", "--report", "none").status == 0
 
@@ -119,7 +119,7 @@ def test_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     ran = cell("run", "-", "--dialect", "mccl", "--report", "none")
     assert ran.status == 1
     assert " --> <stdin>:2:1\n" in ran.err
-    assert "the language of standard input is unknown: it has no name" in cell("run", "-").err
+    assert "unknown language of standard input: it has no name" in cell("run", "-").err
 
 
 @pytest.mark.parametrize("content", [b"", b"\0\xff\xfe\x00" * 50, b"\xef\xbb\xbf1MN\r\n", bytes(range(256))])
@@ -180,7 +180,10 @@ def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
     assert rows[0] == "time_s,axis1_jerk_uu_per_s3,axis1_position_uu"
     ran = cell(*trace, "speed")
     assert (ran.status, ran.out) == (2, "")
-    assert "'speed' is no quantity of an axis: position, velocity, acceleration, jerk, actual" in ran.err
+    assert (
+        "'speed' is not a quantity of an axis; choose from position, velocity, acceleration, jerk, actual"
+        in ran.err
+    )
     assert "'jerk.9': there is no axis 9" in cell(*trace, "jerk.9").err
 
 
@@ -223,36 +226,36 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--rate", "5"), "--rate is about a trace: give --trace OUT"),
-        (("--trajectory-points",), "--trajectory-points is about a trace: give --trace OUT"),
+        (("--rate", "5"), "--rate needs --trace OUT"),
+        (("--trajectory-points",), "--trajectory-points needs --trace OUT"),
         (
             ("--trace", "x.csv", "--trajectory-rate", "5"),
-            "--trajectory-rate is about --trajectory-points, which is missing",
+            "--trajectory-rate needs --trajectory-points",
         ),
         (
             ("--report", "json", "--profile"),
-            "--profile is about the table, which --report json leaves out: --profile-to FILE writes the profile",
+            "--profile needs the table, which --report json omits: --profile-to FILE writes the profile",
         ),
-        (("--report", "none", "--paths"), "--paths is about the table, which --report none leaves out"),
-        (("--columns", "jerk"), "--columns is about a trace: give --trace OUT"),
-        (("--from", "1"), "--from is about a picture: give --plot OUT"),
+        (("--report", "none", "--paths"), "--paths needs the table, which --report none omits"),
+        (("--columns", "jerk"), "--columns needs --trace OUT"),
+        (("--from", "1"), "--from needs --plot OUT"),
         (
             ("--plot", "x.svg", "--from", "1", "--to", "1"),
-            "--to is not after --from: there is nothing in between",
+            "--to must be after --from",
         ),
         (
             ("--plot", "x.svg", "--path", "0"),
-            "argument --path: '0' is not a path: two or three axes make one, such as 0,1",
+            "argument --path: '0' is not a path: give two or three axes, such as 0,1",
         ),
         (("--trace", "x.txt"), "--trace writes .csv, .npz, .parquet, .vcd and .mcap, not .txt files"),
-        (("--plot", "x"), "--plot writes .png, .svg and .html, so the file needs one of these suffixes"),
+        (("--plot", "x"), "--plot writes .png, .svg and .html, so the file needs one of these extensions"),
         (
             ("--rate", "0"),
-            "argument --rate: '0' is not a number of samples a second above 0, 10,000,000 at most",
+            "argument --rate: '0' is not a number of samples per second above 0, 10,000,000 at most",
         ),
         (
             ("--rate", "nan"),
-            "argument --rate: 'nan' is not a number of samples a second above 0, 10,000,000 at most",
+            "argument --rate: 'nan' is not a number of samples per second above 0, 10,000,000 at most",
         ),
         (("--until", "-1"), "argument --until: '-1' is not a time in seconds, 0 or more"),
         (("--until", "inf"), "argument --until: 'inf' is not a time in seconds, 0 or more"),
@@ -372,7 +375,7 @@ def test_paths_are_shown_as_they_were_given(cell: Cell) -> None:
 def test_no_command_at_all_is_answered_with_the_help(cell: Cell) -> None:
     ran = cell()
     assert (ran.status, ran.out) == (2, "")
-    assert "run a program on the virtual machine" in ran.err
+    assert "run a program and report what it did" in ran.err
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -419,18 +422,18 @@ def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
     assert ran.err.count("warning[never-started]") == 2
     assert "forgotten.mnt:4:3" in ran.err
     assert "MOVER on axis 1 was loaded and never started" in ran.err
-    assert "hint: GO(1) starts what is in the buffer" in ran.err
+    assert "hint: GO(1) starts the buffered moves" in ran.err
 
 
 def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("motionlang.views.scope.MOST", 1)
     ran = cell("run", "ballscrew.mcl", "--plot", "a.html")
     assert ran.status == 1
-    assert "a.html was not written: the run has 2 records, and a page holds 1; --until" in ran.err
+    assert "a.html was not written: the run has 2 records, but a page holds at most 1; " in ran.err
     assert not (cell.folder / "a.html").exists()
     monkeypatch.setattr("motionlang.log.orders.MOST", 0)
     ran = cell("run", "ballscrew.mcl", "--prove", "--report", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)
     (told,) = report["diagnostics"]
-    assert (told["code"], told["hint"]) == ("proof", "--until ends the run sooner")
+    assert (told["code"], told["hint"]) == ("proof", "end the run sooner with --until")

@@ -86,7 +86,9 @@ def test_options_of_a_run_are_refused(cell: Cell, option: str) -> None:
     ran = cell("run", "ballscrew.mcl", "--show-code", option)
     name = option.partition("=")[0]
     assert (ran.status, ran.out) == (2, "")
-    assert ran.err.startswith(f"motionlang run: error: {name} is about a run: --show-code runs nothing\n")
+    assert ran.err.startswith(
+        f"motionlang run: error: {name} has no effect with --show-code, which runs nothing\n"
+    )
 
 
 def test_colours_only_where_they_are_wanted(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:

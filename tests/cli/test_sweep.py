@@ -54,14 +54,14 @@ def test_a_front_and_a_picture(stroke: Cell) -> None:
         ran = stroke(*VARY, "--keep", "time,peak.0", *wishes, "--plot", plot)
         assert (ran.status, ran.err) == (0, "")
         assert (stroke.folder / plot).stat().st_size > 5000
-    assert stroke(*VARY, "--pareto", "time,peak.0").out.startswith("4 of 8 variants are on the front\n")
+    assert stroke(*VARY, "--pareto", "time,peak.0").out.startswith("4 of 8 variants on the Pareto front\n")
 
 
 def test_bad_variants_are_told_apart_and_kept(stroke: Cell) -> None:
     ran = stroke(*VARY[:2], "--vary", "rate=0,500,-1,0", "--keep", "time", "--out", "rows.csv")
     assert ran.status == 1
     assert [line.split() for line in ran.out.splitlines()[3:]] == [["500", "0.90006"]]
-    assert ran.err.startswith("3 of 4 variants are bad\n  ")
+    assert ran.err.startswith("3 of 4 variants failed\n  ")
     assert "with rate = 0; rate = -1; rate = 0" in ran.err or "with rate = 0; rate = 0" in ran.err
     with open(stroke.folder / "rows.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
@@ -84,7 +84,7 @@ def test_a_sweep_that_was_ended_goes_on(stroke: Cell, monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(Sweep, "results", ended)
     first = stroke(*VARY, "--out", "rows.csv")
-    assert (first.status, first.err) == (130, "ended after 3 of 8 variants; --resume goes on\n")
+    assert (first.status, first.err) == (130, "ended after 3 of 8 variants; --resume continues\n")
     assert len((stroke.folder / "rows.csv").read_text().splitlines()) == 4
     with open(stroke.folder / "rows.csv.part", "a", encoding="ascii") as file:
         file.write("[7, [0.")  # a truncated line
@@ -96,7 +96,7 @@ def test_a_sweep_that_was_ended_goes_on(stroke: Cell, monkeypatch: pytest.Monkey
     assert sorted(ran) == list(range(8))
     assert (stroke.folder / "rows.csv").read_text() == (stroke.folder / "whole.csv").read_text()
     again = stroke(*VARY, "--out", "rows.csv", "--resume", "--report", "none")
-    assert again.err == "rows.csv.part is not there: nothing to go on with, all 8 variants are run\n"
+    assert again.err == "rows.csv.part does not exist: nothing to resume, so all 8 variants run\n"
 
 
 def test_machines_of_a_folder(stroke: Cell) -> None:
@@ -137,26 +137,33 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
     stroke.write("stroke.sweep.toml", 'kep = ["time"]\nlatin = 0\n[vary]\nrate = {}\n')
     ran = stroke("sweep", "stroke.mnt")
     assert ran.status == 1
-    for told in ("there is no key kep", "did you mean keep?", "latin is a number of variants"):
+    for told in (
+        "there is no key kep",
+        "did you mean keep?",
+        "latin is the size of a Latin hypercube sample",
+    ):
         assert told in ran.err
 
 
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ((), "nothing is varied: give --vary"),
+        ((), "nothing to vary: give --vary"),
         (("--vary", "rate=1:2"), "how many values of rate?"),
         (("--vary", "rate"), "is not NAME=FIRST:LAST:COUNT"),
         (("--vary", "rat=1"), "did you mean rate?"),
         (("--vary", "rate=1", "--keep", "tme"), "a run has no tme; did you mean time"),
-        (("--vary", "rate=1", "--minimise", "time +"), "is no expression"),
+        (("--vary", "rate=1", "--minimise", "time +"), "is not an expression"),
         (("--vary", "rate=1", "--where", "tme < 1"), "a run has no tme"),
-        (("--vary", "rate=1", "--minimise", "time", "--maximise", "time"), "one thing is best"),
-        (("--vary", "rate=1", "--pareto", "time"), "a front is between two"),
+        (
+            ("--vary", "rate=1", "--minimise", "time", "--maximise", "time"),
+            "give either --minimise or --maximise",
+        ),
+        (("--vary", "rate=1", "--pareto", "time"), "a Pareto front needs two"),
         (("--vary", "rate=1", "--random", "4", "--latin", "4"), "not both"),
         (("--vary", "rate=1", "--out", "rows.xls"), "--out writes .csv and .parquet files, not .xls"),
         (("--vary", "rate=1", "--out", "no/rows.csv"), "there is no folder no"),
-        (("--vary", "rate=1", "--resume"), "--resume goes on with what is beside --out"),
+        (("--vary", "rate=1", "--resume"), "--resume needs --out"),
         (("--vary", "rate=1", "--jobs", "0"), "is not a whole number above 0"),
     ],
 )

@@ -52,8 +52,8 @@ def test_what_no_language_takes_is_told_as_it_is() -> None:
 @cases(
     ("name", "text", "hint"),
     [
-        ("a.mnt", "1MN,1SV1000\n1MR1000,1WS\n1TP\n", "--dialect mccl takes it"),
-        ("a.mcl", "' a comment\nSPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", "--dialect mint takes it"),
+        ("a.mnt", "1MN,1SV1000\n1MR1000,1WS\n1TP\n", "add --dialect mccl"),
+        ("a.mcl", "' a comment\nSPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", "add --dialect mint"),
     ],
 )
 def test_a_run_says_so_and_runs_nothing(name: str, text: str, hint: str) -> None:

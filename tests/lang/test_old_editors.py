@@ -47,15 +47,15 @@ def mistakes(name: str, text: str | bytes) -> list[tuple[int, str, str]]:
 @pytest.mark.parametrize(
     ("text", "message", "hint"),
     [
-        ("PRINT “on”\n", '“ is a typographic quote, not the plain "', 'type "'),
-        ("PRINT 1 ‘ one\n", "‘ is a typographic quote, not the plain '", "type '"),
-        ("SPEED(0) = 5 – 2\n", "– is a typographic dash, not the plain -", "type -"),
-        ("PRINT −2\n", "− is a typographic dash, not the plain -", "type -"),
-        (b"PRINT \x93on\x94\n", '“ is a typographic quote, not the plain "', 'type "'),
+        ("PRINT “on”\n", '“ is a typographic quote, not a plain "', 'type "'),
+        ("PRINT 1 ‘ one\n", "‘ is a typographic quote, not a plain '", "type '"),
+        ("SPEED(0) = 5 – 2\n", "– is a typographic dash, not a plain -", "type -"),
+        ("PRINT −2\n", "− is a typographic dash, not a plain -", "type -"),
+        (b"PRINT \x93on\x94\n", '“ is a typographic quote, not a plain "', 'type "'),
         (
             "PRINT\u00a02\n",
-            "a blank that does not break a line stands here, not a plain one",
-            "type a plain blank",
+            "this is a non-breaking space, not a plain one",
+            "type a plain space",
         ),
     ],
 )
@@ -66,10 +66,10 @@ def test_mint_names_the_plain_character(text: str | bytes, message: str, hint: s
 @pytest.mark.parametrize(
     ("text", "message", "hint"),
     [
-        ("1MN\n1MR–200\n", "– is a typographic dash, not the plain -", "type -"),
-        ("1MN\n1MR −200\n", "− is a typographic dash, not the plain -", "type -"),
-        ("1MN\n“on”\n", '“ is a typographic quote, not the plain "', 'type "'),
-        (b"1MN\n1MR\x96200\n", "– is a typographic dash, not the plain -", "type -"),
+        ("1MN\n1MR–200\n", "– is a typographic dash, not a plain -", "type -"),
+        ("1MN\n1MR −200\n", "− is a typographic dash, not a plain -", "type -"),
+        ("1MN\n“on”\n", '“ is a typographic quote, not a plain "', 'type "'),
+        (b"1MN\n1MR\x96200\n", "– is a typographic dash, not a plain -", "type -"),
     ],
 )
 def test_mccl_names_the_plain_character(text: str | bytes, message: str, hint: str) -> None:

@@ -70,8 +70,6 @@ def test_both_readings(seed: int) -> None:
     line = frame.format(bracketed(operands, ops, ()))
     here, there = (frame.format(bracketed(operands, ops, tight)) for tight in (BITS, COMPARISONS))
     told = mixed(line)
-    assert [each.hint for each in told] == [
-        f"brackets say which is meant: {here}, as it is read here, or {there}"
-    ]
+    assert [each.hint for each in told] == [f"add brackets: {here}, as it is read here, or {there}"]
     assert mixed(here) == mixed(there) == []
     assert tree(here) == tree(line) != tree(there)

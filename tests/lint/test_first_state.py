@@ -31,9 +31,9 @@ def test_the_first_position_is_that_of_power_up(end: float, found: bool) -> None
 
 def test_no_speed_has_been_set() -> None:
     text = "ACCELTIME(0) = 200\nSPEED(0) = 50\nMOVER(0) = 1 : GO(0)\n"
-    assert messages(text) == ["the time of a ramp of axis 0 is set before SPEED, to which it counts"]
+    assert messages(text) == ["the time of a ramp of axis 0 is set before SPEED, on which it depends"]
 
 
 def test_a_command_that_has_no_axis_leaves_a_move_of_axis_0_under_way() -> None:
-    read = "the position of axis 0 is read while the move that was just started is under way"
+    read = "the position of axis 0 is read while the move just started is in motion"
     assert messages("MOVER(0) = 10 : GO(0)\nBEEP\nPRINT POS(0)\n") == [read]

@@ -249,7 +249,7 @@ def test_a_log_that_is_full_ends_the_run_and_keeps_what_is_there(small: None) ->
         for k in range(10_000):
             controller.set_output(0, k % 2 + 1)
 
-    with pytest.raises(Refusal, match="the log of the run has come to"):
+    with pytest.raises(Refusal, match="the log of the run has reached"):
         toggle()
     assert 50 < len(controller.log.outputs) < 10_000
     assert [change.value for change in controller.log.outputs][:2] == [1, 2]

@@ -1,4 +1,4 @@
-"""From any velocity and acceleration: no jumps, limits observed, the end reached."""
+"""From any velocity and acceleration: nothing jumps, the limits met, and the end is the one asked for."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ def test_ctrl_c_ends_the_command_and_the_axis_goes_on() -> None:
     session.feed("1MN,1PM,1SV1000,1SA5000,1DS5000")
     session.interrupted = after(20)  # type: ignore[assignment]
     answer = session.feed("1MR1000,WA0.5,WA0.25,1TP,RP")
-    assert "error[interrupted]: the command was ended from the keyboard" in answer
+    assert "error[interrupted]: the command was interrupted from the keyboard" in answer
     session.interrupted = lambda: False
     assert session.feed("1WS0,1TP") != "01 0\n"
     assert not session.over
@@ -90,14 +90,14 @@ def test_ctrl_c_instead_of_an_answer_ends_the_command_at_the_input() -> None:
     session.feed("Dim n As Integer")
     session.ask = leave
     answer = session.feed("n = 3 : INPUT n")
-    assert "error[interrupted]: the command was ended from the keyboard\n --> input:2:9\n" in answer
+    assert "error[interrupted]: the command was interrupted from the keyboard\n --> input:2:9\n" in answer
     assert session.feed("PRINT n") == "3\n"
 
 
 def test_an_input_that_nobody_answers_ends_the_command() -> None:
     session = Session(dialect("mint"))
     answer = session.feed("Dim n As Integer\nINPUT n")
-    assert "the command waits for the operator to answer INPUT, and nothing can end the wait" in answer
+    assert "the command waits for the operator to answer INPUT, which can never happen" in answer
     assert "start a move" not in answer
     assert session.feed("PRINT 1") == "1\n"
 

@@ -125,7 +125,7 @@ def test_other_computers_are_let_in_only_when_it_is_said() -> None:
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=20)
     assert err == (
-        f"motionlang serve: warning: whoever reaches this computer can connect to {address}; "
+        f"motionlang serve: warning: any computer that can reach this one can connect to {address}; "
         "there is no password\n"
     )
 
@@ -135,22 +135,22 @@ def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
         port = taken.getsockname()[1]
         assert main(["serve", "--tcp", str(port)]) == 1
     assert capsys.readouterr().err == (
-        f"error[address]: nobody can connect at 127.0.0.1:{port}: address already in use\n"
+        f"error[address]: cannot listen on 127.0.0.1:{port}: address already in use\n"
     )
 
 
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ([], "no host could connect: give --tcp HOST:PORT, --pty or --modbus HOST:PORT"),
+        ([], "no address for hosts: give --tcp HOST:PORT, --pty or --modbus HOST:PORT"),
         (["--tcp", "nowhere"], "argument --tcp: ':nowhere' is not HOST:PORT with a port from 0"),
         (["--tcp", "127.0.0.1:70000"], "is not HOST:PORT with a port from 0 (any that is free) to 65535"),
-        (["--tcp", "0", "--step", "1"], "--step is about lock step: it goes with --clock lockstep"),
-        (["--tcp", "0", "--clock", "lockstep", "--factor", "2"], "it goes with --clock real"),
+        (["--tcp", "0", "--step", "1"], "--step needs --clock lockstep"),
+        (["--tcp", "0", "--clock", "lockstep", "--factor", "2"], "--factor needs --clock real"),
         (["--tcp", "0", "--factor", "-1"], "'-1' is not a factor from"),
         (["--tcp", "0", "--max-hosts", "0"], "'0' is not a number of connections from 1 to 1000"),
-        (["--tcp", "0", "--set", "controller.model=pmc9"], "'pmc9' is no controller that is known here"),
-        (["pick.mnt", "--tcp", "0"], "a Mint program is served with --modbus HOST:PORT"),
+        (["--tcp", "0", "--set", "controller.model=pmc9"], "'pmc9' is not a known controller"),
+        (["pick.mnt", "--tcp", "0"], "serve a Mint program with --modbus HOST:PORT"),
     ],
 )
 def test_mistakes_on_the_command_line(
@@ -167,11 +167,11 @@ def test_mistakes_on_the_command_line(
     [
         (["gone.mcl"], "error[file]: gone.mcl cannot be read: no such file or directory\n"),
         (["--machine", "gone.toml"], "error[file]: gone.toml cannot be read: no such file or directory\n"),
-        (["--set", "controller.model=mintmt"], "error[machine-file]: MCCL knows no model mintmt\n"),
+        (["--set", "controller.model=mintmt"], "error[machine-file]: MCCL has no model mintmt\n"),
         (["--set", "R999=1"], "error[range]: there is no register 999\n"),
         (
             ["--tcp", "no.such.host.invalid:1"],
-            "error[address]: nobody can connect at no.such.host.invalid:1: ",
+            "error[address]: cannot listen on no.such.host.invalid:1: ",
         ),
     ],
 )

@@ -386,10 +386,7 @@ def test_the_program_s_gains_come_first_then_the_machine_file_s(
 
 def test_gains_that_nobody_sets_are_suggested_and_the_report_says_so() -> None:
     result = run(MOVE, MOTOR, servo={"bandwidth": 30.0})
-    assert result.notes == [
-        "axis 0: neither the program nor the machine file sets gains for its motor; "
-        "it ran with those suggested for 30 Hz"
-    ]
+    assert result.notes == ["axis 0: its motor has no gains; it ran with those suggested for 30 Hz"]
     motor = result.report["moves"][0]["motor"]  # type: ignore[index]
     assert motor["peak_following_error"] < 0.1
     assert motor["rms_torque"] > 0.0

@@ -81,7 +81,7 @@ def test_what_is_not_drawn_is_said(tmp_path: Path) -> None:
     controller.clock.advance(1.0)
     found = drawn(ended(run), tmp_path)
     assert any(
-        text.endswith("3 more axes moved and are not drawn  ·  6 more channels changed and are not drawn")
+        text.endswith("3 more axes moved but are not drawn  ·  6 more channels changed but are not drawn")
         for text in found
     )
 

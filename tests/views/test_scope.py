@@ -180,7 +180,7 @@ def test_more_than_a_page_holds_is_refused(tmp_path: Path, monkeypatch: pytest.M
     path.unlink()
     for against in (None, made):
         with pytest.raises(
-            ValueError, match=f"the run has {records} records, and a page holds {records - 1}; "
+            ValueError, match=f"the run has {records} records, but a page holds at most {records - 1}; "
         ):
             write_scope(made, str(path), against=against)
     assert not path.exists()

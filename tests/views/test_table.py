@@ -30,7 +30,7 @@ axis  position  counts      scale  feedback  state
 """
 
 PICK = """\
-pick.mnt · Mint · still running at 3 s, where its time was up · 5 moves
+pick.mnt · Mint · still running at the time limit of 3 s · 5 moves
 
 axis  command  line  profile     start      time      from         to   distance      peak  ended by
                                      s         s        uu         uu         uu      uu/s
@@ -88,7 +88,7 @@ axis  position      scale  state
 MANY = """\
 shift.mnt · Mint · ended after 9 min 36 s · 400 moves
 
-axis  command  line  profile    start      time      from        to  distance     peak  asked for
+axis  command  line  profile    start      time      from        to  distance     peak  commanded
                                     s         s        uu        uu        uu     uu/s       uu/s
 ─────────────────────────────────────────────────────────────────────────────────────────────────
    0  MOVER       5  trapezoid   0.00  1.600000    0.0000  -40.0000  -40.0000  33.3333    33.3333
@@ -101,7 +101,7 @@ axis  command  line  profile    start      time      from        to  distance   
    3  MOVER       6  trapezoid  10.08  0.594273  -31.6917  -24.3342    7.3575  24.7614    33.3333
    0  MOVER       5  trapezoid  11.52  1.542950  -40.9508   -2.8525   38.0983  33.3333    33.3333
    1  MOVER       6  trapezoid  12.96  0.852250   20.5308    5.4558  -15.0750  33.3333    33.3333
-… and 390 more moves: --all shows them
+… and 390 more moves: --all shows all
 
 line  command  axis  moves       in motion  of the run   each  distance    peak
                                                             s        uu    uu/s

@@ -99,8 +99,8 @@ def compare(
                 [
                     Diagnostic(
                         "recording",
-                        "nothing moves in the run or in the recording, so they cannot be aligned in time",
-                        hint="--delay S says how much later the recording is than the run",
+                        "cannot align in time: nothing moves in the run or in the recording",
+                        hint="give the delay of the recording with --delay S",
                     )
                 ]
             )
@@ -119,14 +119,14 @@ def _remarks(row: Row) -> Iterator[Diagnostic]:
             "recording",
             f"{row['signal']}: no time of {row['column']} lies within the run",
             severity="warning",
-            hint="another --delay, or another unit of time",
+            hint="try another --delay, or another unit of time",
         )
     elif abs(row["scale"] - 1.0) > OTHER_UNITS and row["moves"]:
         yield Diagnostic(
             "recording",
-            f"{row['signal']}: {row['column']} goes {row['scale']:.6g} times as far as the run",
+            f"{row['signal']}: {row['column']} moves {row['scale']:.6g} times as far as the run",
             severity="warning",
-            hint=f"where its unit is another one: --map {row['signal']}={row['column']}*{1.0 / row['scale']:.6g}"
+            hint=f"if its unit differs: --map {row['signal']}={row['column']}*{1.0 / row['scale']:.6g}"
             if row["scale"]
             else "",
         )
@@ -151,7 +151,7 @@ def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[
             [
                 Diagnostic(
                     "recording",
-                    f"what the columns of {source.name} are is not said",
+                    f"the columns of {source.name} are not assigned",
                     hint=f"--map position.0=NAME; its columns are {', '.join(table.columns)}",
                 )
             ]
@@ -180,7 +180,7 @@ def _target(run: Run, target: str) -> tuple[str, int]:
         problem, hint = f"{quantity!r} is no quantity of an axis", f"one of {', '.join(QUANTITIES)}"
     elif not axis.isdecimal() or int(axis) not in axes:
         problem = f"{target!r} names no axis of this controller"
-        hint = f"{quantity}.{next(iter(axes))} is the one of the first axis"
+        hint = f"{quantity}.{next(iter(axes))} is that of the first axis"
     else:
         return "position" if quantity == "actual" else quantity, int(axis)
     raise ProgramError([Diagnostic("recording", problem, hint=hint)])
@@ -214,7 +214,7 @@ def _gaps(signal: Signal) -> Iterator[Diagnostic]:
             f"{signal.column}: {int(wide.sum())} gap{'s' if wide.sum() > 1 else ''}, the longest {steps[where]:.6g} s "
             f"from {signal.times[where]:.6g} s on",
             severity="warning",
-            hint="what happens in them is not compared",
+            hint="the gaps are not compared",
         )
 
 

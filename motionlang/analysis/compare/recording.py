@@ -108,8 +108,8 @@ def read_table(source: Source) -> Table:
             [
                 Diagnostic(
                     "recording",
-                    f"{source.name} is no recording: no two rows of numbers stand in it",
-                    hint="a recording is columns of numbers, such as a drive or a scope exports as CSV",
+                    f"{source.name} is not a recording: it has fewer than two rows of numbers",
+                    hint="a recording has columns of numbers, as a drive or a scope exports them to CSV",
                 )
             ]
         )
@@ -123,10 +123,10 @@ def read_table(source: Source) -> Table:
         remarks.append(
             Diagnostic(
                 "recording",
-                f"{_count(len(short), 'row')} of other than {width} columns",
+                f"{_count(len(short), 'row')} without {width} columns",
                 short[0],
                 severity="warning",
-                hint="what is missing there is left out of the comparison",
+                hint="missing values are left out of the comparison",
             )
         )
     columns = {name: data[:, k] for k, name in enumerate(names)}
@@ -217,8 +217,8 @@ def time_column(table: Table, source: Source, wanted: str | None) -> str:
         [
             Diagnostic(
                 "recording",
-                f"no column of {source.name} is called time",
-                hint=f"say which: --map time=NAME; its columns are {', '.join(table.columns)}",
+                f"{source.name} has no column named time",
+                hint=f"choose one with --map time=NAME; its columns are {', '.join(table.columns)}",
             )
         ]
     )
@@ -248,7 +248,7 @@ def usable_rows(times: Array, table: Table) -> tuple[NDArray[np.int64], list[Dia
         remarks.append(
             Diagnostic(
                 "recording",
-                f"time runs back {_count(len(back), 'time')}",
+                f"time runs backwards {_count(len(back), 'time')}",
                 int(table.lines[rows[back[0] + 1]]),
                 severity="warning",
                 hint=f"only the longest stretch is compared: lines {table.lines[rows[first]]} to "

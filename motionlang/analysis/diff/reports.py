@@ -139,11 +139,11 @@ def end_of(report: Report) -> Move:
 def checked(report: object) -> dict[str, Any]:
     """Return a report of either version under its current names; ValueError if it is none or incomplete."""
     if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
-        raise ValueError("it is no report of a run")
+        raise ValueError("it is not a report of a run")
     report = current(report)
     for name in ("moves", "output", "events", "diagnostics"):
         if not isinstance(report.get(name, []), list):
-            raise ValueError(f"its {name} are no list")
+            raise ValueError(f"its {name} are not a list")
     for number, event in enumerate(report.get("events", [])):
         if not isinstance(event, dict) or not {"kind", "time"} <= event.keys():
             raise ValueError(f"its event {number} has no kind or time")
@@ -158,7 +158,7 @@ def checked(report: object) -> dict[str, Any]:
         if lacks or not all(
             isinstance(each, dict) and {"name", "duration", "distance"} <= each.keys() for each in phases
         ):
-            raise ValueError(f"its move {number} lacks {', '.join(lacks) or 'a part of a phase'}")
+            raise ValueError(f"its move {number} lacks {', '.join(lacks) or 'a field of a phase'}")
     return report
 
 

@@ -38,12 +38,12 @@ class Tolerance:
             units = UNITS.get(found[1]) if found else None
             if found is None or units is None or (found[3] != "%" and found[3] not in units):
                 raise ValueError(
-                    f"{text!r} is no tolerance such as time=1ms, position=0.01uu, speed=10uu/s or speed=2%"
+                    f"{text!r} is not a tolerance such as time=1ms, position=0.01uu, speed=10uu/s or speed=2%"
                 )
             try:
                 size = float(found[2])
             except ValueError:
-                raise ValueError(f"{found[2]!r} in {text!r} is no number") from None
+                raise ValueError(f"{found[2]!r} in {text!r} is not a number") from None
             if not 0.0 <= size < float("inf"):
                 raise ValueError(f"the tolerance {text!r} must be 0 or more")
             if found[3] == "%":

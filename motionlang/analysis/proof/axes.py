@@ -72,7 +72,7 @@ def judge_profile(
     if isfinite(length):
         reached, due = abs(profile.velocity(length)), slow.due(length)
         if reached > due + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
-            words = f"it does not slow down: {reached:g} counts/s after {length:g} s, due are {due:g}"
+            words = f"it does not slow down: {reached:g} counts/s after {length:g} s, expected {due:g}"
             proof.breaks(order.line, f"{where}: {words}")
     size = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
     _judge_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
@@ -96,7 +96,7 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
         least = most = lead(v0, a0, order.goal, by)[0]
         took = last_change(profile)
         if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
-            words = f"it comes to {profile.end_velocity:g} counts/s, ordered is {order.goal:g}"
+            words = f"it reaches {profile.end_velocity:g} counts/s, commanded {order.goal:g}"
             proof.breaks(order.line, f"{where}: {words}")
     least, most = least + begun.time, most + begun.time
     if begun.left is not None:  # it may continue as planned
@@ -104,9 +104,9 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
     least = min(least, begun.planned)
     slack = 1e-9 + 4e-16 * abs(profile.start)
     if took > most * (1.0 + SLACK) + slack:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where {most:g} s are due")
+        proof.breaks(order.line, f"{where}: it takes {took:g} s, expected at most {most:g} s")
     elif took < least * (1.0 - SLACK) - slack:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where no less than {least:g} s are due")
+        proof.breaks(order.line, f"{where}: it takes {took:g} s, expected at least {least:g} s")
 
 
 def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
@@ -153,7 +153,7 @@ def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     for name, told, done in (("begins", profile.start, first), ("ends", profile.end, last)):
         if abs(told - done) > size + 4.0 * late * abs(speed):
             where = f"axis {a.index} from {a.starts[i]:.6f} s"
-            proof.breaks(order.line, f"{where}: it {name} at {told:g}, its pieces have it at {done:g}")
+            proof.breaks(order.line, f"{where}: it {name} at {told:g}, its pieces at {done:g}")
 
 
 def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:

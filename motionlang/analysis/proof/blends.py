@@ -52,7 +52,7 @@ def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
             judge_tail(proof, run, tail, begin, finish - begin)
     if len(ends) >= MAX_OVERLAP:
         count = len(ends) + 1
-        words = f"{count} paths overlap at {begin:.6f} s, {MAX_OVERLAP} may at the most"
+        words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
         proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
     if ends and all(len(moves) == len(path.members) for moves in entries):
         _judge_sum(proof, run, order, entries, (begin, min(end, *ends)))
@@ -98,14 +98,14 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     where = f"path from {begin:.6f} s"
     if left > due + slack:
         if all(word != "blend" for _, word in prompts):
-            words = f"it begins {left:g} before the end of the one before it, ordered are {due:g} at the most"
+            words = f"it begins {left:g} before the end of the previous one, commanded at most {due:g}"
             proof.breaks(order.line, f"{where}: {words}")
     elif (
         left < due - slack
         and not path.rests  # what is suspended blends into nothing
         and all(abs(time - begin) > late for time in _causes(run, moves[0], prompts, begin))
     ):
-        words = f"it begins {left:g} before the end of the one before it, ordered are {due:g}"
+        words = f"it begins {left:g} before the end of the previous one, commanded {due:g}"
         proof.breaks(order.line, f"{where}: {words}")
 
 

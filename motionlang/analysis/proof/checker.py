@@ -47,7 +47,7 @@ class Proof:
         found = [
             f"proof: {looked}; {len(self.violations) or 'no'} violation{'s'[: len(self.violations) != 1]}"
         ]
-        found += [f"  {name}: {share:.9f} of what is allowed" for name, share in sorted(self.worst.items())]
+        found += [f"  {name}: {share:.9f} of the limit" for name, share in sorted(self.worst.items())]
         found += [f"  ordered: {name}, {count} x" for name, count in sorted(self.exceptions.items())]
         return found
 

@@ -74,22 +74,22 @@ def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
     order, scale = run.order_of(move), run.orders.scale(move.axis, start)
     if order.kind != "rest" and move.line not in _lines(run, a, start):
-        proof.breaks(move.line, f"{where}: it is ordered by line {order.line}")
+        proof.breaks(move.line, f"{where}: it is commanded by line {order.line}")
     if profile.duration <= late:
         found.stood.add(start)
     elif start in found.begun:
         found.begun.remove(start)
     else:
-        proof.breaks(move.line, f"{where}: no motion begins then that has no other entry")
+        proof.breaks(move.line, f"{where}: no motion without another entry begins then")
     if scale and (move.scale, move.zero) not in scale:
-        words = f"it counts {move.scale:g} a unit from {move.zero:g}, its axis differs"
+        words = f"it has {move.scale:g} counts per unit from {move.zero:g}, unlike its axis"
         proof.breaks(move.line, f"{where}: {words}")
     if start < found.until - late and order.kind != "path":
-        proof.breaks(move.line, f"{where}: the entry before it ends at {found.until:.6f} s")
+        proof.breaks(move.line, f"{where}: the previous entry ends at {found.until:.6f} s")
     if before is not None and before.profile is not None and before.ended in FOLLOWED:
         end = before.start_time + before.profile.duration
         if abs(start - end) > late:
-            words = f"it does not follow at {end:.6f} s, where the one before ends"
+            words = f"it does not start at {end:.6f} s, when the previous one ends"
             proof.breaks(before.line, f"{where}: {words}")
     _judge_gap(proof, run, a, found, start - late)
     if start + profile.duration <= run.until * (1.0 + ROUNDED):
@@ -118,7 +118,7 @@ def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
             middle, last = (a.profiles[i].position(each - a.starts[i]) for each in (0.5 * (begin + end), end))
             if max(abs(middle - first), abs(last - first)) > SLACK * max(1.0, abs(first)):
                 where = f"axis {a.index} from {begin:.6f} s"
-                proof.breaks(records[i].line, f"{where}: it moves, and no entry of the log says so")
+                proof.breaks(records[i].line, f"{where}: it moves without an entry in the log")
                 return
         if over > until:
             return
@@ -140,29 +140,31 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     if move.profile.duration > late and last.kind != "path" and abs(over - end) > late:
         proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
     if move.ended == CONTINUED and len(move.profile.knots) <= MOST_PIECES:
-        proof.breaks(move.line, f"{where}: it is said to go on as another entry, and has room")
+        proof.breaks(move.line, f"{where}: it is logged as continued, but its entry is not full")
     elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
-        proof.breaks(move.line, f"{where}: it is said to be replaced, where it comes to its end")
+        proof.breaks(move.line, f"{where}: it is logged as replaced, but reaches its end")
     found.said.update(stop for stop in stops if stop[1] == move.ended)
     if move.ended in ("stop", "cancel", "fault"):
         # A stop may lead through the end of one path into the next.
         earlier = last.path is not None and last.path.rests
         ordered = orders.was_stopped(a.index, move.ended, end + late) if earlier else False
         if not ordered and all(word != move.ended for _, word in stops):
-            proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
+            proof.breaks(
+                move.line, f"{where}: it is logged as ended by a {move.ended} that was not commanded"
+            )
     elif not move.ended and move.profile.duration:
         rests = last.kind in RESTING or last.slopes is not None
         if rests and abs(move.profile.end_velocity) > SLACK * max(1.0, move.profile.peak_speed):
-            proof.breaks(move.line, f"{where}: it is said to have come to its end, where it moves")
+            proof.breaks(move.line, f"{where}: it is logged as complete, but is still moving")
         points = None if last.points is None or move.offset else last.points[0]
         if points is not None and abs(move.profile.end - points[-1]) > SLACK * max(1.0, abs(points[-1])):
-            proof.breaks(move.line, f"{where}: it is said to have come to its end, which is {points[-1]:g}")
+            proof.breaks(move.line, f"{where}: it is logged as complete, but its end is {points[-1]:g}")
         for time, word in stops:
             if (
                 time < end + (late if last.tie is not None else -late)
                 and _order_before(run, a, time).kind != "stop"
             ):
-                words = f"{where}: a {word} was ordered at {time:.6f} s, and it says nothing of it"
+                words = f"{where}: a {word} was commanded at {time:.6f} s, but is not logged"
                 if start + late < time < end - late:
                     proof.breaks(move.line, words)
                 else:
@@ -217,13 +219,13 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
             _judge_gap(proof, run, a, found, run.until)
         for time in sorted(found.begun - found.stood):
             line = run.orders.of[number][a.place(time)].line
-            proof.breaks(line, f"axis {number} from {time:.6f} s: no entry of the log tells of it")
+            proof.breaks(line, f"axis {number} from {time:.6f} s: it has no entry in the log")
         for stop, line, words in found.unsaid:
             if stop not in found.said:
                 proof.breaks(line, words)
         if found.last is not None and found.last.ended in FOLLOWED and not run.orders.was_cut:
             where = f"axis {number} from {found.last.start_time:.6f} s"
-            proof.breaks(found.last.line, f"{where}: nothing follows what is said to be replaced")
+            proof.breaks(found.last.line, f"{where}: nothing follows the replaced move")
         _judge_waiting(proof, run, a)
         if found.going:
             _judge_going(proof, run, a, found.going)
@@ -244,7 +246,9 @@ def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
     for move in found:
         if not move.released or _is_refused(run, a):
             continue
-        proof.breaks(move.line, f"axis {a.index}: its move waits as the run ends, and nothing is under way")
+        proof.breaks(
+            move.line, f"axis {a.index}: its move is waiting at the end of the run, but nothing is in motion"
+        )
 
 
 def _is_refused(run: Run, a: WholeTrack) -> bool:
@@ -274,7 +278,7 @@ def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> No
         speeds = [each.profile.velocity(now - each.start_time) for each in going if each.profile is not None]
         if abs(fsum(speeds) - done) <= SLACK * max(1.0, abs(done), *map(abs, speeds)):
             return
-    words = f"its entries run at {fsum(speeds):g} counts/s as the run ends, the axis at {done:g}"
+    words = f"its entries run at {fsum(speeds):g} counts/s at the end of the run, the axis at {done:g}"
     proof.breaks(first.line, f"{where}: {words}")
 
 
@@ -293,4 +297,4 @@ def _judge_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
     end = min((profile.end + shift for shift in shifts), key=lambda each: abs(each - done))
     if abs(end - done) > SLACK * max(1.0, abs(end), abs(done)):
         where = f"axis {a.index} from {last.start_time:.6f} s"
-        proof.breaks(last.line, f"{where}: the last entry ends at {end:g}, the axis stands at {done:g}")
+        proof.breaks(last.line, f"{where}: the last entry ends at {end:g}, the axis is at {done:g}")

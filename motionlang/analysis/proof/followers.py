@@ -35,7 +35,7 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
     if tie.curve is None and tie.locked > begin:
         earlier = run.orders.of[a.index][i - 1]
         if not tie.ramp and earlier.kind != "stop" and tie.takes_up(earlier.tie):
-            proof.breaks(order.line, f"{where}: it ramps to its ratio, ordered is to take it up at once")
+            proof.breaks(order.line, f"{where}: it ramps to its ratio, commanded to engage at once")
         _judge_chase(proof, run, a, i, order, end)
         begin = tie.locked
     if tie.curve is not None and tie.table is not None:
@@ -58,7 +58,7 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
         speed = abs(a.profiles[i].velocity(time - a.starts[i]))
         if abs(done - wanted) > SLACK * size + 8e-16 * (1.0 + time) * speed:
             proof.breaks(
-                order.line, f"{where}: at {time:.6f} s it is at {done:g}, its master has it at {wanted:g}"
+                order.line, f"{where}: at {time:.6f} s it is at {done:g}, its master requires {wanted:g}"
             )
             return
 
@@ -77,9 +77,9 @@ def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, en
         side = 0 if state.velocity * state.acceleration > 0.0 else 1
         uses.look("rate of a slave", abs(state.acceleration), order.rates[side])
         if abs(state.acceleration) < order.rates[side] * (1.0 - SLACK):
-            words = f"its rate on the way to its ratio is {abs(state.acceleration):g} counts/s²"
+            words = f"its rate while ramping to its ratio is {abs(state.acceleration):g} counts/s²"
             where = f"axis {a.index} at {time:.6f} s"
-            proof.breaks(order.line, f"{where}: {words}, ordered is {order.rates[side]:g}")
+            proof.breaks(order.line, f"{where}: {words}, commanded {order.rates[side]:g}")
             return
     uses.tell(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
 
@@ -117,16 +117,14 @@ def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
         if abs(gone - wanted) > size:
             proof.breaks(
                 order.line,
-                f"{where}: its curve has {gone:g} at {place:g} of its master, ordered is {wanted:g}",
+                f"{where}: its curve has {gone:g} at {place:g} of its master, commanded {wanted:g}",
             )
             return
     if abs(curve.end - curve.start - values[-1] + values[0]) > size:
-        words = (
-            f"its curve is told to rise by {curve.end - curve.start:g}, ordered is {values[-1] - values[0]:g}"
-        )
+        words = f"its curve rises by {curve.end - curve.start:g}, commanded {values[-1] - values[0]:g}"
         proof.breaks(order.line, f"{where}: {words}")
     if curve.duration != places[-1]:
-        proof.breaks(order.line, f"{where}: its curve is {curve.duration:g} long, ordered is {places[-1]:g}")
+        proof.breaks(order.line, f"{where}: its curve is {curve.duration:g} long, commanded {places[-1]:g}")
     slopes = [derivatives(curve.pieces[0], 0.0)[1]]
     slopes.append(derivatives(curve.pieces[-1], curve.knots[-1] - curve.knots[-2])[1])
     for stated, slope in zip((curve.start_velocity, curve.end_velocity), slopes, strict=True):
@@ -169,7 +167,7 @@ def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, 
             wanted = derivatives(last.pieces[-1], last.knots[-1] - last.knots[-2])[1]
     if abs(begins - wanted) > SLACK * max(1.0, abs(wanted)) or bends or len(curve.pieces) != 1:
         where = f"axis {a.index} from {a.starts[i]:.6f} s"
-        proof.breaks(order.line, f"{where}: its segment begins at a ratio of {begins:g}, due is {wanted:g}")
+        proof.breaks(order.line, f"{where}: its segment begins at a ratio of {begins:g}, expected {wanted:g}")
 
 
 def _wanted(tie: Tie, curve: Profile, along: float) -> float:
@@ -192,11 +190,11 @@ def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
     ends = abs(profile.end - points[-1]) <= SLACK * max(1.0, abs(points[-1]))
     if isfinite(profile.duration) and not ends:
-        proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, ordered is {points[-1]:g}")
+        proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, commanded {points[-1]:g}")
     if not profile.pieced or abs(profile.duration - fsum(times)) > SLACK:
         return  # it is suspended, or stops in between
     if len(profile.pieces) != len(times):
-        proof.breaks(order.line, f"{where}: it has {len(profile.pieces)} segments, ordered are {len(times)}")
+        proof.breaks(order.line, f"{where}: it has {len(profile.pieces)} segments, commanded {len(times)}")
         return
     size = max(1.0, *(abs(point) for point in points))
     fast = max(1.0, *(abs(velocity) for velocity in velocities))
@@ -217,13 +215,13 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
     if order.slopes is None:
         if abs(profile.end - order.goal) > SLACK * max(1.0, abs(order.goal)):
-            proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, written is {order.goal:g}")
+            proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, commanded {order.goal:g}")
         return
     if not profile.pieced:
         return
     entry, endless = profile.at(0.0), not isfinite(profile.duration)
     if endless and not order.goal:
-        proof.breaks(order.line, f"{where}: it never comes to its end, where it stands")
+        proof.breaks(order.line, f"{where}: it never reaches its end")
     uses = Uses(proof)
     fades = order.slopes[0 if entry.acceleration * entry.velocity >= 0.0 else 1][2]
     eased = abs(entry.acceleration) if fades else 0.0
@@ -238,9 +236,9 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     took = profile.knots[-2] if endless else profile.knots[-1]
     wanted = _reference_time(entry.velocity, _carried(a, i), order.goal, order.slopes)
     if abs(took - wanted) > wanted * SLACK + 1e-9:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
+        proof.breaks(order.line, f"{where}: it takes {took:g} s, expected {wanted:g} s")
     if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
-        words = f"it comes to {profile.end_velocity:g} counts/s, written is {order.goal:g}"
+        words = f"it reaches {profile.end_velocity:g} counts/s, commanded {order.goal:g}"
         proof.breaks(order.line, f"{where}: {words}")
 
 

@@ -49,11 +49,11 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     start, end = move.start_time, move.start_time + profile.duration
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + end)
     if abs(profile.start) > SLACK:
-        proof.breaks(move.line, f"{where}: it lies on top of other motion, and begins at {profile.start:g}")
+        proof.breaks(move.line, f"{where}: it is superposed on other motion but begins at {profile.start:g}")
     orders = run.orders
     scale = {counts for counts, _ in orders.scale(move.axis, start)}
     if (scale and move.scale not in scale) or move.zero:
-        proof.breaks(move.line, f"{where}: it counts {move.scale:g} a unit, its axis differs")
+        proof.breaks(move.line, f"{where}: it has {move.scale:g} counts per unit, unlike its axis")
     ordered = orders.offsets.get((move.axis, start))
     if ordered is None:
         return
@@ -61,10 +61,10 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     wanted = distance + _left(run, move)
     run.offset_goals[move.axis] = move, wanted
     if line != move.line:
-        proof.breaks(move.line, f"{where}: it is ordered by line {line}")
+        proof.breaks(move.line, f"{where}: it is commanded by line {line}")
     if not move.ended:
         if end <= run.until and abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
-            proof.breaks(move.line, f"{where}: it goes {profile.end:g} counts, ordered are {wanted:g}")
+            proof.breaks(move.line, f"{where}: it moves {profile.end:g} counts, commanded {wanted:g}")
     elif end <= run.until:
         words = {word for _, word in orders.stopped(move.axis, end - late, end + late)}
         followed = any(abs(time - end) <= late for time in run.begins_near(move.axis, end))
@@ -72,4 +72,6 @@ def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
         short = abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted))
         cut = move.ended == "stop" or (move.ended == "retarget" and followed)
         if move.ended not in words and not (short and cut):
-            proof.breaks(move.line, f"{where}: it is said to end by a {move.ended} that nothing has ordered")
+            proof.breaks(
+                move.line, f"{where}: it is logged as ended by a {move.ended} that was not commanded"
+            )

@@ -31,7 +31,7 @@ def judge_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -
             _judge_row(proof, run, row, move)
     if told != logged:
         del proof.violations[before:]
-        proof.breaks(0, f"the report tells of {told} moves, the log of {logged}")
+        proof.breaks(0, f"the report has {told} moves, the log {logged}")
 
 
 def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:

@@ -152,7 +152,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     begin = master.starts[i]
     moves = run.members(path)
     if len(moves) != len(path.members):
-        proof.breaks(order.line, f"path from {begin:.6f} s: the log does not tell of all of its axes")
+        proof.breaks(order.line, f"path from {begin:.6f} s: the log lacks some of its axes")
         return
     profiles = [entry.profile for entry in moves if entry.profile is not None]
     way = Way(path, [profile.start for profile in profiles])
@@ -181,7 +181,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         if not blended:  # the plan applies, even if something else has preceded its end
             planned = min(profile.duration - time for profile, time in tracks)
             if planned == inf and order.speed and min(order.rates) and way.length and not path.rests:
-                proof.breaks(order.line, f"{where}: it never comes to its end")
+                proof.breaks(order.line, f"{where}: it never reaches its end")
             if end - begin < planned < inf:
                 along = spans_along(tracks, way, planned)
                 reached = [profile.position(time + planned) for profile, time in tracks]
@@ -244,14 +244,14 @@ def _judge_way(
         places = [profile.position(first + share * length) for profile in profiles]
         off = way.off(places)
         if off > slack:
-            proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
+            proof.breaks(order.line, f"{where}: it is {off:g} off the commanded path")
             return
         if along and way.unit is None:
             span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
             gone = span.at(min(share * length - span.begin, span.length))[0]
             beside = max(abs(p - w) for p, w in zip(places, way.at(gone), strict=True))
             if beside > slack * max(map(abs, way.path.scales)):
-                proof.breaks(order.line, f"{where}: {gone:g} along it lie {beside:g} counts elsewhere")
+                proof.breaks(order.line, f"{where}: {gone:g} along it is {beside:g} counts off")
                 return
 
 
@@ -365,7 +365,7 @@ def _judge_along(
     took = along[-1].begin + along[-1].length
     reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
     if reached > due + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
-        words = f"it does not slow down: {reached:g} after {took:g} s, due are {due:g}"
+        words = f"it does not slow down: {reached:g} after {took:g} s, expected {due:g}"
         proof.breaks(order.line, f"{where}: {words}")
     _judge_joins(proof, order, along, slow.came, where)
 
@@ -445,7 +445,7 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
         due = min(due, move_times(first[1], bent, left, speed, by, rounded)[1])
     took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
     if took > due * (1.0 + SLACK) + 1e-9:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
+        proof.breaks(order.line, f"{where}: it takes {took:g} s, expected at most {due:g} s")
 
 
 def _least(order: Order, way: Way) -> tuple[float, Law]:
@@ -552,7 +552,7 @@ def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
     where = f"axis {move.axis} from {move.start_time:.6f} s"
     size = max(1.0, abs(end), abs(profile.start))
     if over and abs(profile.end - end) > SLACK * size:
-        proof.breaks(move.line, f"{where}: its path ends at {profile.end:g}, ordered was {end:g}")
+        proof.breaks(move.line, f"{where}: its path ends at {profile.end:g}, commanded {end:g}")
     if which == 0 and over and not profile.duration and Way(path, starts).length > SLACK:
         proof.breaks(move.line, f"{where}: a path in no time")
 

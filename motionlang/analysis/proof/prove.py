@@ -86,10 +86,9 @@ def prove(
     proof = Proof()
     if orders.is_full:
         message = (
-            f"the run has more than {MOST} profiles of motion with orders of their own, and a proof takes no more: "
-            "nothing is proved"
+            f"nothing was verified: the run has more than {MOST} profiles of motion, the limit of --prove"
         )
-        proof.violations.append(Diagnostic("proof", message, hint="--until ends the run sooner"))
+        proof.violations.append(Diagnostic("proof", message, hint="end the run sooner with --until"))
         return proof
     run = Run(controller.axes, controller.moves, orders, until)
     if report is not None:
@@ -99,7 +98,7 @@ def prove(
     for number, a in controller.axes.items():
         records = orders.of[number]
         assert orders.was_cut or len(records) == len(a.starts), (
-            f"axis {number} has a profile that nobody recorded"
+            f"axis {number} has a profile that was not recorded"
         )
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
@@ -144,10 +143,10 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     late = 4e-16 * (1.0 + time)
     moved = abs(after.position - before.position - shift)
     if shift:
-        proof.excuses("a position that is given a new value")
+        proof.excuses("a position set to a new value")
     if moved > SLACK * max(1.0, abs(before.position) * 1e-6) + 4.0 * late * abs(before.velocity):
         if a.feedback is not None and not after.velocity and order.kind == "rest":
-            proof.excuses("a demand that is taken to where its motor is")
+            proof.excuses("a demand set to the motor position")
         else:
             proof.breaks(line, f"{where}: the position jumps by {moved:g} counts")
     jump = abs(after.velocity - before.velocity)
@@ -181,7 +180,7 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
 def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     """Return the command that makes the velocity jump; "" if there is none."""
     if (a.index, a.starts[i]) in run.orders.stands:
-        return "a stop at once: cancelled, switched off, or at a limit"
+        return "an immediate stop: cancelled, disabled, or at a limit"
     order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
     if order.tie is not None and order.tie.ramp and order.tie.takes_up(earlier.tie):
         return ""
@@ -279,7 +278,9 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
         if abs(time - profile.duration) > SLACK * max(1.0, profile.duration):
             proof.breaks(move.line, f"{where}: the phases take {time:g} s, the move {profile.duration:g} s")
         if abs(way - profile.distance) > SLACK * size:
-            proof.breaks(move.line, f"{where}: the phases go {way:g} counts, the move {profile.distance:g}")
+            proof.breaks(
+                move.line, f"{where}: the phases cover {way:g} counts, the move {profile.distance:g}"
+            )
     kind = run.order_of(move).kind
     over = move.start_time + profile.duration <= run.until and a.move is not move and not move.ended
     if (
@@ -287,7 +288,9 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
         and kind in ("move", "step", "rest")
         and abs(profile.end + move.offset - move.target) > SLACK * size
     ):
-        proof.breaks(move.line, f"{where}: it ends at {profile.end + move.offset:g}, sent to {move.target:g}")
+        proof.breaks(
+            move.line, f"{where}: it ends at {profile.end + move.offset:g}, commanded {move.target:g}"
+        )
     if kind == "path":
         judge_path_end(proof, run, move, over)
     if move.overlaid or move.offset or not isfinite(profile.start):

@@ -53,15 +53,15 @@ def _judge_setting(
     kinds = order.kind, wanted.kind
     if order.tie is not None and wanted.tie is not None:
         if order.tie.ratio != wanted.tie.ratio:
-            words = f"it follows at {order.tie.ratio:g}, ordered is {wanted.tie.ratio:g}"
+            words = f"it follows at {order.tie.ratio:g}, commanded {wanted.tie.ratio:g}"
             proof.breaks(order.line, f"{where}: {words}")
     elif kinds in (("move", "stop"), ("jog", "stop")):
-        proof.breaks(order.line, f"{where}: it goes on, ordered is to come to rest")
+        proof.breaks(order.line, f"{where}: it continues, commanded to stop")
     elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
-        words = f"it goes to {order.goal:g} counts/s, ordered is {wanted.goal:g}"
+        words = f"it goes to {order.goal:g} counts/s, commanded {wanted.goal:g}"
         proof.breaks(order.line, f"{where}: {words}")
     elif kinds == ("move", "move") and order.speed != wanted.speed:
-        words = f"it is planned for {order.speed:g} counts/s, ordered is {wanted.speed:g}"
+        words = f"it is planned for {order.speed:g} counts/s, commanded {wanted.speed:g}"
         proof.breaks(order.line, f"{where}: {words}")
     elif kinds == ("move", "move") and order.rates != wanted.rates:
         profile, state = a.profiles[i], a.profiles[i].at(time - a.starts[i])
@@ -73,7 +73,7 @@ def _judge_setting(
         if abs(lead(state.velocity, bent, 0.0, by)[1]) < abs(left) * (1.0 - SLACK):
             words = f"it keeps the rates {order.rates[0]:g} and {order.rates[1]:g}"
             proof.breaks(
-                order.line, f"{where}: {words}, ordered are {wanted.rates[0]:g} and {wanted.rates[1]:g}"
+                order.line, f"{where}: {words}, commanded {wanted.rates[0]:g} and {wanted.rates[1]:g}"
             )
 
 

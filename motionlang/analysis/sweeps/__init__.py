@@ -105,6 +105,7 @@ class Sweep:
 
     def _check(self, source: Source, language: Dialect) -> None:
         from motionlang.lang.machine.file import check_setting, current_key
+
         """What is wrong with every variant is told once, before any is run."""
 
         values = self.space[0]

@@ -27,17 +27,17 @@ KEYS = {
     "vary": "a table of names: rate = \"500:5000:10\", gain = [1, 2, 4]",
     "machines": "a folder of machine files, each a variant",
     "scenarios": "a folder of scenarios, each a variant",
-    "keep": "a list of what is kept: [\"time\", \"peak.0\"]",
-    "random": "a number of variants, drawn at random",
-    "latin": "a number of variants, drawn as a Latin hypercube",
-    "seed": "a whole number, the beginning of what is drawn",
+    "keep": "a list of quantities to record: [\"time\", \"peak.0\"]",
+    "random": "the size of a random sample",
+    "latin": "the size of a Latin hypercube sample",
+    "seed": "a whole number, the seed of the sample",
     "until": "the machine time at which a variant ends, s",
-    "minimise": "an expression that is to be small",
-    "maximise": "an expression that is to be large",
-    "where": "an expression that must be true of the best",
-    "pareto": "two or more expressions that are to be small, by commas",
-    "certify": "true: a variant that passes a limit of the machine is a bad one",
-    "prove": "true: the motion of every variant is held against what was ordered",
+    "minimise": "an expression to minimise",
+    "maximise": "an expression to maximise",
+    "where": "an expression that must be true for the best variant",
+    "pareto": "two or more expressions to minimise, separated by commas",
+    "certify": "true if a variant fails when it exceeds a limit of the machine",
+    "prove": "true to verify the motion of every variant",
 }  # fmt: skip
 _TEXTS, _COUNTS = ("machines", "scenarios", "minimise", "maximise", "where", "pareto"), ("random", "latin")
 
@@ -67,10 +67,10 @@ class Description:
         dimensions = [*whole, *self.dimensions]
         if not dimensions:
             raise ValueError(
-                "nothing is varied: give --vary NAME=FIRST:LAST:COUNT, --machines DIR or --scenarios DIR"
+                "nothing to vary: give --vary NAME=FIRST:LAST:COUNT, --machines DIR or --scenarios DIR"
             )
         if self.random is not None and self.latin is not None:
-            raise ValueError("variants are drawn at random or as a Latin hypercube, not both")
+            raise ValueError("use either a random or a Latin hypercube sample, not both")
         count = self.latin if self.random is None else self.random
         if count is None:
             return Grid(dimensions)
@@ -101,7 +101,7 @@ class Description:
             return []
         found = [Expression(each) for each in self.pareto.split(",")]
         if len(found) < 2:
-            raise ValueError("a front is between two figures or more, such as time,peak.0")
+            raise ValueError("a Pareto front needs two or more quantities, such as time,peak.0")
         return found
 
 

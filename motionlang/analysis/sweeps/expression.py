@@ -64,7 +64,7 @@ class Expression:
                 self._check(node)
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
             raise ValueError(
-                f"{text!r} is no expression such as time + 0.1 * peak.0, or peak.0 < 400"
+                f"{text!r} is not an expression such as time + 0.1 * peak.0, or peak.0 < 400"
             ) from error
         self.names = tuple(places)
 
@@ -108,7 +108,7 @@ class Expression:
         if isinstance(node, ast.BinOp):
             left, right = self._value(node.left, values), self._value(node.right, values)
             if isinstance(left, str) or isinstance(right, str):
-                raise TypeError("a text is compared, and nothing else")
+                raise TypeError("a text can only be compared")
             if isinstance(node.op, ast.Pow) and abs(right) > _MOST_POWER:  # type: ignore[arg-type]
                 raise ArithmeticError("too large")
             return _OPERATORS[type(node.op)](left, right)

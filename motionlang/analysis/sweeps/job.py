@@ -188,7 +188,7 @@ def _failed(error: Exception) -> Diagnostic:
     lacking = missing(error, "this run")
     if lacking is not None:
         return Diagnostic("extra", lacking.message, hint=lacking.hint)
-    return Diagnostic("crash", f"motionlang itself failed: {type(error).__name__}: {error}")
+    return Diagnostic("crash", f"internal error: {type(error).__name__}: {error}")
 
 
 def told(diagnostics: Sequence[Diagnostic]) -> Problem:

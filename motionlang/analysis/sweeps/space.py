@@ -196,7 +196,7 @@ class Points(Space):
         super().__init__(self._points[0] if self._points else ())
         for number, point in enumerate(self._points):
             if point.keys() != set(self.names):
-                raise ValueError(f"point {number} has not the names of the first: {', '.join(self.names)}")
+                raise ValueError(f"point {number} differs in names from the first: {', '.join(self.names)}")
 
     def __len__(self) -> int:
         return len(self._points)

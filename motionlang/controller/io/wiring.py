@@ -322,7 +322,7 @@ def _again(entry: Entry) -> Iterator[Entry]:
 
 def _number(entry: Entry, key: str, default: float | None = None) -> float:
     value = entry.get(key, default)
-    assert value is not None, f"the machine file was read without its check of {key}"
+    assert value is not None, f"the machine file was not checked for {key}"
     return value  # type: ignore[return-value]
 
 

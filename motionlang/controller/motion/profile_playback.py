@@ -189,7 +189,7 @@ def _to_the_end(path: Profile, pace: Profile) -> Profile:
     Rounding must not end it elsewhere.
     """
     end = pace.crossing(path.duration)
-    assert end is not None, "a pace above zero comes to every end"
+    assert end is not None, "a playback rate above zero reaches every end"
     made = pace.cut(end)
     made.end = path.duration
     return made

@@ -85,9 +85,7 @@ def known_end(a: Axis) -> float:
     """Like `end`, but raise Refusal while the axis is jogging."""
     there = end(a)
     if not abs(there) < 1e300:
-        raise Refusal(
-            "moving", f"axis {a.index} runs without an end: nothing can count from there", "stop it first"
-        )
+        raise Refusal("moving", f"axis {a.index} is jogging: a relative move has no start", "stop it first")
     return there
 
 

@@ -86,7 +86,7 @@ class PathMove(Action):
             raise Refusal(
                 "zero-speed",
                 f"axis {master.index} cannot move: its speed is {speed:g}",
-                "a move needs a speed above zero, else it would start and never end",
+                "set a speed above zero; the move would never end",
             )
         k = abs(self.scales[0])
         accel, decel = controller.rates(master, speed)
@@ -214,7 +214,7 @@ class PathMove(Action):
             return
         raise Refusal(
             "moving",
-            f"axis {a.index} is on a path: its position cannot be given a new value",
+            f"axis {a.index} is on a path: its position cannot be set",
             "wait until the path has ended",
         )
 
@@ -274,7 +274,7 @@ def load_guided(
 
 def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
     if len(set(axes)) != len(axes) or len(axes) < 2:
-        raise Refusal("axis", "a path needs two or more different axes", "MOVEA and MOVER move one axis")
+        raise Refusal("axis", "a path needs two or more different axes", "use MOVEA or MOVER for one axis")
     return [controller.movable(axis) for axis in axes]
 
 
@@ -284,7 +284,7 @@ def _starts(members: Sequence[Axis]) -> list[float]:
     for a, start in zip(members, starts, strict=True):
         if not abs(start) < 1e300:
             raise Refusal(
-                "moving", f"axis {a.index} runs without an end: a path cannot begin there", "stop it first"
+                "moving", f"axis {a.index} is jogging: a path cannot start from there", "stop it first"
             )
     return starts
 

@@ -215,8 +215,8 @@ class PathRun:
         if newest.ahead:
             raise Refusal(
                 "contour-and-blend",
-                f"axis {self.axes[0].index} runs through the end of this path",
-                "set CONTOURMODE to 0 for paths that are to be blended",
+                f"axis {self.axes[0].index} contours past the end of this path",
+                "set CONTOURMODE to 0 to blend paths",
             )
         if len(self.courses) > 1:
             self._wanted = newest.remaining

@@ -174,8 +174,10 @@ def refuse_motion(controller: Core, a: Axis) -> None:
     """Raise Refusal if the axis is locked by an error, disabled, or its brake is set."""
     if a.faults & a.locks:
         what = names(a.faults)
-        raise Refusal("axis-error", f"axis {a.index} has an error: {what}", "clear the error before it moves")
+        raise Refusal(
+            "axis-error", f"axis {a.index} has an error: {what}", "clear the error before moving it"
+        )
     if not a.enabled:
-        raise Refusal("disabled-axis", f"axis {a.index} is off", "switch the axis on before it moves")
+        raise Refusal("disabled-axis", f"axis {a.index} is off", "enable the axis before moving it")
     if a.index in controller.braked:
-        raise Refusal("brake", f"the brake of axis {a.index} is set", "lift the brake before it moves")
+        raise Refusal("brake", f"the brake of axis {a.index} is set", "release the brake before moving it")

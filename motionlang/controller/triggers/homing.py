@@ -37,9 +37,9 @@ STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offse
 
 # The endless motion of an axis that has nothing ahead of it.
 _IN_VAIN = {
-    "search": "homes away from its {0} and never meets it",
+    "search": "homes away from its {0} and never reaches it",
     "back-off": "backs off its {0} and never leaves it",
-    "index": "homes and never meets an index mark",
+    "index": "homes and never reaches an index mark",
 }
 _SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
 
@@ -152,7 +152,7 @@ class Homing:
             return ""
         what = "limit switch" if self._switch == LIMIT else "switch"
         if not self.provided and self.state == "search":
-            return f"axis {self.axis} homes towards a {what} that nothing provides"
+            return f"axis {self.axis} homes towards a {what} that does not exist"
         return f"axis {self.axis} {_IN_VAIN[self.state].format(what)}"
 
     def _unwatch(self) -> None:

@@ -14,7 +14,7 @@ def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[
 
     The axes are numbered from `first`; there are `axes` of them.
     """
-    hint = f"the axes are {first} to {first + axes - 1}; controller.axes says how many there are"
+    hint = f"the axes are {first} to {first + axes - 1}; controller.axes sets their number"
     return [
         Diagnostic("machine-file", f"{where}: there is no axis {axis}", hint=hint)
         for where, axis in dict.fromkeys(_named(settings))

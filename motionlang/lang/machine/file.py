@@ -157,7 +157,7 @@ def _problems(key: str, value: object) -> Iterator[tuple[str, str, str, int]]:
             yield (*problem, key, 0)
         return
     if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
-        yield f"{key} is a table of entries", f"write [[{key}]] above each", key, 0
+        yield f"{key} is a table of entries", f"write [[{key}]] above each entry", key, 0
         return
     for number, entry in enumerate(value):
         for each in _entry_problems(key, entry):
@@ -187,9 +187,9 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         yield from _remote_problems(entry)
     first, last = entry.get("first"), entry.get("last", LAST_REGISTER)
     if isinstance(first, int) and isinstance(last, int) and last < first <= LAST_REGISTER:
-        yield f"[[{table}]] ends before it begins", "last is its last register", "last"
+        yield f"[[{table}]] has its last register before the first", "last must not be below first", "last"
     if "per_unit" in entry and "axis" not in entry:
-        yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
+        yield f"[[{table}]] needs an axis", "add axis = N", "per_unit"
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):
         yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
     if table == "expect":
@@ -205,13 +205,13 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
         ways = (
             "line, or one of above, below" if table == "fault" else "output, or one of above, below, between"
         )
-        what = "comes about" if table == "fault" else "is active"
-        yield f"[[{table}]] {what} in one way only", f"give at, {ways}", where[0]
+        what = "occurs" if table == "fault" else "is active"
+        yield f"[[{table}]] {what} by one trigger only", f"give at, {ways}", where[0]
     if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
-        yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+        yield f"[[{table}]] needs an axis", "add axis = N", where[0]
     if "axis" in entry and table in ("input", "analogue") and where in ([], ["output"]):
-        hint = "add above, below or between, or take axis away"
-        yield f"axis of [[{table}]] decides nothing without a position", hint, "axis"
+        hint = "add above, below or between, or remove axis"
+        yield f"axis of [[{table}]] has no effect without a position", hint, "axis"
 
 
 def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -224,8 +224,8 @@ def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str
         yield "[[input]] with between needs times", "times = 50 is how many there are", "every"
         return
     if between is None and (length is None or any(way in entry for way in ("above", "below", "output"))):
-        words = "give for, how long it lasts, or between, two positions of an axis"
-        yield "[[input]] cannot come again before it is over", words, "every"
+        words = "give for (a duration) or between (two positions of an axis)"
+        yield "[[input]] needs a duration to repeat", words, "every"
         return
     spans = isinstance(between, list) and _is_pair(between)
     last = between[1] - between[0] if spans else length  # type: ignore[index]
@@ -238,7 +238,7 @@ def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str
             "every",
         )
     elif every <= last:  # type: ignore[operator]
-        yield "[[input]] comes again before it is over", f"every must be more than {last:g}", "every"
+        yield "[[input]] repeats before it ends", f"every must be more than {last:g}", "every"
 
 
 def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -246,7 +246,7 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
     if len(what) != 1:
         yield (
             "[[remote]] needs a channel, an analogue, an encoder, an element, an object or an event",
-            "one of them; channel = 0 is a digital input",
+            "give one of them; channel = 0 is a digital input",
             "[[remote]]",
         )
     elif "for" in entry and what[0] not in ("channel", "analogue"):
@@ -268,9 +268,9 @@ def _expect_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
         return
     for name in entry:
         if name in TABLES["expect"] and name != what[0] and name not in EXPECTED[what[0]]:
-            yield f"{name} of [[expect]] says nothing of {what[0]}", TABLES["expect"][name][1], name
+            yield f"{name} of [[expect]] has no effect on {what[0]}", TABLES["expect"][name][1], name
     if what[0] == "position" and "axis" not in entry:
-        yield "[[expect]] needs the axis that stands there", "add axis = N", "position"
+        yield "[[expect]] needs the axis of the position", "add axis = N", "position"
 
 
 def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -303,7 +303,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "reading": (finite or isinstance(value, (bool, str)), "must be a number, a text, true or false"),
         "line": (whole and 0 < value <= LAST_LINE, "must be the number of a line"),  # type: ignore[operator]
         "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
-        "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
+        "registers": (_are_registers(value), 'must be registers with 16-bit values, such as { "6" = 1234 }'),
         "bus": (whole and 1 <= value <= 2, "must be 1 or 2"),  # type: ignore[operator]
         "node": (whole and 0 <= value <= 255, "must be a whole number from 0 to 255"),  # type: ignore[operator]
         "port": (whole and 1 <= value <= 8, "must be a whole number from 1 to 8"),  # type: ignore[operator]
@@ -419,7 +419,9 @@ def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
     text = str(error)
     place = re.search(r"\(at line (\d+), column (\d+)\)", text)
     line, column = (int(place[1]), int(place[2])) if place else source.place(len(source.text.rstrip()))
-    return Diagnostic("machine-file", text.split(" (at ")[0], line, column, hint="the machine file is TOML")
+    return Diagnostic(
+        "machine-file", text.split(" (at ")[0], line, column, hint="the machine file must be TOML"
+    )
 
 
 def _too_many_digits(source: Source) -> Diagnostic:
@@ -441,7 +443,7 @@ def _refuse_nesting(source: Source) -> None:
     plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
     most, place = _deepest(plain)
     if most > _MOST_OPEN:
-        hint = "no value of the machine file is more than a list of numbers"
+        hint = "the values of a machine file are at most lists of numbers"
         raise ProgramError(
             [Diagnostic("machine-file", "values are nested too deeply", *source.place(place), hint=hint)]
         )

@@ -16,7 +16,7 @@ KEYS: dict[str, tuple[str, str]] = {
         "time",
         "The time limit of the run, in seconds of machine time; the scenario ends there too.",
     ),
-    "budget.time": ("positive", "The longest that the run may take, in seconds; more is an error."),
+    "budget.time": ("positive", "The longest duration of the run allowed, in seconds; more is an error."),
     "budget.motion": ("positive", "The most motion on the critical path of the run, in seconds."),
     "budget.dwell": ("positive", "The most time in dwells such as WAIT on that path, in seconds."),
     "budget.settling": (

@@ -204,15 +204,13 @@ class Machine:
         """Warn about a line that starts motion after motion without waiting."""
         from motionlang.errors import Diagnostic
 
-        message = (
-            f"{move.command} starts motion after motion and waits for none: {count} of them in {span:.3g} s"
-        )
-        hint = "wait for the end of each, or let time pass between them"
+        message = f"{move.command} starts motions without waiting for them: {count} in {span:.3g} s"
+        hint = "wait for each to end, or let time pass between them"
         if not any(
             each.profile is None or each.profile.duration for each in self.controller.log.moves[-count:]
         ):
-            message = f"{move.command} sends its axis again and again to where it stands: {count} times in {span:.3g} s"
-            hint = "each of them takes no time; let the loop end, or let time pass in it"
+            message = f"{move.command} moves its axis to its present position {count} times in {span:.3g} s"
+            hint = "such a move takes no time: end the loop, or let time pass in it"
         found = Diagnostic("never-waits", message, move.line, hint=hint, severity="warning")
         self.complain(found)
         if self.warn is not None and self.diagnostics[-1] is found:

@@ -61,7 +61,7 @@ class NonVolatile:
         except RecursionError:
             raise ValueError("its values are nested too deeply") from None
         if not isinstance(tree, dict) or tree.get("schema") != SCHEMA:
-            raise ValueError(f"it is no file of nv data, which begins with the schema {SCHEMA}")
+            raise ValueError(f"it is not an nv file, which begins with the schema {SCHEMA}")
         values, words = tree.get("values", {}), tree.get("words", {})
         if not isinstance(values, dict) or not isinstance(words, dict):
             raise ValueError("its values and its words must be objects")

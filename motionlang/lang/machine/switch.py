@@ -47,11 +47,11 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     found = switch(name)
     if found is not None:
         wrong = found.problem(value)
-        hint = "motionlang probe tells which holds on a controller; docs/fidelity.md lists the readings"
-        return None if wrong is None else (f"the reading {name} {wrong}, not {shown(value)}", hint)
+        hint = "motionlang probe finds the value of a controller; docs/fidelity.md lists the assumptions"
+        return None if wrong is None else (f"the assumption {name} {wrong}, not {shown(value)}", hint)
     near = nearest(name, switches())
-    hint = f"did you mean {near}?" if near else "docs/fidelity.md lists them, with what each can be set to"
-    return f"there is no reading {name} that can be set", hint
+    hint = f"did you mean {near}?" if near else "docs/fidelity.md lists the assumptions and their values"
+    return f"no assumption {name} can be set", hint
 
 
 def switch(name: str) -> Switch | None:

@@ -203,8 +203,8 @@ def write(board: Board, axis: AxisState, address: int, value: float) -> None:
     writing = _WRITINGS.get(name)
     if writing is None:
         known = ", ".join(_WRITINGS)
-        what = f"{name} can only be read" if name else f"there is nothing to write at address {address}"
-        raise Fault(codes.PARAMETER, what, f"what can be written is {known}", "range")
+        what = f"{name} can only be read" if name else f"address {address} cannot be written"
+        raise Fault(codes.PARAMETER, what, f"these can be written: {known}", "range")
     if name not in _SIGNED and value < 0.0:
         raise Fault(codes.PARAMETER, f"{name} accepts 0 or more, not {value:g}", kind="range")
     writing(board, axis, value)
@@ -219,8 +219,8 @@ def read(board: Board, axis: AxisState, address: int) -> tuple[float | int, floa
     if reading is None:
         raise Fault(
             codes.PARAMETER,
-            f"there is nothing to read at address {address}",
-            'LU"STATUS" finds an address',
+            f"address {address} cannot be read",
+            'find an address with LU"STATUS"',
             "range",
         )
     return reading(board, axis)

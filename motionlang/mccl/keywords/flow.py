@@ -33,7 +33,7 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
         raise Fault(
             codes.NEGATIVE_REPEAT,
             f"RP cannot repeat {count} times",
-            "RP without a number repeats for ever",
+            "RP without a number repeats forever",
             "range",
         )
     here = task.here

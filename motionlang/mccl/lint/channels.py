@@ -35,16 +35,14 @@ def check_channels(lines: list[Line], settings: Mapping[str, object], model: Mod
         if channel is None or None in made or channel in made or channel in model.outputs:
             continue
         if _verb(command) in _SWITCHES:
-            message = f"channel {channel} is an input on this board: {command.text} is refused"
+            message = f"channel {channel} is an input on this board: {command.text} is rejected"
             outputs = f"{model.outputs.start} to {model.outputs.stop - 1} are outputs at power-up"
             add(at, Fault(0, message, f"{word}{channel} makes it an output; {outputs}", "wrong-channel"))
         elif _verb(command) in _WAITS and driven is not None and channel not in driven:
-            message = f"{command.text} waits in vain: no entry of the machine file drives channel {channel}"
+            message = f"{command.text} waits for channel {channel}, which no entry of the machine file drives"
             add(
                 at,
-                Fault(
-                    0, message, "it goes on at once or never; [[input]] says when it comes", "endless-wait"
-                ),
+                Fault(0, message, "it continues at once or never; add an [[input]] entry", "endless-wait"),
             )
 
 

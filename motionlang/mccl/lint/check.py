@@ -117,7 +117,7 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | N
         return Fault(
             codes.NEGATIVE_REPEAT,
             f"RP cannot repeat {number} times",
-            "RP without a number repeats for ever",
+            "RP without a number repeats forever",
             "range",
         )
     if row.verb in _JUMPS and number is not None:

@@ -46,7 +46,7 @@ def lint(lines: list[Line], add: Add) -> None:
         reached = _reached(line)
         if ended and not _is_macro(line):
             ended = False
-            add(line.places[0], _unreachable("the line before repeats itself for ever", "line"))
+            add(line.places[0], _unreachable("the line before repeats forever", "line"))
         _unreached_commands(line, reached, add)
         if not _is_macro(line) and len(line.commands) not in reached:
             ended = True
@@ -122,8 +122,8 @@ def _unreached_commands(line: Line, reached: set[int], add: Add) -> None:
 def _reason(line: Line, k: int) -> str:
     before = next((c for c in reversed(line.commands[:k]) if _verb(c) in _TURNS | _LEAVES), None)
     if before is not None and _verb(before) == "repeat":
-        return f"{before.text} repeats what stands before it for ever"
-    return f"{before.text} always goes elsewhere" if before is not None else "the line goes past it"
+        return f"{before.text} repeats the commands before it forever"
+    return f"{before.text} always jumps elsewhere" if before is not None else "the line skips it"
 
 
 # ------------------------------------------------------------------------------------------------------ motors

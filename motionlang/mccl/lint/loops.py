@@ -39,12 +39,12 @@ def _judge(line: Line, k: int, add: Add) -> None:
     moves = [(each, at) for each, at in zip(body, line.places[first:k], strict=True) if _verb(each) in _MOVES]
     if moves:
         command, at = moves[-1]
-        message = f"RP starts {command.text} again and again, and nothing in the line waits for its end"
-        hint = f"{command.axis or ''}WS after it waits"
+        message = f"RP repeats {command.text} without waiting for its end"
+        hint = f"add {command.axis or ''}WS after it"
         add(at, Fault(0, message, hint, "never-waits"))
     else:
-        message = "RP repeats the line for ever, and nothing in it takes time or leaves it"
-        add(line.places[k], Fault(0, message, "WA0.1 before it gives each turn its time, RP10 ends after ten",
+        message = "RP repeats the line forever, without a wait or an exit"
+        add(line.places[k], Fault(0, message, "add WA0.1 before it, or end after ten repetitions with RP10",
                                   "endless-loop"))  # fmt: skip
 
 

@@ -80,13 +80,13 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
         axis.running = False
     elif axis.running and verb in _WAITS:
         axis.running = False
-        message = f"{command.text} never ends: axis {number} runs in velocity mode until something stops it"
+        message = f"{command.text} never ends: axis {number} runs in velocity mode until it is stopped"
         return Fault(0, message, f"{number}ST first", "still-running")
     elif axis.running and verb in _MOVES and not axis.velocity_mode:
         axis.running = False
         if axis.shape:
-            message = f"{command.text} is refused: axis {number} still runs in velocity mode"
+            message = f"{command.text} is rejected: axis {number} still runs in velocity mode"
             rest = f"{number}ST,{number}WS first, or {number}PT for a trapezoid"
-            hint = f"with its {axis.shape} a move begins at rest: {rest}"
+            hint = f"with {axis.shape}, a move starts at rest: {rest}"
             return Fault(0, message, hint, "still-running")
     return None

@@ -45,7 +45,7 @@ def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
     share = 0.5 * (reach - radius) * (reach + radius) / (dx * dx + dy * dy)
     if abs(angle_to(start, end, centre, turn)) > 180.0 and abs(share) * hypot(dx, dy) > _MISS * radius:
         raise ValueError(
-            f"{distances}, and on nearly a whole turn that is too much; EA or ER ends it at an angle"
+            f"{distances}, too much for nearly a full circle; use EA or ER to end it at an angle"
         )
     return centre[0] + share * dx, centre[1] + share * dy
 
@@ -83,7 +83,7 @@ def centre_by_radius(start: Point, end: Point, radius: float, turn: int) -> Poin
     if chord == 0.0:
         raise ValueError("a full circle needs a centre, not a radius")
     if chord > 2.0 * abs(radius) * (1.0 + 1e-9):
-        raise ValueError(f"a radius of {abs(radius):g} does not reach over {chord:g}")
+        raise ValueError(f"a radius of {abs(radius):g} is too small for a chord of {chord:g}")
     height = sqrt(max(radius * radius - 0.25 * chord * chord, 0.0))
     side = turn if radius > 0.0 else -turn
     mx, my = 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])

@@ -83,8 +83,8 @@ class Path:
             if axis.number in self.targets:
                 raise Fault(
                     codes.ASSIGNED_TWICE,
-                    f"axis {axis.number} has an end point in this path already",
-                    "each path has a CP of its own",
+                    f"axis {axis.number} already has an end point in this path",
+                    "start each path with its own CP",
                     "axis",
                 )
             if not task.board.controller.is_enabled(axis.number):
@@ -102,7 +102,10 @@ class Path:
         axes = [board.axes[number] for number in sorted({*self.targets, *self.center})]
         if not axes:
             raise Fault(
-                codes.PARAMETER, "the contour path goes nowhere", "MA or MR after CP say where", "values"
+                codes.PARAMETER,
+                "the contour path has no end point",
+                "give the end point with MA or MR after CP",
+                "values",
             )
         for axis in axes:
             self.member(axis)
@@ -116,7 +119,7 @@ class Path:
         start = [self._contour.end(axis) for axis in axes]
         for axis, here in zip(axes, start, strict=True):
             if abs(here) == INFINITY:
-                words = f"axis {axis.number} runs on without an end: no contour path can begin there"
+                words = f"axis {axis.number} is jogging: no contour path can start from there"
                 raise Fault(codes.INVALID, words, f"{axis.number}ST stops it", "moving")
         ends = [self.targets.get(axis.number, here) for axis, here in zip(axes, start, strict=True)]
         try:
@@ -159,7 +162,7 @@ class Path:
             length = hypot(*(b - a for a, b in zip(here, there, strict=True)))
             if self._kind == USER and self.distance is not None:
                 if length and not self.distance:
-                    raise ValueError("it goes somewhere, and its length is to be 0")
+                    raise ValueError("it has a distance, but a length of 0")
                 length = self.distance
             return Line(ends, length), length
         turn = -1 if self._kind == CLOCKWISE else 1

@@ -141,7 +141,7 @@ def _no_command(text: str) -> Command:
         name = text[:end].lstrip(_DIGITS)[:2].upper()
         return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
     if "MNEMONIC" in expected:
-        wrong = "a number alone is no command" if not text.strip(_DIGITS) else f"{text} is no command"
+        wrong = "a number alone is not a command" if not text.strip(_DIGITS) else f"{text} is not a command"
         hint = "a command is [axis] two letters [parameter], such as 1MR1000"
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
         digits = len(text) - len(text.lstrip(_DIGITS))
@@ -165,9 +165,9 @@ def _unknown(word: str) -> Fault:
 def _no_parameter(rest: str, row: Keyword) -> Fault:
     """Return the fault of a text after the mnemonic that is not a parameter."""
     if rest[0] == BEGINS["REGISTER"]:
-        return Fault(codes.FORMAT, f"{row.name} wants a register number after @", "such as MR@10", "syntax")
+        return Fault(codes.FORMAT, f"{row.name} needs a register number after @", "such as MR@10", "syntax")
     if rest[0] == BEGINS["TEXT"]:
-        return Fault(codes.FORMAT, f"the text after {row.name} has no end", 'a text ends with "', "syntax")
+        return Fault(codes.FORMAT, f"the text after {row.name} is not closed", 'a text ends with "', "syntax")
     if row.unit == "text" and row.access == "W":
         return _wants_text(row)
     hint = "commands are separated by commas" if any(c.isascii() and c.isalpha() for c in rest) else ""
@@ -181,7 +181,7 @@ def _misfit(word: Word, value: float) -> Fault:
 
 
 def _wants_text(row: Keyword) -> Fault:
-    return Fault(codes.FORMAT, f'{row.name} wants a text in quotes, such as {row.name}"STATUS"', "", "values")
+    return Fault(codes.FORMAT, f'{row.name} needs a text in quotes, such as {row.name}"STATUS"', "", "values")
 
 
 def _no_text(word: Word) -> Fault:

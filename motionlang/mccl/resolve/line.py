@@ -62,8 +62,8 @@ def too_long(length: int) -> Fault:
     """Return the fault of a line that does not fit the controller's buffer."""
     return Fault(
         codes.TOO_LONG,
-        f"the line has {length} characters; the controller takes {LONGEST}",
-        "break the line, or put its parts into macros",
+        f"the line has {length} characters; the controller accepts {LONGEST}",
+        "break the line, or move commands into macros",
         "values",
     )
 

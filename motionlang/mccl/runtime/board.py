@@ -357,4 +357,4 @@ def _model(name: str) -> Model:
         return MODELS[name or DEFAULT]
     except KeyError:
         models = ", ".join(MODELS)
-        raise Refusal("machine-file", f"MCCL knows no model {name}", f"the models are {models}") from None
+        raise Refusal("machine-file", f"MCCL has no model {name}", f"the models are {models}") from None

@@ -143,7 +143,7 @@ class Poll:
         assert scheduler is not None
         until = min(until, clock.next_time(), board.next_wake(task))
         if until == INFINITY:
-            why = "in a loop that only looks at what does not change"
+            why = "in a loop that polls only values that never change"
             return Wait(now, lambda: board.turns != turns, lambda: INFINITY, why)
         until = min(until, max(task.horizon, scheduler.reach()))
         task.count += length * max(0, int((until - now) / (length * task.cost)) - 1)

@@ -127,7 +127,7 @@ def told_of(source: Source, task: CommandTask) -> str:
     poll = task.poll
     if poll.is_hopeless():
         seen = " and ".join(poll.watched())
-        doing, since = f"polled {seen}" if seen else "ran a loop that looks at nothing", poll.hopeless
+        doing, since = f"polled {seen}" if seen else "ran a loop that polls nothing", poll.hopeless
     else:
         assert task.wait is not None
         doing, since = f"waited {task.wait.why}", task.wait.since
@@ -135,8 +135,8 @@ def told_of(source: Source, task: CommandTask) -> str:
         (f" (macro {number})" for number, each in task.board.macros.items() if each is task.line), ""
     )
     return (
-        f"line {line}: background {task.name}{macro} still {doing} when the foreground had ended, "
-        f"and nothing could change that any more, since {since:.3f} s"
+        f"line {line}: background {task.name}{macro} still {doing} when the foreground ended; nothing could "
+        f"change that since {since:.3f} s"
     )
 
 
@@ -149,7 +149,7 @@ def override(task: CommandTask, values: dict[str, float | str]) -> None:
         if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):
             raise Refusal(
                 "unknown-word",
-                f"{name} is no register",
+                f"{name} is not a register",
                 "MCCL programs have registers, such as --set R10=5",
             )
         try:

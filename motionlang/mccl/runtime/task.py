@@ -216,7 +216,7 @@ class CommandTask(Task):
         """Return the parameter as an integer; a fraction is a parameter error."""
         value = self.value(command)
         if value != int(value):
-            raise Fault(codes.PARAMETER, f"{command.name} wants a whole number, not {value:g}", kind="range")
+            raise Fault(codes.PARAMETER, f"{command.name} needs a whole number, not {value:g}", kind="range")
         return int(value)
 
     def axes(self, command: Command) -> tuple[AxisState, ...]:
@@ -263,7 +263,7 @@ class CommandTask(Task):
             raise Fault(
                 codes.PARAMETER,
                 f"macros are nested deeper than {DEEPEST}",
-                "a macro that calls itself never comes back; MJ jumps without coming back",
+                "a macro that calls itself never returns; MJ jumps without returning",
                 "recursion",
             )
         if self.line is not None:

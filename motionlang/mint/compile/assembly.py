@@ -172,8 +172,8 @@ def _checked(work: Callable[[], Made], places: Sequence[int], before: int, probl
         if not str(error.msg).startswith("too many"):
             raise
         at = places[min(before + (error.lineno or 0), len(places) - 1)]
-        message = "the blocks here are nested more deeply than this program can follow"
-        hint = "a Return, an Exit or a Gosub that leaves them stands in twenty at most; move the inner ones into a sub"
+        message = "the blocks here are nested too deeply"
+        hint = "a Return, an Exit or a Gosub may leave at most twenty of them; move the inner ones into a sub"
         problems.add("syntax", message, at, hint)
         problems.raise_errors()
         raise

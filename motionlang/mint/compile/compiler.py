@@ -145,7 +145,7 @@ def warn_of_misspellings(whole: Whole) -> None:
             if near and len(symbol.name) > 2:
                 meant = bracketed(symbol.name, whole.table) or words[near[0]].name
                 whole.problems.add(
-                    "unknown-word", f"{symbol.name} is given a value that nothing reads", symbol.at,
+                    "unknown-word", f"{symbol.name} is assigned but never read", symbol.at,
                     f"did you mean {meant}? If it is a variable, declare it with Dim",
                 )  # fmt: skip
 

@@ -67,10 +67,10 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
         return f"{b.whole.use('env', 'since')}({found.text})"
     hint = ""
     if type.name == STRING and found.is_number:
-        hint = "Str makes a text of a number"
+        hint = "convert the number with Str"
     elif found.type == STRING:
-        hint = "Val makes a number of a text"
-    b.problem("type", f"{article(found.type)} cannot be given to {article(str(type))}", node, hint)
+        hint = "convert the text with Val"
+    b.problem("type", f"cannot assign {article(found.type)} to {article(str(type))}", node, hint)
     return "0"
 
 

@@ -166,7 +166,7 @@ def unknown(b: Body, node: nodes.Name) -> None:
     if node.name.startswith("_"):
         words = [word for word in words if word.startswith("_")]
         otherwise = (
-            f"where the controller has this constant, say what it is: Const {node.name} As Integer = …"
+            f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
         )
     b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise, b.whole.table)
 

@@ -44,7 +44,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of a keyword, a function or a constant."""
     if row.kind == "constant":
         if node.args is not None:
-            b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)
+            b.problem("values", f"{row.name} is a constant and takes no brackets", node)
         return literal(constant(row.verb, row.unit))
     if row.kind == "function":
         return _function(b, node, row)
@@ -145,7 +145,7 @@ def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
         return number(b, node)
     found = value(b, node)
     if found.type != STRING:
-        b.problem("type", f"{row.name} needs a text, not a number", node, "Str makes a text of a number")
+        b.problem("type", f"{row.name} needs a text, not a number", node, "convert the number with Str")
     return found
 
 
@@ -183,7 +183,7 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
         return [text or _index(b, arg, kind)]
     if kind == "none":
         if args:
-            b.problem("values", f"{row.name} takes nothing in brackets", node)
+            b.problem("values", f"{row.name} takes no brackets", node)
         return []
     names = kind.split(", ")
     if names[-1] == "array":
@@ -264,7 +264,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
         return
     if row.verb == "wait":
         if target.args or node.repeat:
-            b.problem("values", "WAIT = ms names no axis and one time", target, "WAIT = 100 waits for 100 ms")
+            b.problem("values", "WAIT = ms takes one time and no axis", target, "WAIT = 100 waits for 100 ms")
         wait(b, node, node.values, row)
         return
     if row.kind == "move" and row.index == "axes":
@@ -433,15 +433,15 @@ def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
     shown = row.name if target.args is None else f"{row.name}(…)"
     if row.kind == "statement":
-        b.problem("syntax", f"{row.name} cannot stand here", target, row.help)
+        b.problem("syntax", f"{row.name} cannot be used here", target, row.help)
     elif "W" in row.access:
         b.problem("not-a-command", f"{row.name} needs a value", target, f"{shown} = value")
     else:
         b.problem(
             "not-a-command",
-            f"{row.name} has a value and cannot stand alone",
+            f"{row.name} is a value, not a statement",
             target,
-            f"PRINT {shown} shows it",
+            f"print it with PRINT {shown}",
         )
 
 

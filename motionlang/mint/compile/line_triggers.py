@@ -32,8 +32,8 @@ def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problem
     for body in _bodies(module):
         _mark_body(module, body, wanted, missing)
     for line in sorted(missing):
-        message = f"the machine file lets a fault happen at line {line}, where no statement begins"
-        found = Diagnostic("machine-file", message, line, hint="name a line on which a statement begins")
+        message = f"the machine file has a fault at line {line}, where no statement begins"
+        found = Diagnostic("machine-file", message, line, hint="give a line on which a statement begins")
         problems.found["machine-file", -line] = found
 
 

@@ -132,11 +132,11 @@ def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
     if not kind:
         inner = [k for k, _ in around if k not in ("select", "if")]
         if not inner:
-            b.problem("stray-end", "Exit stands outside a loop", node)
+            b.problem("stray-end", "Exit outside a loop", node)
             return
         kind = inner[-1]
     if all(k != kind for k, _ in around):
-        b.problem("stray-end", f"{name} stands outside a {kind.capitalize()}", node)
+        b.problem("stray-end", f"{name} outside a {kind.capitalize()}", node)
         return
     b.flush()
     b.noted = True

@@ -41,12 +41,10 @@ def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]
 def _unknown(name: str, names: list[str]) -> Diagnostic:
     row = table().get(name)
     if row is not None:
-        hint = f"{row.name} is a word of Mint: let a name of the program's own give it its value"
+        hint = f"{row.name} is a keyword; vary a constant or variable of the program instead"
         return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
     near = nearest(name, names)
-    has = (
-        f"the program's own names are {', '.join(names)}" if names else "the program has no names of its own"
-    )
+    has = f"the names of the program are {', '.join(names)}" if names else "the program declares no names"
     hint = f"did you mean {near}?" if near else has
     return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
 

@@ -121,7 +121,7 @@ def _assign(b: Body, node: nodes.Assign) -> None:
             return
     elif target is not node.target:
         named = node.target.symbol.name  # type: ignore[union-attr]
-        b.problem("type", f"{named} stands for an expression and cannot be assigned to", node)
+        b.problem("type", f"{named} is an expression and cannot be assigned to", node)
         return
     _assign_variable(b, node, target)
 
@@ -151,7 +151,7 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
         b.problem("values", f"a variable takes one value, {len(node.values)} given", node)
         return
     if node.repeat:
-        b.problem("values", "a ; after the value is for words with axes; a variable has none", node)
+        b.problem("values", "a ; after the value is only for keywords with axes", node)
         return
     if kind.name == RECORD and symbol is not None and symbol.is_array:
         b.problem("type", "an array cannot be assigned to as a whole", node)
@@ -173,7 +173,7 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
 
 def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Value) -> None:
     if found.type != str(kind):
-        b.problem("type", f"{article(found.type)} cannot be given to {article(str(kind))}", node)
+        b.problem("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node)
         return
     b.act(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
 
@@ -361,7 +361,7 @@ def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
     first, last, here = line(chained.body[0].at), line(chained.body[-1].at), line(chained.at)
     if here == first < last and b.whole.problems.text(chained.at).lower() == "else":
         hint = "write ElseIf, or Else on a line of its own"
-        b.warn("else-if", "this is read as an ElseIf, to which all lines up to its end belong", chained, hint)
+        b.warn("else-if", "this is read as an ElseIf, which continues to its end", chained, hint)
 
 
 def _select(b: Body, node: nodes.Select) -> None:
@@ -462,7 +462,7 @@ def _exit(b: Body, node: nodes.Exit) -> None:
     if kind in ("sub", "function", "task", "event"):
         wanted = {"function": "sub"}.get(kind, kind)
         if b.function.kind != wanted or (kind == "function") is not (b.function.result is not None):
-            b.problem("stray-end", f"Exit {kind.capitalize()} stands outside a {kind.capitalize()}", node)
+            b.problem("stray-end", f"Exit {kind.capitalize()} outside a {kind.capitalize()}", node)
             return
         leave(b)
         return
@@ -473,7 +473,7 @@ def _return(b: Body, node: nodes.Return) -> None:
     if b.function.jumps:
         jumps.return_(b, node)
     elif b.function.kind == "main":
-        b.problem("stray-end", "Return has nothing to go back to: no Gosub leads here", node)
+        b.problem("stray-end", "Return without a Gosub", node)
     else:
         leave(b)
 

@@ -109,7 +109,7 @@ def _width(b: Body, node: nodes.Expr, first: bool) -> str:
     if found.type in NUMERIC:
         return converted(b, found, Type(INTEGER), node)
     what = "a width is" if first else "decimals are"
-    hint = "" if first else "a comma behind the width brings the decimals; a semicolon ends the item"
+    hint = "" if first else "decimals follow the width after a comma; a semicolon ends the item"
     b.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
     return "0"
 

@@ -104,9 +104,9 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
     `by` is the statement that writes it or carries it out.
     """
     if row.verb == KEPT or _is_kept(row, by):
-        _once(b, node, row, f"{row.name} is kept but has no effect")
+        _once(b, node, row, f"{row.name} is stored but has no effect")
     elif row.verb == unsimulated.COMMAND:
-        _once(b, node, row, f"{row.name} is a word of Mint that is not simulated: it has no effect")
+        _once(b, node, row, f"{row.name} is a Mint keyword that is not simulated: it has no effect")
     elif by is not None or row.name.upper() not in b.whole.told:
         _ending(b, node, row, by is not None)
 
@@ -133,8 +133,8 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
     elif writes:
         end = _WHEN_WRITTEN.get(row.verb, _ENDS)
     else:
-        end = f"{_ENDS}, unless it was written before or the machine file says it in [mint.values]"
+        end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
     b.warn(
-        CODE, f"{row.name} is a word of Mint that is not simulated", node, f"{row.name}: {row.help}; {end}"
+        CODE, f"{row.name} is a Mint keyword that is not simulated", node, f"{row.name}: {row.help}; {end}"
     )
     b.whole.problems.ends.add((CODE, node.at))

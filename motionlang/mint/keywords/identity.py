@@ -62,7 +62,7 @@ def count(environment: Environment, item: int) -> int:
     from motionlang.lang.run_errors import NotSimulated
 
     words = f"how many there are of item {item} is not known here"
-    raise NotSimulated(words, f'the machine file can say it: [mint.values] NUMBEROF = {{ "{item}" = 8 }}')
+    raise NotSimulated(words, f'give it in the machine file: [mint.values] NUMBEROF = {{ "{item}" = 8 }}')
 
 
 def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:

@@ -64,7 +64,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     rows = [each for each in table() if can_be_told(each)]
     if row is None or row.name.upper() != word.upper():
         near = nearest(word, [each.name for each in rows]) if row is None else row.name
-        hint = f"did you mean {near}?" if near else "motionlang keywords lists the words of Mint"
+        hint = f"did you mean {near}?" if near else "motionlang keywords lists the keywords of Mint"
         return f"there is no word {word} to be read", hint
     if row not in rows:
         return f"{row.name} is no word for the machine file to answer", _why_not(row)

@@ -97,7 +97,7 @@ def _end(row: Keyword, message: str, at: object, told: bool = False) -> NoReturn
     hint = f"{row.name}: {row.help.rstrip('.')}"
     if told:
         example = {"text": '"…"', "number": "1.5"}.get(row.unit, "1")
-        hint = f"{hint}; the machine file can say it: [mint.values] {row.name} = {example}"
+        hint = f"{hint}; give it in the machine file: [mint.values] {row.name} = {example}"
     raise NotSimulated(message, hint, int(at))  # type: ignore[call-overload]
 
 

@@ -37,8 +37,8 @@ def check_blends(facts: Facts, add: Add) -> None:
         if min(given) > SHARE * length:
             assert act.row is not None
             message = (
-                f"{words['blend_distance']} of axis {spelt(key)} is {min(given):g}, "
-                f"and a blend takes {SHARE * length:g} of this {act.row.name} at the most"
+                f"{words['blend_distance']} of axis {spelt(key)} is {min(given):g}, but a blend takes at most "
+                f"{SHARE * length:g} of this {act.row.name}"
             )
             add("blend-distance", message, act.at, "set it to half of the shortest path, or less")
 

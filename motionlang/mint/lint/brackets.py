@@ -39,9 +39,9 @@ def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> No
                 sign = places.text(bits[0])
                 add(
                     "mixed-operators",
-                    f"{sign} binds tighter than a comparison here, and not in every language",
+                    f"{sign} binds tighter than a comparison here, unlike in other languages",
                     bits[0],
-                    f"brackets say which is meant: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
+                    f"add brackets: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
                 )
 
 

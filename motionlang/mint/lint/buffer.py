@@ -65,9 +65,9 @@ class Buffers:
     def _overfilled(self, act: Act, key: Key, size: float) -> None:
         self.add(
             "buffer-overfilled",
-            f"axis {spelt(key)} has {size:g} moves in its buffer already, and no GO has come: this waits for ever",
+            f"axis {spelt(key)} already has {size:g} moves in its buffer and no GO: this waits forever",
             act.at,
-            f"write GO before this, or a larger MOVEBUFFERSIZE than {size:g}",
+            f"write GO before this, or set MOVEBUFFERSIZE above {size:g}",
         )
 
     def _may_trigger(self, key: Key) -> bool:
@@ -152,7 +152,7 @@ class Buffers:
             "never-started",
             f"the {act.role if act.role == 'entry' else 'move'} is loaded, but no GO for it follows",
             act.at,
-            f"GO({names}) starts what is in the buffer",
+            f"GO({names}) starts the buffered moves",
         )
 
     def _elsewhere(self) -> dict[Function, set[Key]]:

@@ -72,10 +72,10 @@ class Motion:
 
     def _in_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         zeroed = act.role == "zero"
-        what = "given a new value" if zeroed else "read"
+        what = "set" if zeroed else "read"
         self.add(
             "in-motion",
-            f"the position of axis {spelt(key)} is {what} while the move that was just started is under way",
+            f"the position of axis {spelt(key)} is {what} while the move just started is in motion",
             act.at,
             f"PAUSE IDLE({spelt(key)}) waits for its end",
         )
@@ -83,13 +83,13 @@ class Motion:
     def _scale_in_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         assert act.row is not None
         self.add("scale-in-motion", f"{act.row.name} is changed while axis {spelt(key)} moves", act.at,
-                 f"PAUSE IDLE({spelt(key)}) waits until it stands")  # fmt: skip
+                 f"PAUSE IDLE({spelt(key)}) waits until it is at rest")  # fmt: skip
 
     def _scale_late(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         words = ", ".join(sorted(each.upper() for each in axis.stale))
         self.add(
             "scale-after-speed",
-            f"the scale of axis {spelt(key)} is set after {words}, which keeps its counts and so gets another value",
+            f"the scale of axis {spelt(key)} is set after {words}, whose value it changes",
             axis.scaled,
             "set the scale first",
         )
@@ -97,7 +97,7 @@ class Motion:
     def _time_first(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         self.add(
             "time-before-speed",
-            f"the time of a ramp of axis {spelt(key)} is set before SPEED, to which it counts",
+            f"the time of a ramp of axis {spelt(key)} is set before SPEED, on which it depends",
             axis.timed,
             "set SPEED first",
         )
@@ -107,8 +107,8 @@ class Motion:
         what = {"speed": "speed", "accel": "acceleration", "decel": "deceleration"}
         zeros = [word for slot, word in what.items() if slot in axis.zeros]
         code = "zero-speed" if "speed" in axis.zeros else "zero-acceleration"
-        message = f"the move cannot be carried out: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
-        self.add(code, message, axis.loaded, "it must be above zero there")
+        message = f"the move cannot run: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
+        self.add(code, message, axis.loaded, "set it above zero first")
 
     def _beyond(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         what = self.reach.beyond(key, axis)

@@ -44,12 +44,12 @@ def check_names(facts: Facts, add: Add) -> None:
         if function.kind == "task" and function.name.lower() not in run:
             add(
                 "unused-task",
-                f"nothing runs the task {function.name}",
+                f"task {function.name} is never run",
                 function.at,
-                f"Run {function.name} starts it",
+                f"start it with Run {function.name}",
             )
         elif function.kind == "sub" and not facts.roots[function]:
-            add("unused-sub", f"nothing calls {function.name}", function.at)
+            add("unused-sub", f"{function.name} is never called", function.at)
 
 
 def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
@@ -58,7 +58,7 @@ def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
         return  # taking a semaphore waits for it, which is a use
     what = "is declared and never used"
     if given:
-        what = f"is given a value that nothing {'else ' if symbol.uses > 0 else ''}reads"
+        what = f"is assigned but never read{' elsewhere' if symbol.uses > 0 else ''}"
     near = None if symbol.declared else _alike(symbol, lambda each: each.uses > 0)
     hint = f"did you mean {near}?" if near else ""
     add("unused-variable", f"{symbol.name} {what}", symbol.at, hint)
@@ -71,14 +71,10 @@ def _no_value(facts: Facts, symbol: Symbol, add: Add) -> None:
         return
     value = "empty" if symbol.type.name == STRING else "0"
     near = _alike(symbol, lambda each: each in facts.writers and each.uses <= 1)
-    hint = (
-        f"did you mean {near} where that is given a value?"
-        if near
-        else "give it one, in its Dim or before it is read"
-    )
+    hint = f"did you mean {near} in its assignment?" if near else "assign it in its Dim or before it is read"
     add(
         "no-value",
-        f"{symbol.name} is read and never given a value: it is {value} all the time",
+        f"{symbol.name} is read but never assigned: it is always {value}",
         symbol.at,
         hint,
     )
@@ -188,4 +184,4 @@ def _two(facts: Facts, task: Function, other: Function, key: Key, add: Add) -> N
     )
     who = "the parent" if other.kind == "main" else f"the task {other.name}"
     add("two-tasks", f"axis {key} is commanded by the task {task.name} and by {who}", at,
-        "let one task command it, or let them take turns")  # fmt: skip
+        "command it from one task, or synchronise the tasks")  # fmt: skip

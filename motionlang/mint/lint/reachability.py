@@ -63,8 +63,8 @@ class Ways:
                 told = False
             elif not told and not isinstance(step.node, _SILENT) and not _is_made(step.node):
                 told = True
-                self.add("unreachable", "nothing leads to this statement", step.node.at,
-                         "what stands before it never comes to an end here")  # fmt: skip
+                self.add("unreachable", "this statement is unreachable", step.node.at,
+                         "the code before it never ends")  # fmt: skip
 
     def _labels(self, function: Function, labels: Mapping[str, Step]) -> None:
         targets = {node.name.lower() for node in walk(function.body) if type(node) is nodes.Jump}
@@ -74,7 +74,7 @@ class Ways:
                 assert type(step.node) is nodes.Label
                 event = function.kind == "main" and kind_and_number(name) is not None
                 hint = f"Mint v4 has no event {step.node.name} for programs; MintMT has one" if event else ""
-                self.add("unused-label", f"nothing goes to the label {step.node.name}", step.node.at, hint)
+                self.add("unused-label", f"label {step.node.name} is never used", step.node.at, hint)
 
     # ---------------------------------------------------------------------------------------------- conditions
 
@@ -115,7 +115,7 @@ class Ways:
         effect = f"so the condition is always {always}" if always else "so it changes nothing"
         self.add(
             "constant-condition",
-            f"{side.value:g} stands alone beside {node.op}, {effect}",
+            f"{side.value:g} is an operand of {node.op} on its own, {effect}",
             side.at,
             "compare it, as in x = 1 Or x = 2; & and | work on bits",
         )
@@ -131,11 +131,11 @@ class Ways:
         if any(self._may_change(function, each, state) for each in words):
             return
         readings = [name.name for name in words if name.symbol is None]
-        why = f"axis {self._axis(words)} stands still" if readings and self._stands(words) else (
+        why = f"axis {self._axis(words)} is at rest" if readings and self._stands(words) else (
             "no entry of the machine file drives it" if readings else "no other task and no event changes it"
         )  # fmt: skip
-        self.add("endless-wait", f"this waits for what cannot change: {why}", node.at,
-                 "it goes on at once or never")  # fmt: skip
+        self.add("endless-wait", f"this waits for a condition that cannot change: {why}", node.at,
+                 "it continues at once or never")  # fmt: skip
 
     def _inner(self, name: nodes.Name) -> list[nodes.Name]:
         """Return a name, or the names in the expression that its Define stands for."""
@@ -219,11 +219,11 @@ class Ways:
             return
         word = "While" if type(node) is nodes.While else "Repeat"
         if inputs:
-            message = f"this {word} waits for what cannot change: no entry of the machine file drives it"
+            message = f"this {word} waits for a condition that cannot change: no entry of the machine file drives it"
             self.add("endless-wait", message, inputs[0].at, "it ends at once or never")
             return
         self.add("endless-loop", f"nothing in this {word} changes what its condition depends on", node.at,
-                 "once in it, the program never leaves it")  # fmt: skip
+                 "the program never leaves it")  # fmt: skip
 
     def _is_dead(self, name: nodes.Name, symbol: Symbol | None) -> bool:
         """True if a name is an input that nothing drives."""

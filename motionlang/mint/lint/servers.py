@@ -29,7 +29,7 @@ def check_servers(module: Module, settings: Mapping[str, object], add: Callable[
             )
         elif not span[0] <= register <= register + _REACHED[name.name.lower()] - 1 <= span[1]:
             limits = f"its registers are {span[0]} to {span[1]}"
-            add("no-connection", f"Modbus server {server} refuses register {register}", name.at, limits)
+            add("no-connection", f"Modbus server {server} rejects register {register}", name.at, limits)
 
 
 def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:

@@ -120,15 +120,13 @@ class Settings:
         assert act.row is not None
         later = self._next_setting(step, key, slot)
         if later is None:
-            message = f"{act.row.name} of axis {spelt(key)} is set, and nothing goes by it any more"
-            self.add(
-                "unused-setting", message, act.at, "leave it out, or set it before the move that needs it"
-            )
+            message = f"{act.row.name} of axis {spelt(key)} is set but no longer used"
+            self.add("unused-setting", message, act.at, "remove it, or set it before the move that needs it")
             return
         assert later.row is not None
         line = self.facts.names.problems.line(later.at)
         message = f"{act.row.name} of axis {spelt(key)} is replaced by {later.row.name} in line {line} before any move"
-        self.add("unused-setting", message, act.at, "leave one of the two out")
+        self.add("unused-setting", message, act.at, "remove one of the two")
 
     def _next_setting(self, step: Step, key: Key, slot: str) -> Act | None:
         """Return the statement that replaces a setting."""

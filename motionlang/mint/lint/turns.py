@@ -40,8 +40,9 @@ def check_turns(facts: Facts, add: Add) -> None:
             for act in found:
                 if act.role == "act" and any(_depends(facts, each, changing) for each in act.values):
                     assert act.row is not None
-                    message = f"every turn of this loop gives axis {spelt(act.axes[0])} another motion, and none waits"
-                    add("never-waits", message, act.at, "WAIT = 10 in the loop gives each its time")
+                    axis = spelt(act.axes[0])
+                    message = f"each iteration of this loop starts a motion of axis {axis} without waiting"
+                    add("never-waits", message, act.at, "add WAIT = 10 to the loop to give each its time")
                     break
 
 

@@ -169,7 +169,7 @@ class Names:
         elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
             self.problems.add("duplicate", f"there is already a handler for {event.name}", event.at)
         elif found[0] in SOURCELESS:
-            self.problems.add("not-simulated", f"nothing raises the event {event.name.upper()} here", event.at,
+            self.problems.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.at,
                               f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
@@ -293,9 +293,13 @@ class Names:
 
     def _declare_variable(self, function: Function, node: nodes.Variable) -> Symbol:
         if node.type is not None and node.type.name.lower() == "controller":
-            self.problems.add("not-simulated", "variables of type Controller are not simulated", node.type.at,
-                              hint="no source tells what is done with one; REMOTECOMMS(bus, node, element) "
-                              "reaches the comms array of another controller")  # fmt: skip
+            hint = (
+                "no source documents them; use REMOTECOMMS(bus, node, element) for the comms array of another "
+                "controller"
+            )
+            self.problems.add(
+                "not-simulated", "variables of type Controller are not simulated", node.type.at, hint=hint
+            )
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
                         self._python("v_", node.name), node.at, function)  # fmt: skip
         symbol.dimensions = self._dimensions(node, function.scope)
@@ -467,15 +471,15 @@ class Names:
         if self._defines_too_deep:
             return
         if define in self._replacing:
-            message = f"{define.name} stands for itself"
+            message = f"{define.name} is defined by itself"
             self.problems.add(
-                "type", message, define.at, "the expression of a Define may not come back to its name"
+                "type", message, define.at, "the expression of a Define must not contain its own name"
             )
             return
         depth = depth_of(define.node)  # type: ignore[arg-type]
         if self._defined_depth + depth > MAX_DEFINED_DEPTH:
             message = f"Defines nest expressions more than {MAX_DEFINED_DEPTH} deep, with this one"
-            self.problems.add("syntax", message, define.at, "use a variable for a part of them")
+            self.problems.add("syntax", message, define.at, "use a variable for a subexpression")
             self._defines_too_deep = True
             return
         self._defined_depth += depth

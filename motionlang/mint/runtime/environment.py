@@ -378,7 +378,7 @@ class Environment(Waits):
             names = ", ".join(map(str, axes))
             raise Refusal(
                 "values",
-                f"AXES names {len(axes)} axes ({names}), and {len(values)} values are given",
+                f"AXES selects {len(axes)} axes ({names}), but {len(values)} values are given",
                 "end the list with ; to give the last value to all further axes",
             )
         return list(zip(axes, values, strict=True))
@@ -455,7 +455,7 @@ class Environment(Waits):
     def too_deep(self) -> tuple[object, ...]:
         """Raise Refusal, because a call exceeds the stack depth."""
         words = f"calls are nested more than {MAX_DEPTH} deep"
-        raise Refusal("recursion", words, "a sub or a Gosub calls itself without an end")
+        raise Refusal("recursion", words, "a sub or a Gosub calls itself endlessly")
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
         """Handle the failure of a guarded statement.

@@ -217,7 +217,7 @@ class Errors:
             self._show(self.found[-1])
         if self.shown is None:
             raise Refusal(
-                "not-primed", "the error registers hold nothing yet", "read an error with ERRORREADNEXT first"
+                "not-primed", "the error registers are still empty", "read an error with ERRORREADNEXT first"
             )
         return self.shown
 

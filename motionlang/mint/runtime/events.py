@@ -141,9 +141,9 @@ def _never_ends(entry: tuple[int, int]) -> Refusal:
     kind, number = KINDS[entry[0]], entry[1]
     name = kind.upper() if kind in SINGLE else f"{kind.upper()}{number}"
     message = (
-        f"handlers have raised {MAX_ROUNDS} events in a row, the last one {name}, and no task runs any more"
+        f"handlers have raised {MAX_ROUNDS} events in a row, the last one {name}, and no task runs anymore"
     )
-    return Refusal("never", message, f"tasks go on when a handler ends without raising {name} again")
+    return Refusal("never", message, f"tasks continue when a handler ends without raising {name} again")
 
 
 class EventTask(MintTask):

@@ -86,7 +86,9 @@ def shift_right(a: float, b: float) -> int:
 def _places(b: float) -> int:
     count = integer(b)
     if count < 0:
-        raise Refusal("argument", f"bits cannot be shifted by {count} places", "shift the other way instead")
+        raise Refusal(
+            "argument", f"bits cannot be shifted by {count} positions", "shift in the other direction"
+        )
     return min(count, 32)
 
 
@@ -245,7 +247,7 @@ def right(text: str, count: float) -> str:
 def middle(text: str, first: float, count: float = INT_HIGH) -> str:
     start = _count(first)
     if start < 1:
-        raise Refusal("argument", "the first character of a text has the place 1", "")
+        raise Refusal("argument", "the first character of a text has position 1", "")
     return text[start - 1 : start - 1 + _count(count)]
 
 

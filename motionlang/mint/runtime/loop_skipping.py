@@ -139,7 +139,7 @@ class Site:
                 return None
             most = counted(counters, steps)
         if until == most == INFINITY:
-            raise Refusal("never", "the loop looks for something that can no longer happen", "")
+            raise Refusal("never", "the loop polls for something that can no longer happen", "")
         if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
             task.in_vain = began if level == scheduler.next_change() == INFINITY else None
         environment.task = task  # the conditions of other tasks may have set another running task

@@ -42,5 +42,5 @@ class PowerUp:
             try:
                 write(axis, *given)
             except Refusal as refusal:
-                message = f"the reading {name} cannot be {given[0]:g}: {refusal.message}"
+                message = f"the assumption {name} cannot be {given[0]:g}: {refusal.message}"
                 raise ProgramError([Diagnostic("machine-file", message, hint=refusal.hint)]) from None

@@ -89,12 +89,12 @@ class Waits:
         room = self.controller.room
         names = ", ".join(map(str, axes))
         buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
-        self.controller.log.note(self.clock.now, "buffer full", axes[0], text=f"room in the {buffers}")
+        self.controller.log.note(self.clock.now, "buffer full", axes[0], text=f"space in the {buffers}")
         return Wait(
             self.statements.leave(t),
             lambda: all(room(axis) > 0 for axis in axes),
             lambda: INFINITY,
-            f"for room in the {buffers}",
+            f"for space in the {buffers}",
             "axis",
             axes,
         )

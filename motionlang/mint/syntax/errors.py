@@ -215,7 +215,9 @@ class _Reader:
         for place in range(at - 1, 1, -1):
             if self.kinds[place - 2 : place + 1] == ["_NL", "ELSE", "IF"]:
                 line = self.places.line(place)
-                return f"the `Else If` of line {line} is an ElseIf; an If of its own stands on the line below Else"
+                return (
+                    f"the `Else If` of line {line} is an ElseIf; write a separate If on the line below Else"
+                )
             if self.kinds[place] in DECLARATIONS:
                 break
         return ""
@@ -224,7 +226,7 @@ class _Reader:
         """Report a closer in a one-line If, which ends with its line."""
         words = " ".join(self.texts[first : at + 1])
         message = f"`{words}` cannot stand in an If of one line"
-        self.report("stray-end", message, first, "remove it, or give each part a line of its own", at)
+        self.report("stray-end", message, first, "remove it, or write each statement on its own line", at)
         return self._skip(at)
 
     def _declares(self, at: int) -> bool:

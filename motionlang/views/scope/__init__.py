@@ -91,7 +91,7 @@ def page(
     records = max(_records(each) for each in (run, against) if each is not None)
     if records > MOST:
         raise ValueError(
-            f"the run has {records} records, and a page holds {MOST}; --until ends the run sooner"
+            f"the run has {records} records, but a page holds at most {MOST}; end the run sooner with --until"
         )
     name = printable(run.source.name)
     return Template(_part("page.html")).substitute(
@@ -187,7 +187,7 @@ def _event(row: Row) -> Row:
 def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
     """Return lanes of blocks: the run's critical path and the waits of each task."""
     chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
-    bands: list[Row] = [{"name": "critical chain", "spans": chain}]
+    bands: list[Row] = [{"name": "critical path", "spans": chain}]
     places = Places(run)
     for task, waits in cycle.waits().items():
         spans = [

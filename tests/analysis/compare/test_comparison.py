@@ -158,9 +158,9 @@ def test_numbers_that_are_missing_gaps_and_time_that_runs_back_are_told_and_left
     made = held(Source("real.csv", "\n".join(lines)))
     told = {each.message: each for each in made.remarks}
     assert told["x: 2 values of 2451 not a number, the first is 'NaN'"].line == 61
-    assert told["time runs back 1 time"].line == 52
-    assert "lines 52 to 2452" in told["time runs back 1 time"].hint
-    assert told["1 row of other than 3 columns"].line == 2452
+    assert told["time runs backwards 1 time"].line == 52
+    assert "lines 52 to 2452" in told["time runs backwards 1 time"].hint
+    assert told["1 row without 3 columns"].line == 2452
     assert any(message.startswith("x: 2 gaps, the longest 0.101 s from 0.698") for message in told)
     assert abs(made.signals[0]["peak"]) < 1e-4
 
@@ -168,12 +168,12 @@ def test_numbers_that_are_missing_gaps_and_time_that_runs_back_are_told_and_left
 @pytest.mark.parametrize(
     ("text", "mapping", "message", "hint"),
     [
-        ("", (X,), "no two rows of numbers", "columns of numbers"),
-        ("hello\nworld\n", (X,), "no two rows of numbers", "columns of numbers"),
-        ("a,x\n0,1\n1,2\n2,3\n", (X,), "no column of real.csv is called time", "its columns are a, x"),
+        ("", (X,), "fewer than two rows of numbers", "columns of numbers"),
+        ("hello\nworld\n", (X,), "fewer than two rows of numbers", "columns of numbers"),
+        ("a,x\n0,1\n1,2\n2,3\n", (X,), "real.csv has no column named time", "its columns are a, x"),
         ("t,pos\n0,1\n1,2\n2,3\n", (X,), "has no column 'x'", "its columns are t, pos"),
         ("t,x\n0,1\n1,1\n2,1\n", (X,), "nothing moves", "--delay"),
-        ("t,x\n0,1\n1,1\n2,1\n", (), "what the columns of real.csv are is not said", "--map position.0=NAME"),
+        ("t,x\n0,1\n1,1\n2,1\n", (), "the columns of real.csv are not assigned", "--map position.0=NAME"),
         ("t,x\n0,n\n1,\n2,-\n3,4\n", (X,), "fewer than three numbers", ""),
         ("t,x\n0,1\n1,2\n", (Mapped("speed.0", "x", None),), "'speed' is no quantity", "position, velocity"),
         ("t,x\n0,1\n1,2\n", (Mapped("position.9", "x", None),), "names no axis", "position.0"),
@@ -263,5 +263,5 @@ def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() ->
     made = compare(many, Source("real.csv", "\n".join(["t,x", *rows])), (X,), delay=0.0)
     assert sum(row["peak"] is None for row in made.moves) == 12
     shown = render_comparison(made).split("\n\n")[2].splitlines()
-    assert shown[-1] == "the 40 worst of 50 moves; --all shows the others"
+    assert shown[-1] == "the 40 worst of 50 moves; --all shows all"
     assert sum("not recorded" in line for line in shown) == 2

@@ -247,7 +247,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "cycle.mnt", "--profile", "--profile-to", "x.speedscope.json"]) == 0
-    assert "where the 3.0" in capsys.readouterr().out
+    assert "time profile of 3.0" in capsys.readouterr().out
     assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
     assert main(["run", "cycle.mnt", "--report", "json", "--profile-to", "x.json"]) == 0
     assert json.loads(capsys.readouterr().out)["status"] == "ended"

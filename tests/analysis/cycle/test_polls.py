@@ -291,7 +291,7 @@ def test_the_budget_the_difference_and_the_page_agree() -> None:
     text = "Wait = 50\n" + MOVE + "While Not IDLE(0)\n  n = n + 1\nEnd While\n"
     old, new = ran(text), ran(text.replace("= 200", "= 300"))
     (over,) = over_budget(old, {"budget.motion": 1.0, "budget.computing": 0.01, "budget.dwell": 0.06})
-    assert over.message.startswith("motion took 2.1 s, 1.1 s more than the budget of 1 s")
+    assert over.message.startswith("motion took 2.1 s, 1.1 s over the budget of 1 s")
     assert over.line == 5
     (first, *others) = charged(old, new)
     assert first.new == 5

@@ -68,6 +68,6 @@ def test_lines_that_are_new_or_gone_are_told_as_such_and_many_together() -> None
     charges = [Charge(6, None, -0.1), Charge(None, 7, 0.02), Charge(4, 5, 0.01), Charge(0, 0, 0.003),
                Charge(1, 1, 0.002), Charge(2, 2, 0.001)]  # fmt: skip
     assert diff_lines(found, None, charges)[1] == (
-        "of that: line 6 (no more) -0.100000 s, line 7 (new) +0.020000 s, line 4 (now 5) +0.010000 s, "
+        "by line: line 6 (missing) -0.100000 s, line 7 (new) +0.020000 s, line 4 (now 5) +0.010000 s, "
         "no line +0.003000 s, 2 more +0.003000 s"
     )

@@ -67,7 +67,7 @@ def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
 def test_an_axis_that_stands_elsewhere_than_its_last_entry_ends_is_found() -> None:
     result = proved(MOVE)
     result.controller.axes[0].profiles[-1] = hold(101.0)
-    assert "axis 0 from 0.000000 s: the last entry ends at 100, the axis stands at 101" in found(result)
+    assert "axis 0 from 0.000000 s: the last entry ends at 100, the axis is at 101" in found(result)
 
 
 def test_an_entry_that_runs_on_while_its_axis_slows_down_is_found() -> None:
@@ -75,4 +75,4 @@ def test_an_entry_that_runs_on_while_its_axis_slows_down_is_found() -> None:
     result = proved(SETTINGS + "MOVER(0) = 100 : GO(0)\nWAIT 500\nSTOP(0)\nWAIT 100\n", until=0.6)
     assert found(result) == []
     result.controller.log.moves[0].profile = proved(MOVE).controller.log.moves[0].profile
-    assert any("20 counts/s as the run ends, the axis at 10" in each for each in found(result))
+    assert any("20 counts/s at the end of the run, the axis at 10" in each for each in found(result))

@@ -34,7 +34,7 @@ def test_a_line_and_an_arc_that_are_run_through() -> None:
     assert at_its_end(line) == "runs through"
     assert arc.length == pytest.approx(5 * pi, rel=1e-6)
     assert (arc.entry_speed, arc.exit_speed) == pytest.approx((50.0, 0.0))
-    assert (arc.corner, at_its_end(arc)) == (None, "stops: no path follows at once")
+    assert (arc.corner, at_its_end(arc)) == (None, "stops: no next path")
 
 
 @pytest.mark.parametrize(

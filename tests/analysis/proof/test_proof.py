@@ -81,7 +81,7 @@ def test_a_jerk_beyond_the_one_in_force_is_found() -> None:
 def test_a_log_that_ends_elsewhere_is_found() -> None:
     result = proved(MOVE)
     result.controller.log.moves[0].target += 1.0
-    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
+    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, commanded 101"]
 
 
 def test_a_move_that_ends_as_the_run_does_is_asked_where() -> None:
@@ -91,7 +91,7 @@ def test_a_move_that_ends_as_the_run_does_is_asked_where() -> None:
     result = run(Source("move.mnt", MOVE), machine=FINE, cache=False, prove=True, until=end)
     assert found(result) == []
     result.controller.log.moves[0].target += 1.0
-    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
+    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, commanded 101"]
 
 
 def test_a_move_in_no_time_is_found() -> None:
@@ -101,8 +101,8 @@ def test_a_move_in_no_time_is_found() -> None:
 
 
 ORDERED = {
-    "MOVER(0) = 100 : GO(0)\nWAIT 500\nCANCEL(0)\n": "a stop at once: cancelled, switched off, or at a limit",
-    "MOVER(0) = 100 : GO(0)\nWAIT 500\nPOS(0) = 7\nPAUSE IDLE(0)\n": "a position that is given a new value",
+    "MOVER(0) = 100 : GO(0)\nWAIT 500\nCANCEL(0)\n": "an immediate stop: cancelled, disabled, or at a limit",
+    "MOVER(0) = 100 : GO(0)\nWAIT 500\nPOS(0) = 7\nPAUSE IDLE(0)\n": "a position set to a new value",
     "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 10\nVECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 50, 5\nGO(0)\n"
     "PAUSE IDLE(0)\n": "a kink within CONTOURANGLE",
 }
@@ -186,9 +186,9 @@ def off(order: Order, place: float, value: float, kind: str) -> Order:
 
 
 BROKEN: dict[str, tuple[str, Forge, str]] = {
-    "a path that goes elsewhere": (LINE, lambda o: path_of(o, line=(30.0, 41.0)), "off the way that was ordered"),
-    "a path too long": (LINE, lambda o: path_of(o, line=(33.0, 44.0)), "ordered was 33"),
-    "another radius": (ARC, lambda o: path_of(o, centre=(-10.5, 0.0)), "off the way that was ordered"),
+    "a path that goes elsewhere": (LINE, lambda o: path_of(o, line=(30.0, 41.0)), "off the commanded path"),
+    "a path too long": (LINE, lambda o: path_of(o, line=(33.0, 44.0)), "commanded 33"),
+    "another radius": (ARC, lambda o: path_of(o, centre=(-10.5, 0.0)), "off the commanded path"),
     "an angle": (ARC, lambda o: path_of(o, angle=301.0), "its path ends at"),
     "a path too fast": (LINE, lambda o: o._replace(speed=19.9), "the path speed reaches 20, above 19.9"),
     "a slow path too fast": (
@@ -203,32 +203,36 @@ BROKEN: dict[str, tuple[str, Forge, str]] = {
     "a fade that is too slow": (
         "JOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
         lambda o: o._replace(rates=(100.0, 120.0)) if o.kind == "stop" else o,
-        "it takes 0.2 s where 0.166667 s are due",
+        "it takes 0.2 s, expected at most 0.166667 s",
     ),
     "a fade at a lower jerk": (
         JERKS + "JOG(0) = 20\nWAIT 100\nSTOP(0)\nPAUSE IDLE(0)\n",
         lambda o: o._replace(jerks=(500.0, 500.0)) if o.kind == "stop" else o,
-        "s are due",
+        "s, expected",
     ),
     "a move that dawdles": (
         "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n",
         lambda o: o._replace(speed=21.0) if o.kind == "move" else o,
-        "it takes 5.2 s where",
+        "it takes 5.2 s, expected",
     ),
-    "a move in motion that dawdles": (SLOWER, lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o, "s are due"),
-    "a path that dawdles": (LINE, lambda o: o._replace(speed=21.0), "it takes 2.7 s where 2.59095 s are due"),
+    "a move in motion that dawdles": (
+        SLOWER,
+        lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o,
+        "s, expected",
+    ),
+    "a path that dawdles": (LINE, lambda o: o._replace(speed=21.0), "it takes 2.7 s, expected at most 2.59095 s"),
     "an arc that dawdles": (
         ARC,
         lambda o: path_of(o._replace(speed=100.0), most_accel=(1e9, 1e9), most=(1e9, 1e9)),
-        "s are due at the most",
+        "s, expected at most",
     ),
-    "a cam beside its table": (CAM, lambda o: off(o, 10.0, 2.1, "linear"), "ordered is 2.1"),
-    "a cam of another length": (CAM, lambda o: off(o, 9.0, 4.5, "linear"), "long, ordered is 9"),
-    "a segment beside its distance": (FLY, lambda o: off(o, 10.0, 6.0, "even"), "ordered is 6"),
+    "a cam beside its table": (CAM, lambda o: off(o, 10.0, 2.1, "linear"), "commanded 2.1"),
+    "a cam of another length": (CAM, lambda o: off(o, 9.0, 4.5, "linear"), "long, commanded 9"),
+    "a segment beside its distance": (FLY, lambda o: off(o, 10.0, 6.0, "even"), "commanded 6"),
     "a segment that begins at another ratio": (
         FLY,
         lambda o: tie_of(o, table=None) if o.tie and o.tie.table and o.tie.table[1][1] == 5.0 else o,
-        "its segment begins at a ratio of 1, due is 0",
+        "its segment begins at a ratio of 1, expected 0",
     ),
     "a spline beside its points": (
         SPLINE,
@@ -243,15 +247,15 @@ BROKEN: dict[str, tuple[str, Forge, str]] = {
     "a speed reference that dawdles": (
         REFERENCE,
         lambda o: o._replace(slopes=((130.0, 0.0, 0.0), o.slopes[1])) if o.slopes else o,
-        "s are due",
+        "s, expected",
     ),
     "a speed reference too hard": (
         REFERENCE,
         lambda o: o._replace(rates=(90.0, 90.0)) if o.slopes else o,
         "the rate of a reference reaches",
     ),
-    "another ratio": (SLAVE, lambda o: tie_of(o, ratio=0.51), "its master has it at"),
-    "another place on a cam": (CAM, lambda o: tie_of(o, origin=0.5), "its master has it at"),
+    "another ratio": (SLAVE, lambda o: tie_of(o, ratio=0.51), "its master requires"),
+    "another place on a cam": (CAM, lambda o: tie_of(o, origin=0.5), "its master requires"),
 }  # fmt: skip
 
 
@@ -300,7 +304,10 @@ def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.
     whole = run(Source("move.mnt", program), cache=False, prove=True)
     assert whole.orders is not None
     count = sum(map(len, whole.orders.of.values())) - len(whole.orders.of)
-    for most, told in ((count, []), (count - 1, [f"0: the run has more than {count - 1} profiles"])):
+    for most, told in (
+        (count, []),
+        (count - 1, [f"0: nothing was verified: the run has more than {count - 1} profiles"]),
+    ):
         monkeypatch.setattr("motionlang.log.orders.MOST", most)
         monkeypatch.setattr("motionlang.analysis.proof.prove.MOST", most)
         ran = run(Source("move.mnt", program), cache=False, prove=True)
@@ -348,7 +355,7 @@ def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.Monkey
     assert result.orders is not None
     recorded = Recorded(result.controller)
     told = prove(recorded, result.orders, result.time, rows).violations
-    assert [each.message for each in told] == ["the report tells of 121 moves, the log of 122"]
+    assert [each.message for each in told] == ["the report has 121 moves, the log 122"]
     told = prove(recorded, result.orders, result.time, [{**row, "line": 99}, *rows]).violations
     assert [each.message for each in told] == [
         "axis 0 from 0.000000 s: the report has it at 5e-09 s, line 99"

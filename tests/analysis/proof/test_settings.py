@@ -90,7 +90,7 @@ def test_velocity_mode_heeds_another_velocity(deaf: Callable[[], None]) -> None:
     text = "1MN,1SV5000,1SA10000,1DS20000,1PT\n1VM,1DI0,1GO,WA0.8,1SV2000,1GO,WA0.6,MF\n"
     assert messages(text, "t.mcl") == []
     deaf()
-    assert messages(text, "t.mcl")[0].endswith("it goes to 5000 counts/s, ordered is 2000")
+    assert messages(text, "t.mcl")[0].endswith("it goes to 5000 counts/s, commanded 2000")
 
 
 def test_an_override_of_0_is_heeded(monkeypatch: pytest.MonkeyPatch) -> None:

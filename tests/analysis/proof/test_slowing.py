@@ -132,7 +132,7 @@ def test_velocity_mode_that_ignores_a_lower_velocity_is_found(careless: Callable
     assert found(proved(program, "slow.mcl")) == []
     careless()
     assert any(
-        "it comes to 5000 counts/s, ordered is 1000" in each for each in found(proved(program, "slow.mcl"))
+        "it reaches 5000 counts/s, commanded 1000" in each for each in found(proved(program, "slow.mcl"))
     )
 
 

@@ -133,14 +133,14 @@ COMING: dict[str, tuple[float, float, float, float, tuple[str, ...]]] = {
     ),
     "eased with less jerk": (
         0.1, 2.0, -8.0, 0.25,
-        ("the path speed reaches 0.35, above 0.3", "it does not slow down: 0.35 after 0.25 s, due are 0.275"),
+        ("the path speed reaches 0.35, above 0.3", "it does not slow down: 0.35 after 0.25 s, expected 0.275"),
     ),
     "braking, and then faster than it came": (
         0.1, -1.0, 10.0, 0.23,
-        ("the path speed reaches 0.1345, above 0.05", "it does not slow down: 0.1345 after 0.23 s, due are 0.05"),
+        ("the path speed reaches 0.1345, above 0.05", "it does not slow down: 0.1345 after 0.23 s, expected 0.05"),
     ),
     "from rest, with no speed of its own": (
-        0.0, 2.0, 0.0, 0.05, ("it does not slow down: 0.1 after 0.05 s, due are 0.0875",),
+        0.0, 2.0, 0.0, 0.05, ("it does not slow down: 0.1 after 0.05 s, expected 0.0875",),
     ),
 }  # fmt: skip
 

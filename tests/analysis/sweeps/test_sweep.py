@@ -77,7 +77,7 @@ def test_a_bad_variant_is_told_as_a_run_tells_it_and_the_others_go_on() -> None:
 @pytest.mark.parametrize(
     ("error", "code", "message"),
     [
-        (RuntimeError("no such state"), "crash", "motionlang itself failed: RuntimeError: no such state"),
+        (RuntimeError("no such state"), "crash", "internal error: RuntimeError: no such state"),
         (ImportError("no numpy", name="numpy"), "extra", "this run needs numpy"),
     ],
 )

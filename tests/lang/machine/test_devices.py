@@ -12,11 +12,11 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 
 MISTAKES = [
-    ('[[modbus.server]]\nid = 4\nregisters = { "x" = 1 }', 3, 'registers of [[modbus.server]] must be words by their '
-     "registers, such as { \"6\" = 1234 }, not {'x': 1}"),
+    ('[[modbus.server]]\nid = 4\nregisters = { "x" = 1 }', 3, 'registers of [[modbus.server]] must be registers with '
+     "16-bit values, such as { \"6\" = 1234 }, not {'x': 1}"),
     ("[[modbus.server]]\nfirst = 3", 1, "[[modbus.server]] needs id"),
     ("[[modbus.server]]\nid = 4\nfirst = 70000", 3, "first of [[modbus.server]] must be 0 to 65535, whole, not 70000"),
-    ("[[modbus.server]]\nid = 4\nfirst = 9\nlast = 3", 4, "[[modbus.server]] ends before it begins"),
+    ("[[modbus.server]]\nid = 4\nfirst = 9\nlast = 3", 4, "[[modbus.server]] has its last register before the first"),
     ('[[modbus.register]]\nserver = 4\nregister = 6\nvalue = 1\nas = "double"', 5,
      "as of [[modbus.register]] must be one of word, integer, float, not 'double'"),
     ("[[remote]]\nnode = 2", 1,
@@ -33,7 +33,7 @@ MISTAKES = [
     ("[[pdo]]\ncobid = 0x182\nvalue = 1\nbank = 2", 4, "bank of [[pdo]] must be 0 or 1, not 2"),
     ('[[serial]]\ntext = "a"\nport = 9', 3, "port of [[serial]] must be a whole number from 1 to 8, not 9"),
     ('[[key]]\ntext = "a"\nterminal = 3', 3, "terminal of [[key]] must be 1, 2, 4, 8, 16, 32, 64 or 128, not 3"),
-    ('[controller]\nmodel = "NextMove ESP"', 2, "'NextMove ESP' is no controller that is known here"),
+    ('[controller]\nmodel = "NextMove ESP"', 2, "'NextMove ESP' is not a known controller"),
 ]  # fmt: skip
 
 

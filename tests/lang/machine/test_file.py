@@ -79,8 +79,8 @@ def test_a_missing_key_and_a_contradiction() -> None:
     found = mistakes("[[input]]\nat = 1\nabove = 3\n")
     assert {message for _, _, message, _ in found} == {
         "[[input]] needs channel",
-        "[[input]] is active in one way only",
-        "[[input]] needs the axis whose position decides",
+        "[[input]] is active by one trigger only",
+        "[[input]] needs an axis",
     }
 
 
@@ -109,8 +109,8 @@ element = 2
     assert [(line, column, message.split(",")[0]) for line, column, message, _ in found] == [
         (5, 1, "[[input]] needs channel"),
         (11, 3, "channel of [[input]] must be a whole number from 0 to 999"),
-        (15, 1, "[[input]] is active in one way only"),
-        (15, 1, "[[input]] needs the axis whose position decides"),
+        (15, 1, "[[input]] is active by one trigger only"),
+        (15, 1, "[[input]] needs an axis"),
         (17, 1, "[[comms]] needs a value or a text"),
     ]
 
@@ -131,13 +131,13 @@ def test_what_the_host_writes_is_checked_too() -> None:
 def test_a_fault_comes_about_in_one_way() -> None:
     found = mistakes("[[fault]]\naxis = 0\nkind = 'error-input'\nline = 12\nat = 1.0\n")
     assert [(line, message, hint) for line, _, message, hint in found] == [
-        (4, "[[fault]] comes about in one way only", "give at, line, or one of above, below")
+        (4, "[[fault]] occurs by one trigger only", "give at, line, or one of above, below")
     ]
 
 
 def test_text_that_is_not_toml() -> None:
     ((line, column, message, hint),) = mistakes("axes = = 3\n")
-    assert (line, column, hint) == (1, 8, "the machine file is TOML")
+    assert (line, column, hint) == (1, 8, "the machine file must be TOML")
     assert message
 
 
@@ -183,13 +183,13 @@ between = [10, 20]
 every = 10
 times = 100000
 """
-    again, more = "[[input]] comes again before it is over", "every must be more than"
+    again, more = "[[input]] repeats before it ends", "every must be more than"
     assert mistakes(text) == [
         (3, 1, "[[input]] cannot come again before it is over",
          "give for, how long it lasts, or between, two positions of an axis"),
         (7, 1, again, f"{more} 2"),
-        (14, 1, "[[input]] cannot come again before it is over",
-         "give for, how long it lasts, or between, two positions of an axis"),
+        (14, 1, "[[input]] needs a duration to repeat",
+         "give for (a duration) or between (two positions of an axis)"),
         (20, 1, again, f"{more} 10"),
         (21, 1, "times of [[input]] must be a whole number from 1 to 10000, not 100000",
          "How many times it happens in total, 1 to 10000. Default: until the end of the run; with between it is "

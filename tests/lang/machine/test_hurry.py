@@ -40,7 +40,7 @@ def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
     text = "Loop\n  MOVEA(0) = 0 : GO(0)\n  PAUSE IDLE(0)\nEnd Loop\n"
     (found,) = ran("a.mnt", text).diagnostics
     assert (found.code, found.line) == ("never-waits", 2)
-    assert found.message.startswith("MOVEA sends its axis again and again to where it stands: ")
+    assert found.message.startswith("MOVEA moves its axis to its present position ")
 
 
 @pytest.mark.slow

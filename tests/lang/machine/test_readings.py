@@ -55,11 +55,11 @@ def test_readings_of_a_board() -> None:
     [
         (
             '"mint.homesped-default" = 1',
-            "there is no reading mint.homesped-default",
+            "no assumption mint.homesped-default",
             "mint.homespeed-default",
         ),
-        ('"mint.home-types" = 1', "there is no reading mint.home-types that can be set", "did you mean"),
-        ('"other.thing" = 1', "there is no reading other.thing that can be set", "fidelity.md"),
+        ('"mint.home-types" = 1', "no assumption mint.home-types can be set", "did you mean"),
+        ('"other.thing" = 1', "no assumption other.thing can be set", "fidelity.md"),
         ('"mint.idletime-default" = 7.5', "must be a whole number, not 7.5", "motionlang probe"),
         ('"mint.idletime-default" = "x"', "must be a number, not 'x'", "motionlang probe"),
         ('"mint.idletime-default" = -1', "must be 0 to 60000, not -1", "motionlang probe"),

@@ -139,18 +139,18 @@ def test_any_value_in_a_table(table: str) -> None:
 @pytest.mark.parametrize(
     ("text", "line", "column", "message"),
     [
-        ("[[input]]\nchannel = 1\naxis = 1\n", 3, 1, "axis of [[input]] decides nothing without a position"),
+        ("[[input]]\nchannel = 1\naxis = 1\n", 3, 1, "axis of [[input]] has no effect without a position"),
         (
             "[[analogue]]\nchannel = 1\nvalue = 2\naxis = 1\nper_unit = 3\n",
             4,
             1,
-            "axis of [[analogue]] decides nothing without a position",
+            "axis of [[analogue]] has no effect without a position",
         ),
         (
             "[[input]]\nchannel = 1\noutput = 1\n axis = 1\n",
             4,
             2,
-            "axis of [[input]] decides nothing without a position",
+            "axis of [[input]] has no effect without a position",
         ),
         (
             f"[axis.1.plant]\ninertia = {DIGITS}\n",

@@ -8,7 +8,7 @@ from tests.mccl.conftest import Runner
 
 # 1 000 counts take 0.2 s, with ramps of 0.1 s; the foreground ends then.
 FOREGROUND = "1MN,1MR1000,1WS\nGT15"
-ENDED = "when the foreground had ended, and nothing could change that any more, since"
+ENDED = "when the foreground ended; nothing could change that since"
 WATCHES = {
     "MD15,IN3,CN34,NO,WA0.001,RP": "polled channel 3",
     "MD15,IN3,CN34,NO,WA1,RP": "polled channel 3",

@@ -12,7 +12,7 @@ import pytest
 from motionlang import run
 from motionlang.source import Source
 
-AWAY = "axis 0 homes away from its switch and never meets it"
+AWAY = "axis 0 homes away from its switch and never reaches it"
 SWITCH: dict[str, object] = {"axis.0.home_switch": [50.0, 60.0]}
 HOME = "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_SWITCH\n"
 WAITS = {
@@ -60,13 +60,13 @@ def test_a_limit_switch_that_is_looked_for_is_ahead_though_it_is_no_error() -> N
 
 def test_an_index_mark_that_does_not_exist_is_never_met() -> None:
     _, found = told("HOME(0) = _hmPOSITIVE_INDEX\nPAUSE IDLE(0)\n", {})
-    assert found[-1] == "1:1 error axis 0 homes and never meets an index mark"
+    assert found[-1] == "1:1 error axis 0 homes and never reaches an index mark"
 
 
 def test_where_nothing_provides_a_switch_the_other_way_is_no_help() -> None:
     for machine, hint in (
-        (SWITCH, "home the other way, or let"),
-        ({}, "let the machine file say where it is"),
+        (SWITCH, "home in the other direction, or give"),
+        ({}, "give its position in the machine file"),
     ):
         result = run(Source("home.mnt", HOME + WAITS["a pause"]), machine=machine, cache=False)
         assert result.diagnostics[-1].hint.startswith(hint)

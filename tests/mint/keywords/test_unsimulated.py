@@ -62,7 +62,7 @@ def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
 def test_a_command_without_an_effect_is_named(row: Keyword) -> None:
     result = ran(word(row), 'PRINT "on"')
     assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
-    assert result.notes == [f"words that have no effect here: {row.name} (line 1)"]
+    assert result.notes == [f"keywords without effect here: {row.name} (line 1)"]
 
 
 @cases("row", [row for row in OTHERS if row.verb == MOTION], ids=str)
@@ -145,7 +145,7 @@ def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
 
 def test_lines_are_named_once_and_not_too_many() -> None:
     result = ran("For i = 1 To 3", *["PARAMETERSAVE"] * 7, "Next")
-    assert result.notes == ["words that have no effect here: PARAMETERSAVE (lines 2, 3, 4, 5, 6, …)"]
+    assert result.notes == ["keywords without effect here: PARAMETERSAVE (lines 2, 3, 4, 5, 6, …)"]
 
 
 def test_a_text_is_no_number_for_them_either() -> None:
@@ -182,17 +182,17 @@ def test_the_demand_can_be_read_and_not_written() -> None:
 @pytest.mark.parametrize(
     ("line", "message", "hint"),
     [
-        ("DRIVEBUSVOLT = 3", "there is no word DRIVEBUSVOLT to be read", "did you mean DRIVEBUSVOLTS?"),
-        ("dbv = 3", "there is no word dbv to be read", "did you mean DRIVEBUSVOLTS?"),
-        ("POS = 3", "POS is no word for the machine file to answer", "what it reads comes about in the run"),
+        ("DRIVEBUSVOLT = 3", "there is no keyword DRIVEBUSVOLT to be read", "did you mean DRIVEBUSVOLTS?"),
+        ("dbv = 3", "there is no keyword dbv to be read", "did you mean DRIVEBUSVOLTS?"),
+        ("POS = 3", "POS is no word for the machine file to answer", "what it reads occurs in the run"),
         ("AUTOTUNE = 3", "AUTOTUNE is no word for the machine file to answer", "it has no value"),
         ("HALL = 2.5", "HALL is a whole number, not 2.5", "hall sensors group"),
         ('HALL = "a"', "HALL is a whole number, not 'a'", "hall sensors group"),
         ('DBVOLTS = "a"', "DBVOLTS is a whole number, not 'a'", "dynamic brake group"),
         (
             'EFFORTS = "a"',
-            "there is no word EFFORTS to be read",
-            "motionlang keywords lists the words of Mint",
+            "there is no keyword EFFORTS to be read",
+            "motionlang keywords lists the keywords of Mint",
         ),
         ("PRODUCTSERIALNUMBER = 3", "PRODUCTSERIALNUMBER is a text, not 3", MEANINGLESS),
         ('HALL = { "0, 1" = 2 }', "HALL has 1 in its brackets, not 2", "it stands for axis"),

@@ -80,5 +80,5 @@ def test_a_define_is_written_to_and_counts_as_what_it_stands_for() -> None:
 
 @pytest.mark.parametrize("text", ["Define a = a + 1\nPRINT a", "Define a = b\nDefine b = a\nPRINT a"])
 def test_a_define_that_comes_back_to_itself_is_a_mistake(text: str) -> None:
-    with pytest.raises(ProgramError, match="stands for itself"):
+    with pytest.raises(ProgramError, match="is defined by itself"):
         compile_source(Source("a.mnt", text))

@@ -65,7 +65,7 @@ def test_without_a_file_nothing_lasts_and_the_run_says_so() -> None:
     first, second = ran(COUNTERS, None), ran(COUNTERS, None)
     assert first.output == second.output
     assert first.notes == [
-        "nv data that lasts as long as the run, without --nv FILE: "
+        "nv data kept only during the run (use --nv FILE): "
         "total, label, place, corner, corners, count.calls, NVLONG"
     ]
 
@@ -160,7 +160,7 @@ def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: p
 
     run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=str(file), begun=begin_another, cache=False)
     assert [each.message for each in second[0].diagnostics] == [
-        f"the nv data of {link} belong to another run, which has not ended"
+        f"the nv data of {link} are in use by another run"
     ]
     assert loads(file.read_text())["values"] == {"a": [1]}
     assert ran("Dim nv a As Integer\nPRINT a", file).output == ["1"]

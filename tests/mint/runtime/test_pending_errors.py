@@ -101,7 +101,7 @@ def test_a_handler_that_raises_itself_forever_is_reported(case: str) -> None:
     assert (found.code, found.line, result.status) == ("never", line, "fault")
     assert (
         found.message
-        == f"handlers have raised 10000 events in a row, the last one {event}, and no task runs any more"
+        == f"handlers have raised 10000 events in a row, the last one {event}, and no task runs anymore"
     )
 
 

@@ -80,4 +80,4 @@ def test_a_word_that_is_set_in_every_turn(program: str, monkeypatch: pytest.Monk
 
 def test_looking_at_a_word_before_it_is_set_is_no_reading() -> None:
     result = run(Source("a.mnt", STEADY.format(word="ENCODERRESOLUTION(0)", first=1)), cache=False, until=1.0)
-    assert result.notes == ["words that have no effect here: ENCODERRESOLUTION (line 2)"]
+    assert result.notes == ["keywords without effect here: ENCODERRESOLUTION (line 2)"]
