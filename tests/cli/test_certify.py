@@ -41,7 +41,7 @@ def test_what_has_no_bound_is_infinite_and_where_limits_would_stand_is_named(cel
     assert ran.status == 1
     # From the start; there is no margin for an infinite value.
     assert "   0  jerk   uu/s³    1e+06      inf  0.000040     3    none  exceeded" in ran.out
-    assert "the jerk of axis 0 is infinite at 0.000040 s, where its acceleration jumps" in ran.err
+    assert "the jerk of axis 0 is infinite at 0.000040 s, because its acceleration jumps" in ran.err
 
 
 def test_the_report_has_the_lines(cell: Cell) -> None:

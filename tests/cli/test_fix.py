@@ -172,7 +172,7 @@ def test_a_message_names_the_plain_character(cell: Cell) -> None:
     """A pair of single quotes may be a text or a comment: it is named, not replaced."""
     cell.write("a.mnt", 'PRINT "open”\nPRINT ‘x’\n')
     ran = cell("check", "a.mnt")
-    assert '” is a typographic quote, not the plain "' in ran.err
-    assert "‘ is a typographic quote, not the plain '" in ran.err
+    assert '” is a typographic quote, not a plain "' in ran.err
+    assert "‘ is a typographic quote, not a plain '" in ran.err
     cell("check", "a.mnt", "--fix")
     assert (cell.folder / "a.mnt").read_text(encoding="utf-8") == 'PRINT "open"\nPRINT ‘x’\n'

@@ -59,7 +59,7 @@ def test_the_scenario_has_an_end(cell: Cell) -> None:
     cell.write("orders.machine.toml", f"run.until = 2.0\n{PULSE}")
     ran = cell("run", "orders.mnt")
     assert (ran.status, ran.err) == (0, "")
-    assert "still running at 2 s" in ran.out
+    assert "still running at the time limit of 2 s" in ran.out
     assert "line 2: the program waits" in ran.out
 
 

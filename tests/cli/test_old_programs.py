@@ -78,7 +78,7 @@ def saw_feed() -> float:
     return 6 * piece + 0.5
 
 
-READINGS = 'readings."mint.movebuffersize-default" = 20\n'
+READINGS = 'assumptions."mint.movebuffersize-default" = 20\n'
 # Program: the edits, how its cycle is found in what it prints, and how long it takes.
 CASES = {
     "packer.prg": ([], "ms", packer()),

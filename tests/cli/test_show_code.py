@@ -124,7 +124,7 @@ def test_show_tree_runs_nothing(cell: Cell) -> None:
     cell.write("b.mcl", "1MR5 5\n")
     ran = cell("run", "b.mcl", "--show-tree")
     assert (ran.status, ran.out) == (1, "")
-    assert "a number alone is no command" in ran.err
+    assert "a number alone is not a command" in ran.err
     ran = cell("run", "a.mcl", "--show-tree", "--until", "1")
     assert (ran.status, ran.out) == (2, "")
-    assert "--until is about a run: --show-tree runs nothing" in ran.err
+    assert "--until has no effect with --show-tree, which runs nothing" in ran.err

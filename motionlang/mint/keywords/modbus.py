@@ -112,7 +112,7 @@ class Servers:
         if not server.first <= register <= register + count - 1 <= server.last:
             what = f"register {register}" if count == 1 else f"registers {register} and {register + 1}"
             limits = f"its registers are {server.first} to {server.last}"
-            raise Refusal("channel", f"Modbus server {number} refuses {what}", limits)
+            raise Refusal("channel", f"Modbus server {number} rejects {what}", limits)
         return server
 
     def written(self) -> list[dict[str, object]]:
