@@ -139,7 +139,7 @@ def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
             "old.txt",
             "PRINT 1\n",
             "error[file]: unknown language of old.txt: no language has the extension .txt",
-            "  hint: say --dialect mint",
+            "  hint: add --dialect mint",
         ),
     ],
 )
