@@ -77,6 +77,8 @@ class Dialect:
     suffixes: tuple[str, ...]
     first_axis: int
     cached = False
+    # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
+    constant = ""
 
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None

@@ -129,16 +129,50 @@ def edited(
             notes.append(f"{address} = {text} sets {count} {lines}")
     if wrong:
         raise ProgramError(wrong)
-    parts, end = [], 0
-    for offset, (length, text) in sorted(edits.items()):
-        parts += [source.text[end:offset], text]
-        end = offset + length
-    return Source(source.name, "".join(parts) + source.text[end:]), named, notes
+    return Source(source.name, _replaced(source.text, edits)), named, notes
+
+
+def bound(
+    source: Source, language: Dialect, values: Values, found: Sequence[Literal]
+) -> tuple[Source, dict[str, str]] | None:
+    """Return the program with constants in place of literals, and their names by the names of `values`.
+
+    Such a program is compiled once for many values. None if that is not possible: the language has no constants, or
+    a literal is not the whole value of a keyword.
+    """
+    if not language.constant:
+        return None
+    edits: dict[int, tuple[int, str]] = {}
+    names: dict[str, str] = {}
+    for given, value in values.items():
+        addressed, _ = _sorted(source, language, {given: value})
+        for address in addressed:
+            chosen = _chosen(found, address)
+            keywords = [language.table().get(each.base.partition("[")[0]) for each in chosen]
+            if isinstance(value, str) or not all(each.is_whole for each in chosen) or None in keywords:
+                return None
+            names[given] = f"literal_{len(names) + 1}"
+            edits |= {each.offset: (len(each.text), names[given]) for each in chosen}
+    if not names or "literal_" in source.text.lower():
+        return None
+    constants = "".join(
+        f"{language.constant.format(name, _text(given, values[given]))} : " for given, name in names.items()
+    )
+    return Source(source.name, constants + _replaced(source.text, edits)), names
 
 
 def has_address(values: Values, language: Dialect) -> bool:
     """True if a name may be an address: its form is one, or it is a keyword."""
     return any(canonical(name) is not None or language.table().get(name) is not None for name in values)
+
+
+def _replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
+    """Return a text with other words at some offsets, each with the length of what it replaces."""
+    parts, end = [], 0
+    for offset, (length, word) in sorted(edits.items()):
+        parts += [text[end:offset], word]
+        end = offset + length
+    return "".join(parts) + text[end:]
 
 
 def _sorted(

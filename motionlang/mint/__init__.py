@@ -30,6 +30,7 @@ class Mint(Dialect):
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
     cached = True
+    constant = "Const {} = {}"
 
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None

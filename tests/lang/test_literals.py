@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 
 import motionlang
+from motionlang.analysis.sweeps import Sweep
+from motionlang.analysis.sweeps.job import Worker
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect
 from motionlang.lang.literals import canonical, edited, literals
@@ -154,9 +157,32 @@ def test_a_run_is_that_of_the_edited_text() -> None:
 
 
 def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
-    rows = motionlang.sweep(
-        Source("a.mnt", STROKE), {"SPEED[0]@1": [50, 100, 250]}, keep=["time", "peak.0"], jobs=1
-    )
-    for row in rows:
-        run = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", f"= {row['SPEED[0]@1']} ")))
-        assert row["time"] == run.time
+    """A variant without an error runs the compiled program with constants; -5 is refused by the edited one."""
+    speeds = (50, 100, -5, 250)
+    job = Sweep(Source("a.mnt", STROKE), {"SPEED[0]@1": list(speeds)}, keep=["time", "prints", "moves"]).job
+    worker = Worker(job)
+    for number, speed in enumerate(speeds):
+        _, (time, prints, moves), problem = worker.result((number, (speed,)))
+        run = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", f"= {speed} ")), cache=False)
+        assert (time, prints, moves) == (run.time, "\n".join(run.output), len(run.machine.log.moves))
+        errors = [each.message for each in run.diagnostics]
+        assert ([] if problem is None else [problem["message"]]) == errors
+
+
+def test_a_sweep_compiles_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    compiled: list[str] = []
+    mint = type(dialect("mint"))
+    original = mint.compile_given
+
+    def count(self: Any, source: Source, *given: Any) -> Any:
+        compiled.append(source.text)
+        return original(self, source, *given)
+
+    monkeypatch.setattr(mint, "compile_given", count)
+    job = Sweep(Source("a.mnt", STROKE), {"SPEED[0]@1": [50, 100, 250], "WAIT": [5, 6]}).job
+    compiled.clear()
+    worker = Worker(job)
+    for number in range(6):
+        assert worker.result((number, (50 + number, 5.0)))[2] is None
+    constants = "Const literal_1 = 50 : Const literal_2 = 5 : "
+    assert compiled == [constants + STROKE.replace("= 100 ", "= literal_1 ").replace("= 20", "= literal_2")]

@@ -10,7 +10,7 @@ from hashlib import sha256
 from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import accelerators, dialect, run
-from motionlang.lang.literals import Literal, edited, has_address, literals
+from motionlang.lang.literals import Literal, bound, edited, has_address, literals
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -100,26 +100,46 @@ class Worker:
         self._readers = [quantity(name) for name in job.keep]
         self._programs: dict[str, Program] = {}
         self._literals: list[Literal] | None = None
+        # The program with constants in place of literals, and their names; None where that is not possible.
+        self._bound: tuple[Source, dict[str, str]] | None = None
 
     def result(self, variant: Variant) -> Result:
         """Return the row of one variant, with its error, if any."""
         index, values = variant
         try:
             settings, given = self.job.of(values)
-            source, overrides = self.source, given
-            if has_address(given, self._dialect):
-                if self._literals is None:
-                    self._literals = literals(source, self._dialect)
-                source, overrides, _ = edited(source, self._dialect, given, self._literals)
-            found = self._run(source, settings, overrides, self._program(source, settings, overrides))
-            if overrides and found.status == "fault":  # run again, since a run by itself reports the error
-                found = self._run(source, settings, overrides, None)
+            found = self._run_literals(settings, given) if has_address(given, self._dialect) else None
+            if found is None:
+                program = self._program(self.source, settings, given)
+                found = self._run(self.source, settings, given, program)
+                if given and found.status == "fault":  # run again, since a run by itself reports the error
+                    found = self._run(self.source, settings, given, None)
             kept = tuple(self._read(found, *reader) for reader in self._readers)
             return index, kept, self._problem(found)
         except ProgramError as error:
             return index, (None,) * len(self._readers), told(error.diagnostics)
         except (ValueError, KeyError) as error:
             return index, (None,) * len(self._readers), told([Diagnostic("machine-file", str(error))])
+
+    def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
+        """The run of a variant with values for literals; None if none of its names is that of a literal.
+
+        Constants take the places of literals where that makes no difference, so that the program is compiled once.
+        """
+        if self._literals is None:
+            self._literals = literals(self.source, self._dialect)
+            self._bound = bound(self.source, self._dialect, given, self._literals)
+        if self._bound is not None and not any(isinstance(given[name], str) for name in self._bound[1]):
+            source, names = self._bound
+            values = {names.get(name, name): value for name, value in given.items()}
+            try:
+                found = self._run(source, settings, values, self._program(source, settings, values))
+            except ProgramError:
+                found = None  # the edited program says what is wrong, in its own words
+            if found is not None and found.status != "fault":
+                return found
+        source, values, _ = edited(self.source, self._dialect, given, self._literals)
+        return None if source is self.source else self._run(source, settings, values, None)
 
     def _run(
         self,
@@ -146,7 +166,7 @@ class Worker:
     def _program(
         self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
     ) -> Program:
-        """Return the program for a machine, compiled once for all equal relevant settings."""
+        """The program for a machine, compiled once for all that differ in nothing that it depends on."""
         if source is not self.source:  # a literal was edited
             return self._dialect.compile_given(source, settings, overrides, accelerators().ranges)
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
@@ -156,7 +176,7 @@ class Worker:
             if len(self._programs) >= MOST_PROGRAMS:
                 self._programs.clear()
             found = self._programs[key] = self._dialect.compile_given(
-                self.source, settings, overrides, accelerators().ranges
+                source, settings, overrides, accelerators().ranges
             )
         return found
 
