@@ -234,13 +234,14 @@ def tell_guesses(result: Run) -> None:
     settings, found, count = machine.settings, [], 0
     tables: dict[str, list[Mapping[str, object]]] = {
         name: [each for each in settings.get(name, ()) if each.get("guess")]  # type: ignore[attr-defined]
-        for name in ("input", "answer", "key")
+        for name in ("input", "analogue", "answer", "key")
         if name in settings
     }
-    if tables.get("input"):
-        changed = {each.channel for each in machine.log.inputs}
-        used = sorted({each["channel"] for each in tables["input"] if each["channel"] in changed})
-        found += [f"input {', '.join(map(str, used))}"] if used else []
+    for name, log in (("input", machine.log.inputs), ("analogue", machine.log.analogue_inputs)):
+        changed = {each.channel for each in log} if tables.get(name) else set()
+        used = sorted({each["channel"] for each in tables.get(name, ()) if each["channel"] in changed})
+        what = "input" if name == "input" else "analogue input"
+        found += [f"{what} {', '.join(map(str, used))}"] if used else []
         count += len(used)
     if tables.get("answer"):
         left = machine.unasked()

@@ -19,7 +19,7 @@ from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect, dialect_of
 from motionlang.files import create
 from motionlang.lang.machine.entries import WrongEntry, entries
-from motionlang.source import Source
+from motionlang.source import STDIN, Source
 
 if TYPE_CHECKING:
     import argparse
@@ -74,6 +74,14 @@ def init_command(arguments: argparse.Namespace) -> int:
 def _init(arguments: argparse.Namespace, file: str) -> int:
     language = dialect(arguments.dialect) if arguments.dialect else dialect_of(file)
     path = os.path.splitext(file)[0] + MACHINE_SUFFIX
+    if file == STDIN:
+        hint = "save the program, then motionlang init FILE"
+        complain(
+            [Diagnostic("file", "init writes a file next to the program, not next to -", hint=hint)],
+            None,
+            file,
+        )
+        return 2
     if language is None:
         complain([no_dialect(file)], None, file)
         return 2

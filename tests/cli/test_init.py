@@ -57,6 +57,11 @@ def test_an_input_that_leads_to_a_fault_is_at_the_other_level(cell: Cell) -> Non
     assert "  # { channel = 3, at = 0.0 }," in (cell.folder / "old.machine.toml").read_text()
 
 
+def test_an_analogue_input_gets_the_level_that_is_waited_for(cell: Cell) -> None:
+    found = guesses(cell, "WAIT = 500\nPAUSE ADC.2 > 60\nPAUSE ADC.2 < 101\n")
+    assert found["analogue"] == [{"channel": 2, "value": 100.0, "at": 0.8, "guess": True}]
+
+
 def test_mccl(cell: Cell) -> None:
     text = "CN33,WN1\nCF33,WF1\nWN2\nIN3,NO,NO\n"
     assert inputs(cell, text, "old.mccl") == [

@@ -9,6 +9,7 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
     stuck at            guess
     an input            it follows the output that the program has just set, or changes 0.3 s later and stays; if the
                         program also waits for the other level, it is on and off for a second each
+    an analogue input   50 %, or 100 %, 0 % and so on until the condition holds
     INPUT               the middle of a range such as `1 to 6` that the program prints, or 10, 1, 100 and so on
     a key               the keys that the program compares with, one after the other
     nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on
@@ -57,6 +58,8 @@ HOME_AHEAD = 1.0
 # Answers that are tried one after the other, and how often one question is answered.
 ANSWERS = ("10", "1", "100", "1000", "5", "0.5")
 MAX_REPEATS = 20
+# Levels of analogue inputs that are tried one after the other, percent.
+LEVELS = (50.0, 100.0, 0.0, 25.0, 75.0)
 MAX_ROUNDS = 100
 # A program that has done nothing for so many seconds waits for a key, if it looks for one.
 QUIET = 10.0
@@ -66,13 +69,15 @@ _RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGN
 class Guesses:
     """The guesses for one program.
 
-    `inputs` has the entry of each channel, `answers` the lines for each question in order, `keys` the key entries,
-    `axes` the settings of each axis by key. `fixed` are settings that a person gave, which no guess changes.
+    `inputs` and `analogue` have the entry of each channel, `answers` the lines for each question in order, `keys` the
+    key entries, `axes` the settings of each axis by key. `fixed` are settings that a person gave, which no guess
+    changes.
     """
 
     def __init__(self, fixed: dict[str, object] | None = None) -> None:
         self.fixed = dict(fixed or {})
         self.inputs: dict[int, Entry] = {}
+        self.analogue: dict[int, Entry] = {}
         self.answers: dict[str, list[str]] = {}
         self.keys: list[Entry] = []
         self.axes: dict[int, dict[str, object]] = {}
@@ -84,7 +89,13 @@ class Guesses:
     @property
     def count(self) -> int:
         """The number of entries and axes that are guesses."""
-        return len(self.inputs) + sum(map(len, self.answers.values())) + len(self.keys) + len(self.axes)
+        return (
+            len(self.inputs)
+            + len(self.analogue)
+            + sum(map(len, self.answers.values()))
+            + len(self.keys)
+            + len(self.axes)
+        )
 
     def settings(self, until: float) -> dict[str, object]:
         """Return the settings of a machine file with all guesses."""
@@ -93,6 +104,7 @@ class Guesses:
             found |= {f"axis.{axis}.{key}": value for key, value in keys.items()}
         tables: dict[str, list[Entry]] = {
             "input": list(self.inputs.values()),
+            "analogue": list(self.analogue.values()),
             "answer": [answer_entry(each, text) for each, texts in self.answers.items() for text in texts],
             "key": self.keys,
         }
@@ -166,6 +178,15 @@ class Guesses:
         if wanted and channel not in self.inputs:
             yield "on", {"channel": channel, "at": at}
         yield "pulses", {"channel": channel, **PULSES}
+
+    def level(self, channel: int, since: float) -> bool:
+        """Give an analogue input the next level after `since`; False if all have been tried."""
+        before = self.analogue.get(channel)
+        tried = LEVELS.index(before["value"]) + 1 if before is not None else 0
+        if tried == len(LEVELS):
+            return False
+        self.analogue[channel] = {"channel": channel, "value": LEVELS[tried], "at": round(since + DELAY, 1)}
+        return True
 
     # ------------------------------------------------------------------------------------------------ answers
 
@@ -276,6 +297,13 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[WorldRead], task: T
             return guesses.home(int(key.split(".")[1]), result)
         if key == "key":
             return _press(guesses, result, reads)
+        if key == "analogue":
+            asked = result.dialect.asked(result.source)(task.at)
+            analogue = (
+                sorted(n for kind, n in asked.leaves if kind == "analogue" and n is not None) if asked else []
+            )
+            raised = [guesses.level(channel, wait.since) for channel in analogue]
+            return any(raised)
     channels = list(wait.what) if wait.cause == "input" else []
     levels = result.controller.inputs
     for read in () if channels else reads:

@@ -32,6 +32,9 @@ INPUTS = """
 # Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
 # it, `value = 0` turns an input round.
 """
+ANALOGUE = """
+# Analogue inputs, in percent.
+"""
 ANSWERS = """
 # What the operator types when the program asks.
 """
@@ -57,6 +60,7 @@ def machine_text(source: Source, guesses: Guesses, reads: list[WorldRead], resul
     parts = [
         HEAD.format(program=program, until=until),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
+        *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
         *_table("answer", ANSWERS, _lines(fixed, "answer") + [_guess(each) for each in answers]),
         *_table("key", KEYS, _lines(fixed, "key") + [_guess(each) for each in guesses.keys]),
     ]

@@ -132,6 +132,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         ),
         "for": ("positive", "How long this lasts, in seconds. Default: forever."),
         **_WHEN,
+        "guess": _GUESS,
     },
     "remote": {
         "bus": ("bus", "The bus of the remote node. Default 1."),
