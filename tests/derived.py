@@ -18,6 +18,7 @@ WRITERS = (
     "tests.mint_manual",
     "tests.machine_page",
     "tests.fidelity_page",
+    "tests.sources.page",
 )
 
 

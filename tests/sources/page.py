@@ -1,0 +1,103 @@
+"""The table of the source documents: `python -m tests.sources.page` writes docs/sources.md."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).parents[2]
+DATA = Path(__file__).with_name("entries.txt")
+PAGE = ROOT / "docs" / "sources.md"
+KINDS = ("statement", "formula", "table row", "figure", "code", "context")
+HEAD = """\
+# The source documents, line by line
+
+motionlang follows five documents: two scans of PMC's TN1069, ABB's AN00115, a chapter on move profiles and Copley's
+note on PVT. This page lists every statement, formula, table row, figure and listing of them, in their order, by its
+first words. Each row has the command that reproduces it, what its output shows, and the test. Run the command, or
+search the page that is named, and compare. The scans have no page numbers, so rows are grouped by the documents' own
+headings.
+
+A test runs every command and compares its output (`tests/sources/test_sources.py`). Rows of kind *context* have nothing
+to compute: they say why. A `calc` row is the formula with the document's figures.
+
+"""
+
+
+class Entry(NamedTuple):
+    """One line of a document: `shows` is what the output of `command` has, `test` the test that holds it.
+
+    Of a context entry `command` is the reason why there is nothing to compute.
+    """
+
+    document: str
+    section: str
+    kind: str
+    words: str
+    command: str
+    shows: tuple[str, ...] = ()
+    test: str = ""
+
+
+def entries() -> list[Entry]:
+    """Return all entries, in the order of the documents; AssertionError for a line of another form."""
+    found: list[Entry] = []
+    names: dict[str, str] = {}
+    document = section = ""
+    for line in DATA.read_text(encoding="utf-8").splitlines():
+        mark, _, rest = line.partition(" ")
+        if mark == "!":
+            name, _, command = rest.partition(" = ")
+            names[name] = command
+        elif mark == "=":
+            document = rest
+        elif mark == "@":
+            section = rest
+        elif mark not in ("#", ""):
+            kind, words, command, *more = line.split(" | ")
+            assert kind in KINDS, line
+            assert len(more) == (0 if kind == "context" else 2), line
+            command = re.sub(r"^\{(.+)\}$", lambda match: names[match[1]], command)
+            shows = tuple(more[0].split(" … ")) if more else ()
+            found.append(Entry(document, section, kind, words, command, shows, more[1] if more else ""))
+    return found
+
+
+def page() -> str:
+    """Return the text of docs/sources.md."""
+    lines, document, section = [HEAD], "", ""
+    every = entries()
+    for title in dict.fromkeys(each.document for each in every):
+        own = [each for each in every if each.document == title]
+        counts = [f"{count} {kind}" for kind in KINDS if (count := sum(each.kind == kind for each in own))]
+        lines.append(f"* {title}: {len(own)} rows ({', '.join(counts)})\n")
+    for each in every:
+        if each.document != document:
+            lines.append(f"\n## {each.document}\n")
+        if (each.document, each.section) != (document, section):
+            document, section = each.document, each.section
+            lines.append(
+                f"\n### {section}\n\n| | first words | command | shows | test |\n|---|---|---|---|---|\n"
+            )
+        lines.append(f"| {each.kind} | {_cell(each.words)} | {_proof(each)} |\n")
+    return "".join(lines)
+
+
+def _proof(each: Entry) -> str:
+    if each.kind == "context":
+        return f"*{each.command}* | | "
+    command = (
+        f"[{each.command[5:]}]({each.command[10:]})"
+        if each.command.startswith("page ")
+        else f"`{each.command}`"
+    )
+    return f"{_cell(command)} | {_cell(' … '.join(each.shows))} | `{each.test}`"
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), encoding="utf-8")
