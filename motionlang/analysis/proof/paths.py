@@ -49,9 +49,8 @@ class Way:
             self.length = space if path.length is None else path.length
             self.unit = [way / space for way in ways] if space else ways
             self.stretch = space / self.length if self.length else 1.0
-            self.origin = (
-                fsum(u * place for u, place in zip(self.unit, self.first, strict=True)) / self.stretch
-            )
+            along = fsum(u * place for u, place in zip(self.unit, self.first, strict=True))
+            self.origin = along / self.stretch if space else 0.0
             return
         i, j = path.plane
         self.centre = _centre(path, starts)
