@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from io import StringIO
+
 from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
@@ -13,6 +15,33 @@ if TYPE_CHECKING:
     from motionlang.log.stream import Stream
 
 MAX_CHARACTERS = 50_000_000
+
+
+class LineBuffer:
+    """Split text that arrives in fragments into lines, at a cost linear in its length."""
+
+    __slots__ = ("_open",)
+
+    def __init__(self) -> None:
+        self._open = StringIO()
+
+    def completed(self, text: str) -> list[str]:
+        """Add a fragment, and return the lines that it ends, without `\\n`."""
+        *lines, rest = text.split("\n")
+        if lines and self._open.tell():
+            lines[0] = self._open.getvalue() + lines[0]
+            self._open = StringIO()
+        self._open.write(rest)
+        return lines
+
+    def __len__(self) -> int:
+        """Return the length of the unfinished line."""
+        return self._open.tell()
+
+    @property
+    def unfinished(self) -> str:
+        """Return the text of the unfinished line."""
+        return self._open.getvalue()
 
 
 class Terminal:
@@ -27,7 +56,7 @@ class Terminal:
         self, clock: Clock, prints: Stream[Printed], show: Callable[[str], object] | None = None
     ) -> None:
         self._clock, self.prints, self.show = clock, prints, show
-        self._open = ""
+        self._open = LineBuffer()
         self._size = 0
 
     @property
@@ -44,14 +73,13 @@ class Terminal:
             )
         if self.show is not None:
             self.show(text)
-        *whole, self._open = (self._open + text).split("\n")
-        for line in whole:
+        for line in self._open.completed(text):
             self.prints.add((self._clock.now, line))
 
     @property
     def begun(self) -> str:
         """Return the text of the unfinished line."""
-        return self._open
+        return self._open.unfinished
 
     def aside(self, text: str) -> None:
         """Show whole lines from elsewhere, such as another terminal's with its label."""
@@ -75,12 +103,10 @@ class Terminal:
 def labelled(label: str, console: Terminal, clock: Clock, prints: Stream[Printed]) -> Terminal:
     """Return another terminal whose complete lines appear on the console, labelled."""
     other = Terminal(clock, prints)
-    begun = ""
+    buffer = LineBuffer()
 
     def show(text: str) -> None:
-        nonlocal begun
-        *whole, begun = (begun + text).split("\n")
-        for line in whole:
+        for line in buffer.completed(text):
             console.aside(f"[{label}] {line}\n")
 
     other.show = show
