@@ -257,26 +257,26 @@ def _head(whole: Whole, b: Body) -> list[Line]:
     if function.kind in ("task", "event") or is_unit:
         outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))
     texts = _shared_names(whole, set("t" if function.plain else TIME), outside)
-    if not (whole.typed and function is whole.names.main):
-        texts += _own_variables(function, b)
     out = [Line(b.indent - 1, f"def {function.python}({', '.join(_parameters(function))}):", function.at)]
     out += [Line(b.indent, text, function.at, names=[*outside, *TIME]) for text in texts]
-    for part in b.parts:
-        if part.inside:
-            out += part.written(_shared_by(part, function), b.indent - 1)
+    if not (whole.typed and function is whole.names.main):
+        out += [Line(b.indent, text, function.at) for text in _own_variables(function, b)]
+    inside = [part for part in b.parts if part.inside]
+    known = _known_in(function) if inside else set()
+    time = set(TIME if not function.plain else "t")
+    for part in inside:
+        out += part.written(time | (known & part.names), b.indent - 1)
     return out
 
 
-def _shared_by(part: Part, function: Function) -> set[str]:
-    """Return the names that a part inside its sub shares with the sub."""
-    time = set(TIME if not function.plain else "t")
-    known: set[str] = set()
-    known.update(name for symbol in _own(function) for name in _spellings(symbol))
+def _known_in(function: Function) -> set[str]:
+    """Return the names that parts inside a sub may share with the sub."""
+    known = {name for symbol in _own(function) for name in _spellings(symbol)}
     scope = function.scope.outer
     while scope is not None:
         known.update(symbol.python for symbol in scope.names.values() if symbol.shared)
         scope = scope.outer
-    return time | (known & part.names)
+    return known
 
 
 def _parameters(function: Function) -> list[str]:

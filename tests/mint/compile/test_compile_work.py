@@ -1,8 +1,9 @@
-"""Compilation work is linear in the number of labels or jumps, counted in calls."""
+"""Compilation is linear in the number of labels, jumps and variables, in calls and in memory."""
 
 from __future__ import annotations
 
 import sys
+import tracemalloc
 from types import FrameType
 
 import pytest
@@ -62,3 +63,33 @@ def test_twice_the_labels_are_twice_the_work(write: object) -> None:
     calls_to_compile(write(40))  # imports and caches are complete after this
     once, twice = calls_to_compile(write(400)), calls_to_compile(write(800))
     assert twice < 2.2 * once
+
+
+def declared(count: int) -> str:
+    return "".join(f"Dim x{i} As Integer\n" for i in range(count)) + "".join(
+        f"x{i} = {i}\n" for i in range(count)
+    )
+
+
+def undeclared(count: int) -> str:
+    return "".join(f"x{i} = x{(i + 1) % count} + 1\n" for i in range(count))
+
+
+def peak_memory(text: str) -> int:
+    """Return the peak of the memory that compilation adds, bytes."""
+    module = parse(Source("a.mnt", text))
+    tracemalloc.start()
+    try:
+        compile_module(module)
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.parametrize("write", [declared, undeclared])
+def test_a_variable_takes_less_than_ten_kilobytes(write: object) -> None:
+    """So 20 000 variables stay below 200 MB."""
+    assert callable(write)
+    peak_memory(write(40))
+    fewer, more = peak_memory(write(500)), peak_memory(write(1500))
+    assert more - fewer < 1000 * 10_000
