@@ -64,6 +64,7 @@ BARS: dict[str, Bar] = {
     "compile_over_cached_load": _least(80.0),
     # A process against an empty Python.
     "start_cached": _most(3.0),
+    "start_import": _most(1.3),
     "start_first_sight": _most(5.5),
     "start_table": _most(5.5),
     "start_first_sight_table": _most(7.0),

@@ -7,7 +7,8 @@ without a report and with the table for a terminal.
 The command is the script that a current pip writes for it. An older one (up to 25.0) writes a script that
 imports `re` for itself, which takes half as long as an empty Python. The package cannot avoid that, and it
 would hide half of the measured time: `start_installed` is the command as it is installed where this runs, and
-`start_re` that import alone. `start_hello` is a program of one line. Bytecode of the package exists before,
+`start_re` that import alone. `start_hello` is a program of one line,
+`start_import` is `import motionlang` alone. Bytecode of the package exists before,
 as after an installation.
 """
 
@@ -32,7 +33,7 @@ if __name__ == '__main__':
     sys.argv[0] = sys.argv[0].removesuffix('.exe')
     sys.exit(main())
 """
-FIGURES = ("cached", "first_sight", "table", "first_sight_table", "hello", "installed", "re")
+FIGURES = ("cached", "first_sight", "table", "first_sight_table", "hello", "installed", "re", "import")
 
 
 def command() -> list[str]:
@@ -63,6 +64,7 @@ def main() -> None:
         cases = {
             "pass": [sys.executable, "-c", "pass"],
             "re": [sys.executable, "-c", "import re"],
+            "import": [sys.executable, "-c", "import motionlang"],
             "cached": [*run, PROGRAM, *silent],
             "first_sight": [*run, str(fresh), *silent],
             "table": [*run, PROGRAM],
