@@ -1,35 +1,88 @@
 """motionlang: MCCL and Mint programs, run offline on a virtual controller.
 
-`run` is the complete interface; its result has the report, the trace and the output.
+    run = motionlang.run("pick.mnt")
+    run.status, run.time, run.output, run.moves[0].duration
+
+`__all__` is the complete interface. Each name is imported on first use.
 """
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.analysis.sweeps import sweep
-    from motionlang.execution import run
+    from motionlang.analysis.planning import Plan, plan
+    from motionlang.analysis.sweeps import Row, sweep
+    from motionlang.errors import Diagnostic, ProgramError
     from motionlang.lang.dialect import parse
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.library import certify, check, compare, diff, profile, prove, run
+    from motionlang.library.moves import Move, Moves
+    from motionlang.library.report_types import Report
+    from motionlang.log.trace import Trace
     from motionlang.result import Run
+    from motionlang.source import Source
 
 __version__ = "0.1.0"
-__all__ = ["Run", "__version__", "parse", "run", "sweep"]
+__all__ = [
+    "Diagnostic",
+    "Machine",
+    "Move",
+    "Moves",
+    "Plan",
+    "ProgramError",
+    "Report",
+    "Row",
+    "Run",
+    "Source",
+    "Trace",
+    "__version__",
+    "certify",
+    "check",
+    "compare",
+    "diff",
+    "parse",
+    "plan",
+    "profile",
+    "prove",
+    "run",
+    "sweep",
+]
 
+# The module of each name below this package.
+_HOMES = {
+    "Diagnostic": "errors",
+    "Machine": "lang.machine.machine",
+    "Move": "library.moves",
+    "Moves": "library.moves",
+    "Plan": "analysis.planning",
+    "ProgramError": "errors",
+    "Report": "library.report_types",
+    "Row": "analysis.sweeps",
+    "Run": "result",
+    "Source": "source",
+    "Trace": "log.trace",
+    "certify": "library",
+    "check": "library",
+    "compare": "library",
+    "diff": "library",
+    "parse": "lang.dialect",
+    "plan": "analysis.planning",
+    "profile": "library",
+    "prove": "library",
+    "run": "library",
+    "sweep": "analysis.sweeps",
+}
 
-def __getattr__(name: str) -> object:
-    """Import `run`, `Run`, `sweep` and `parse` on first use: importing a part does not import the whole package."""
-    if name in ("run", "Run"):
+if not TYPE_CHECKING:
+    # Not for type checkers, for which every name would exist then.
+    def __getattr__(name: str) -> object:
+        """Import a name on first use."""
+        if name not in _HOMES:
+            raise AttributeError(f"module 'motionlang' has no attribute {name!r}")
         from importlib import import_module
 
-        module = import_module("motionlang.execution")
-        globals().update(run=module.run, Run=module.Run)
-        return globals()[name]
-    if name == "sweep":
-        from importlib import import_module
+        found: object = getattr(import_module(f"motionlang.{_HOMES[name]}"), name)
+        globals()[name] = found
+        return found
 
-        globals()["sweep"] = import_module("motionlang.analysis.sweeps").sweep
-        return globals()["sweep"]
-    if name == "parse":
-        from importlib import import_module
 
-        globals()["parse"] = import_module("motionlang.lang.dialect").parse
-        return globals()["parse"]
-    raise AttributeError(name)
+def __dir__() -> list[str]:
+    return sorted({*__all__, *globals()})

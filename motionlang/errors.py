@@ -235,6 +235,8 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 LIBRARIES = {
     "matplotlib": ("plot", "matplotlib"),
     "pyarrow": ("parquet", "pyarrow"),
+    "polars": ("polars", "polars"),
+    "pandas": ("pandas", "pandas"),
     "mcap": ("mcap", "mcap"),
     "can": ("can", "python-can"),
     "canopen": ("can", "canopen"),

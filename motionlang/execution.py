@@ -136,7 +136,7 @@ def run(
             source, overrides, remarks = edited(source, language, overrides)
         except ProgramError as error:
             wrong, overrides = error.diagnostics, None
-    settings = _checked(machine) if machine is not None else settings_beside(program)
+    settings = checked_settings(machine) if machine is not None else settings_beside(program)
     if inputs or analog or answers or keys:
         from motionlang.lang.machine.entries import with_entries
 
@@ -235,7 +235,7 @@ def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, objec
     return read_machine(Source.read(path))
 
 
-def _checked(machine: Mapping[str, object]) -> dict[str, object]:
+def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
     """Return a caller's settings, checked against the machine file's keys."""
     if machine and not isinstance(machine, Checked):
         from motionlang.lang.machine.file import current_key, first_mistake

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
     from motionlang.errors import Diagnostic
+    from motionlang.library.report_types import Report
     from motionlang.log.history import Figures, MotorFigures
     from motionlang.log.plain_moves import Row as PlainRow
     from motionlang.planners import Profile
@@ -43,14 +44,12 @@ AT_ONCE = 1000
 MOST_ALIKE = 4096
 
 
-def build(run: Run) -> Row:
+def build(run: Run) -> Report:
     """Return the complete report as plain dicts, lists, texts and numbers."""
-    report = _head(run)
-    report["moves"] = list(moves(run))
-    report["events"] = list(events(run))
-    report |= _tail(run)
-    report["assumptions"] = assumptions(run)
-    return report
+    from motionlang.library.report_types import Report
+
+    fields = _head(run) | {"moves": list(moves(run)), "events": list(events(run))} | _tail(run)
+    return Report(fields | {"assumptions": assumptions(run)}, run)
 
 
 def text(run: Run, *, whole: bool = True) -> str:

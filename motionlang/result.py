@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Scheduler, Stuck
     from motionlang.lang.task import Task
+    from motionlang.library.moves import Moves
+    from motionlang.library.report_types import Report, ReportMove
     from motionlang.log.orders import Orders
     from motionlang.log.trace import Trace
     from motionlang.source import Source
@@ -104,8 +106,24 @@ class Run:
         shown: str = import_module("motionlang.views.notebook").html(self)
         return shown
 
+    def __repr__(self) -> str:
+        counts = _counted(len(self.machine.log.moves), "move")
+        if self.diagnostics:
+            counts += f", {_counted(len(self.diagnostics), 'diagnostic')}"
+        return f"<Run of {self.source.name}: {self.status} at {self.time:g} s, {counts}>"
+
     @property
-    def report(self) -> dict[str, object]:
+    def moves(self) -> Moves:
+        """Every move that was started, in order; a table by `to_polars` and `to_pandas`."""
+        from typing import cast
+
+        from motionlang.library.moves import Moves
+        from motionlang.report import moves
+
+        return Moves(cast("list[ReportMove]", list(moves(self))), self)
+
+    @property
+    def report(self) -> Report:
         """The run as `motionlang.report/2`."""
         from motionlang.report import build
 

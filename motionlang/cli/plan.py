@@ -10,20 +10,20 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.planning import WRITERS, number, solve_plan
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
 from motionlang.notes.an00115 import formulas
-from motionlang.planners.reach import needed_distance, remedies, triangle
-from motionlang.planners.solve import NAMES, RULES, solve_move
+from motionlang.planners.reach import needed_distance, remedies
+from motionlang.planners.solve import NAMES, RULES
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 from motionlang.views.words import dialect_name
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Callable
 
     from motionlang.cli.parser import Commands
 
@@ -96,7 +96,7 @@ def plan_command(arguments: argparse.Namespace) -> int:
     if arguments.axis is not None and arguments.axis < (1 if arguments.dialect == "mccl" else 0):
         parser.error("no such axis: Mint numbers axes from 0, MCCL from 1")
     try:
-        move, assumed, wanted = _solve(given, arguments.rule)
+        move, assumed, wanted = solve_plan(given, arguments.rule)
     except ValueError as problem:
         changes = remedies(arguments.rule, given)
         parser.error(f"{problem}\n  hint: change one: {'; '.join(changes)}" if changes else str(problem))
@@ -113,7 +113,7 @@ def plan_command(arguments: argparse.Namespace) -> int:
         for name, write in WRITERS.items()
         if arguments.dialect in (None, name)
     }
-    notes = [f"scale: {how} = {_number(scale)} counts/uu"] if how else []
+    notes = [f"scale: {how} = {number(scale)} counts/uu"] if how else []
     notes += _unreached(move, wanted)
     if arguments.json:
         document = {
@@ -150,55 +150,6 @@ def _draw(move: dict[str, float], path: str, parser: argparse.ArgumentParser) ->
     return 0
 
 
-def _solve(given: dict[str, float], rule: str | None) -> tuple[dict[str, float], set[str], dict[str, float]]:
-    """The eight figures, the mirrored ones, and the request of a move too short.
-
-    A mirrored figure is taken over from its counterpart.
-    """
-    short = _too_short(given)
-    if short is not None:
-        return short
-    try:
-        return solve_move(rule, **given), set(), {}
-    except ValueError as first:
-        problem = first
-        for one, other in (("accel", "decel"), ("accel_time", "decel_time")):
-            if (one in given) != (other in given) and rule is None:
-                missing = other if one in given else one
-                full = {**given, missing: given[one if one in given else other]}
-                try:
-                    return solve_move(None, **full), {missing}, {}
-                except ValueError as contradiction:
-                    problem = contradiction
-        raise problem from None
-
-
-def _too_short(
-    given: dict[str, float],
-) -> tuple[dict[str, float], set[str], dict[str, float]] | None:
-    """Return the figures of a distance too short for its speed and ramps, or None."""
-    rates = {}
-    for rate, time in (("accel", "accel_time"), ("decel", "decel_time")):
-        if (rate in given) == (time in given):
-            continue
-        value = given[rate if rate in given else time]
-        if value > 0.0 and given.get("speed", 0.0) > 0.0:
-            rates[rate] = value if rate in given else given["speed"] / value
-    ramps = {"accel", "decel", "accel_time", "decel_time"} & set(given)
-    if not rates or len(ramps) != len(rates) or set(given) - ramps != {"distance", "speed"}:
-        return None
-    assumed = {"accel", "decel"} - set(rates)
-    accel, decel = (rates.get(name, next(iter(rates.values()))) for name in ("accel", "decel"))
-    speed = given["speed"]
-    try:
-        move = triangle(given["distance"], speed, accel, decel)
-    except (ValueError, OverflowError, ZeroDivisionError):
-        return None
-    if move is None:
-        return None
-    return move, assumed, {"speed": speed, "accel_time": speed / accel, "decel_time": speed / decel}
-
-
 def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
     """Return that the commanded speed is not reached, and its requirements."""
     if not wanted:
@@ -230,7 +181,7 @@ def _lines(
     rows, styles = [], []
     for name in NAMES:
         origin = "given" if name in given else "assumed" if name in assumed else behind.get(name, "")
-        rows.append([name.replace("_", " "), _number(move[name]), UNITS[name], origin])
+        rows.append([name.replace("_", " "), number(move[name]), UNITS[name], origin])
         styles.append("dim" if name in given else "")
     columns = (Column("figure", align="<"), Column("value"), Column("", align="<"), Column("", align="<"))
     lines = grid(columns, rows, width=1000, colour=colour, styles=styles)
@@ -245,39 +196,3 @@ def _lines(
                 "--scale"
             )
     return lines
-
-
-def _mint(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
-    """Return the move in Mint, in which ramp times are milliseconds."""
-    n = axis or 0
-    lines = [f"SCALE({n}) = {_number(scale)}"] if scale != 1.0 else []
-    lines.append(f"SPEED({n}) = {_number(move['speed'])}")
-    for rate, time in (("accel", "accel_time"), ("decel", "decel_time")):
-        word, value = (rate, move[rate]) if not by_times else (rate + "time", 1000.0 * move[time])
-        lines.append(f"{word.upper()}({n}) = {_number(value)}")
-    lines += [f"MOVER({n}) = {_number(move['distance'])}", f"GO({n})"]
-    return "\n".join(lines) + "\n"
-
-
-def _mccl(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
-    """The move in MCCL, which has rates only; a scale takes effect at the next MN."""
-    n = 1 if axis is None else axis
-    lines = [f"{n}US{_number(scale)}"] if scale != 1.0 else []
-    lines += [
-        f"{n}MN,{n}PM,{n}PT",
-        f"{n}SV{_number(move['speed'])},{n}SA{_number(move['accel'])},{n}DS{_number(move['decel'])}",
-        f"{n}MR{_number(move['distance'])},{n}WS0",
-    ]
-    return "\n".join(lines) + "\n"
-
-
-WRITERS: dict[str, Callable[[dict[str, float], float, int | None, bool], str]] = {
-    "mint": _mint,
-    "mccl": _mccl,
-}
-
-
-def _number(value: float) -> str:
-    """Return a figure for both languages: no exponent, no insignificant digit."""
-    text = f"{value:.10g}"
-    return f"{value:.12f}".rstrip("0").rstrip(".") if "e" in text else text

@@ -124,6 +124,50 @@ class Trace:
         self._chosen: list[tuple[int, str]] | None = None
         self.end = controller.clock.now
 
+    def __repr__(self) -> str:
+        axes = self.axes
+        return (
+            f"<Trace of ax{'i' if len(axes) == 1 else 'e'}s {', '.join(map(str, axes))}: 0 to {self.end:g} s>"
+        )
+
+    def _repr_html_(self) -> str:
+        # Requested by a notebook, which has the views; no layer below may import them.
+        from importlib import import_module
+
+        shown: str = import_module("motionlang.views.notebook").trace_html(self)
+        return shown
+
+    def __call__(
+        self,
+        rate: float = 1000.0,
+        axes: Sequence[int] | None = None,
+        quantities: Sequence[str] | None = None,
+        until: float | None = None,
+    ) -> NDArray[np.void]:
+        """Return a structured array, a row each 1/`rate` s and one at the end: `array["axis0_position_uu"]`.
+
+        Its fields are `time_s` and those of each axis. `quantities` are "position", "velocity",
+        "acceleration" and "jerk", and with a simulated motor "actual", "following error", "output" and
+        "torque". Raises ValueError, with the choices, for an axis or a quantity that does not exist, for a
+        rate that is not above 0, and above 200 million rows.
+        """
+        for quantity in quantities or ():
+            quantity_of(quantity)
+        for axis in axes or ():
+            self._check_axis(axis)
+        samples = self.sample(
+            rate, axes, until, [each.replace("-", " ") for each in quantities or ()] or None
+        )
+        rows = np.empty(len(samples), [(column.name, np.float64) for column in samples.columns])
+        for column, values in zip(samples.columns, samples.data, strict=True):
+            rows[column.name] = values
+        return rows
+
+    def _check_axis(self, axis: object) -> None:
+        if axis not in self.controller.axes:
+            have = ", ".join(map(str, self.controller.axes))
+            raise ValueError(f"there is no axis {axis}; this controller has {have}")
+
     @property
     def axes(self) -> tuple[int, ...]:
         """The axes that ever moved or were given a position, or the first one."""

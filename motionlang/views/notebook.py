@@ -1,20 +1,34 @@
-"""A run as a notebook shows it: output, diagnostics and the table of moves."""
+"""Runs, traces, moves and reports as a notebook shows them: text, tables and the velocity over time."""
 
 from __future__ import annotations
 
 from html import escape
 from typing import TYPE_CHECKING
 
+from motionlang.views.curve import curve, velocity_curve
 from motionlang.views.diagnostics import render_all
 from motionlang.views.table import render
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from motionlang.controller.controller import Controller
+    from motionlang.library.moves import Move, Moves
+    from motionlang.library.report_types import Report
+    from motionlang.log.trace import Trace
     from motionlang.result import Run
 
 WIDTH = 110
 # The largest number of output lines; of more, the first and the last half of these are shown.
 MOST_LINES = 200
+# The largest number of moves in a table, and of points on the curve of one.
+MOST_MOVES, POINTS = 50, 300
+TITLES = {
+    "axis": "axis", "command": "command", "line": "line", "profile": "profile", "start_time": "start, s",
+    "duration": "time, s", "start": "from, uu", "end": "to, uu", "distance": "distance, uu",
+    "peak_speed": "peak, uu/s", "ended": "ended by",
+}  # fmt: skip
 
 
 def html(run: Run) -> str:
@@ -28,4 +42,59 @@ def html(run: Run) -> str:
         parts.append(render_all(run.diagnostics, run.source, width=WIDTH))
     if run.status != "fault" or run.time:
         parts.append(render(run, width=WIDTH, colour=False, charts=False))
-    return "\n".join(f"<pre>{escape(part)}</pre>" for part in parts if part.strip())
+    shown = [f"<pre>{escape(part)}</pre>" for part in parts if part.strip()]
+    return "\n".join(shown + _curves(run.controller, run.time))
+
+
+def trace_html(trace: Trace) -> str:
+    """Return the velocity of every axis that moved."""
+    return "\n".join([f"<pre>{escape(repr(trace))}</pre>", *_curves(trace.controller, trace.end)])
+
+
+def move_html(move: Move, run: Run) -> str:
+    """Return a move with the velocity of its axis from its start to its end."""
+    import numpy as np
+
+    begin, end = move.start_time, move.start_time + move.duration
+    times = np.linspace(begin, end, POINTS)
+    values = run.trace.at(move.axis, "velocity", times)
+    title = f"axis {move.axis}: velocity, uu/s"
+    drawn = curve(list(zip(times.tolist(), values.tolist(), strict=True)), begin, end, title)
+    return f"<pre>{escape(repr(move))}</pre>\n{drawn}"
+
+
+def moves_html(moves: Moves, run: Run) -> str:
+    """Return a table of moves, which names the number that it omits, and the curves."""
+    first = moves[:MOST_MOVES]
+    shown = _table(first.columns(), len(moves) - len(first))
+    return "\n".join([shown, *_curves(run.controller, run.time)])
+
+
+def report_html(report: Report, run: Run | None) -> str:
+    """Return a report as its run, or, if it has none, as its table of moves."""
+    if run is not None:
+        return html(run)
+    rows = report["moves"][:MOST_MOVES]
+    columns = {name: [row.get(name, "") for row in rows] for name in TITLES}
+    return f"<pre>{escape(repr(report))}</pre>\n{_table(columns, len(report['moves']) - len(rows))}"
+
+
+def _curves(controller: Controller, end: float) -> list[str]:
+    moved = [axis for axis in controller.axes.values() if len(axis.starts) > 1]
+    return [drawn for axis in moved if (drawn := velocity_curve(axis, end))]
+
+
+def _table(columns: dict[str, Sequence[object]] | dict[str, list[object]], omitted: int) -> str:
+    names = [name for name in TITLES if name in columns]
+    rows = zip(*(columns[name] for name in names), strict=True)
+    body = "".join(_row(map(_cell, row), "td") for row in rows)
+    more = f"<p>… {omitted} more move{'s'[: omitted != 1]}</p>" if omitted else ""
+    return f"<table>{_row((TITLES[name] for name in names), 'th')}{body}</table>{more}"
+
+
+def _row(cells: Iterable[str], tag: str) -> str:
+    return f"<tr>{''.join(f'<{tag}>{escape(cell)}</{tag}>' for cell in cells)}</tr>"
+
+
+def _cell(value: object) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else "" if value is None else str(value)

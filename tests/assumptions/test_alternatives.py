@@ -138,7 +138,7 @@ def test_every_other_answer_names_its_alternative(each: Reading) -> None:
 def test_what_moves_stays_within_the_distance_that_is_allowed(each: Reading) -> None:
     result = run(text_of(each), machine=machine_of(each), cache=False)
     assert result.report["moves"]
-    for move in result.report["moves"]:  # type: ignore[attr-defined]
+    for move in result.report["moves"]:
         assert all(-1e-6 <= move[place] <= DISTANCE + 1e-6 for place in ("start", "end")), move
 
 

@@ -75,8 +75,8 @@ def test_what_ends_a_blend_is_told_of_both_paths(way: str, how: str) -> None:
         pytest.approx((x, x, 0.0, y), abs=1e-6),
     ]
     seconds = [0.55 + first_time] * 2 + [0.05 + second_time] * 2
-    assert [move["duration"] for move in moves] == pytest.approx(seconds, abs=1e-6)  # type: ignore[attr-defined]
-    assert [move["ended"] for move in moves] == [ended] * 4  # type: ignore[attr-defined]
+    assert [move["duration"] for move in moves] == pytest.approx(seconds, abs=1e-6)
+    assert [move["ended"] for move in moves] == [ended] * 4
     axes = result.controller.axes
     assert [axes[k].position(result.time) for k in (0, 1)] == pytest.approx([x, y], abs=1e-6)
 
@@ -94,7 +94,7 @@ def test_the_end_of_the_run_cuts_both_paths() -> None:
     result = proved(PATHS.format(how="R", x=0) + "PAUSE IDLE(0)", until=0.6)
     assert rows(result) == [pytest.approx((0.0, 5.5, 0.0, 0.0)), pytest.approx((5.5, 5.5, 0.0, 0.5))]
     moves = build(result)["moves"]
-    assert [move["ended"] for move in moves] == ["end-of-run"] * 4  # type: ignore[attr-defined]
+    assert [move["ended"] for move in moves] == ["end-of-run"] * 4
 
 
 def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:

@@ -258,7 +258,6 @@ def test_what_a_stop_throws_out_of_the_buffers_is_told(end: str, reason: str) ->
         HOMING,
     )
     told = [
-        (each["axis"], each["command"], each["line"], each["reason"])
-        for each in result.report["dropped"]  # type: ignore[attr-defined]
+        (each["axis"], each["command"], each["line"], each["reason"]) for each in result.report["dropped"]
     ]
     assert told == [(0, "MOVER", 3, reason), (0, "VECTORR", 4, reason), (1, "VECTORR", 4, reason)]

@@ -19,9 +19,10 @@ from typing import Any
 
 import pytest
 
-from motionlang import Run, run
+from motionlang import Run
 from motionlang.cli import main
 from motionlang.cli.output_queue import CAPACITY
+from motionlang.execution import run
 from motionlang.serve.outside import LockStep, Outside, RealTime
 from motionlang.source import Source
 from tests.cli.programs import LONGEST

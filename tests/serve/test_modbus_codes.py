@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from functools import partial
 from threading import Thread
 
-from motionlang import run
+from motionlang.execution import run
 from motionlang.serve import Limits
 from motionlang.serve.modbus import ModbusServer
 from motionlang.serve.outside import LockStep

@@ -155,7 +155,7 @@ def test_without_a_motor_feedback_equals_demand() -> None:
         Source("x", MOVE + "WAIT = 50\nPRINT POS(0) - POSDEMAND(0), FOLERROR(0)"), dialect="mint", cache=False
     )
     assert result.output == ["0.00000.0000"]
-    assert result.report["axes"][0]["feedback"] == "demand"  # type: ignore[index]
+    assert result.report["axes"][0]["feedback"] == "demand"
 
 
 def test_mccl_tells_both() -> None:
@@ -242,7 +242,7 @@ def test_a_stalled_motor_faults_at_the_very_sample() -> None:
     )
     assert result.output == ["640"]
     a = result.controller.axes[0]
-    move: Any = result.report["moves"][0]  # type: ignore[index]
+    move: Any = result.report["moves"][0]
     trip = move["start_time"] + move["duration"]
     assert a.feedback is not None
     assert a.feedback.chosen is not None
@@ -284,7 +284,7 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
     real = run(
         "JOG(0) = 5000 : PAUSE IDLE(0)", MOTOR, servo={"proportional": 0.02, "derivative": 0.5}, **machine
     )
-    ends = [each.report["moves"][0]["duration"] for each in (ideal, real)]  # type: ignore[index]
+    ends = [each.report["moves"][0]["duration"] for each in (ideal, real)]
     assert ends[1] > ends[0] + 0.001
     assert real.controller.faults(0) == 4
 
@@ -387,7 +387,7 @@ def test_the_program_s_gains_come_first_then_the_machine_file_s(
 def test_gains_that_nobody_sets_are_suggested_and_the_report_says_so() -> None:
     result = run(MOVE, MOTOR, servo={"bandwidth": 30.0})
     assert result.notes == ["axis 0: its motor has no gains; it ran with those suggested for 30 Hz"]
-    motor = result.report["moves"][0]["motor"]  # type: ignore[index]
+    motor = result.report["moves"][0]["motor"]
     assert motor["peak_following_error"] < 0.1
     assert motor["rms_torque"] > 0.0
 

@@ -172,7 +172,7 @@ End
 
 def test_lines_of_moves_that_are_alike_are_those_of_each() -> None:
     result = run(Source("a.mnt", ALIKE), cache=False, until=30.0)
-    lines = [json.dumps(row) for row in build(result)["moves"]]  # type: ignore[attr-defined]
+    lines = [json.dumps(row) for row in build(result)["moves"]]
     assert len(lines) > 12
     written = text(result)
     assert all(line in written for line in lines)

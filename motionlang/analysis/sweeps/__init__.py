@@ -15,6 +15,7 @@ from motionlang.analysis.sweeps.space import Space, space_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_beside
 from motionlang.lang.literals import edited
+from motionlang.library.tables import Table, transposed
 from motionlang.record import record
 from motionlang.source import Source
 
@@ -22,6 +23,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
     from concurrent.futures import Executor
+    from typing import Any
 
     from motionlang.analysis.sweeps.job import Problem, Result
     from motionlang.analysis.sweeps.quantities import Kept
@@ -55,6 +57,39 @@ class Row:
     def ok(self) -> bool:
         """True if the run had no error."""
         return self.problem is None
+
+
+class Rows(Table):
+    """The rows of a sweep: an iterator in order of arrival, and a table in order of number.
+
+    A table has the rows that were not iterated over yet.
+    """
+
+    __slots__ = ("_names", "_rows")
+
+    def __init__(self, rows: Iterator[Row], names: Sequence[str]) -> None:
+        self._rows, self._names = rows, ("index", *names, "problem")
+
+    def __iter__(self) -> Iterator[Row]:
+        return self._rows
+
+    def __next__(self) -> Row:
+        return next(self._rows)
+
+    def columns(self) -> dict[str, list[Any]]:
+        """Run all variants and return the columns: number, varied values, results, message of the error."""
+        rows = sorted(self._rows, key=lambda row: row.index)
+        return transposed(
+            [
+                {"index": row.index, **row.values, **row.kept}
+                | {"problem": row.problem["message"] if row.problem else None}
+                for row in rows
+            ],
+            self._names,
+        )
+
+    def __repr__(self) -> str:
+        return f"<Rows of a sweep: {', '.join(self._names)}>"
 
 
 class Sweep:
@@ -155,8 +190,10 @@ def sweep(
     until: float | None = None,
     prove: bool = False,
     certify: bool = False,
-) -> Iterator[Row]:
-    """Run a program in many variants and yield a row for each, in order of arrival.
+) -> Rows:
+    """Run a program in many variants and return an iterator over their rows, in order of arrival.
+
+    The rows are also a table: `sweep(…).to_polars()`. Times are seconds, lengths user units (uu).
 
     `grid` has the values by name, of the program's own names and, with a dot, of the keys of the machine
     file: lists, or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel":
@@ -177,4 +214,5 @@ def sweep(
         prove=prove,
         certify=certify,
     )
-    return map(made.row, made.results(executor, jobs))
+    names = (*made.space.names, *made.job.keep)
+    return Rows(map(made.row, made.results(executor, jobs)), names)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import Run, run
+from motionlang import Run
+from motionlang.execution import run
 from motionlang.lang.machine.machine import Machine
 from motionlang.source import Source
 from tests.cases import cases

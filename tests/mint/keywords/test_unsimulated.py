@@ -118,7 +118,7 @@ def test_the_run_ends_at_the_word(lines: list[str], place: tuple[int, int]) -> N
 
 def test_what_was_computed_so_far_stays() -> None:
     result = ran("MOVER(0) = 100", "GO(0)", "PAUSE IDLE(0)", "AUTOTUNE(0, 1)")
-    assert [each["distance"] for each in result.report["moves"]] == [100.0]  # type: ignore[attr-defined]
+    assert [each["distance"] for each in result.report["moves"]] == [100.0]
 
 
 def test_a_word_that_the_program_does_not_come_to_ends_nothing() -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import run
+from motionlang.execution import run
 from motionlang.lang.machine import nonvolatile
 from motionlang.lang.machine.machine import Machine
 from motionlang.result import Run

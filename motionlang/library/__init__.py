@@ -1,0 +1,231 @@
+"""The functions of the package for other Python programs: `motionlang.run` and its neighbours.
+
+Each is thin: it checks its arguments, and opens the layer that does the work when it is called.
+"""
+
+from __future__ import annotations
+
+import os
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.analysis.certificate import Limit
+    from motionlang.analysis.compare.comparison import Comparison
+    from motionlang.analysis.cycle.profile import TimeProfile
+    from motionlang.analysis.diff.reports import Difference
+    from motionlang.analysis.proof.checker import Proof
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.machine.entries import Given
+    from motionlang.result import Run
+    from motionlang.source import Source
+
+    Program = str | os.PathLike[str] | Source
+    Side = Program | Run | Mapping[str, object]
+
+
+def run(
+    program: Program,
+    *,
+    dialect: str | None = None,
+    machine: Mapping[str, object] | None = None,
+    until: float | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+    inputs: Given = (),
+    analog: Given = (),
+    answers: Given = (),
+    keys: Given = (),
+    show: Callable[[str], object] | None = None,
+    nv: str | None = None,
+    prove: bool = False,
+    log_size: float | None = None,
+    cache: bool = True,
+    fast: bool | None = None,
+) -> Run:
+    """Run a program on the virtual controller and return its `Run`.
+
+    `program` is a path, or a `Source` with its text. `dialect` is "mint" or "mccl"; without it the suffix
+    chooses. `machine` has settings by the dotted keys of the machine file, such as {"controller.axes": 2};
+    without it they are those of the machine file next to the program, if there is one. `until` is the machine
+    time in seconds at which the run ends at the latest, by default the file's `run.until` or 8 hours.
+    `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and
+    `keys` are what the world does, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is
+    called with each text that the program prints. `nv` is a file in which nonvolatile data outlive the run.
+    With `prove` the run stores what `motionlang.prove` needs. `log_size` is how many gigabytes of disk the
+    log may use. With `cache=False` the program is compiled from scratch. With `fast=False` the run goes
+    without accelerators: the result is equal, only later.
+
+    Errors in the program are `Run.diagnostics`, never exceptions. Raises OSError if the file cannot be read,
+    ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
+    """
+    from motionlang import execution
+
+    for name, value in (("until", until), ("log_size", log_size)):
+        if value is not None and not 0.0 <= value < float("inf"):
+            raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
+    return execution.run(
+        _checked(program),
+        dialect=dialect,
+        machine=machine,
+        until=until,
+        overrides=overrides,
+        inputs=inputs,
+        analog=analog,
+        answers=answers,
+        keys=keys,
+        show=show,
+        nv=nv,
+        prove=prove,
+        log_size=log_size,
+        cache=cache,
+        fast=fast,
+    )
+
+
+def check(
+    program: Program,
+    *,
+    dialect: str | None = None,
+    machine: Mapping[str, object] | None = None,
+    model: str | None = None,
+) -> list[Diagnostic]:
+    """Return every error and warning of a program, in order of line; nothing is run.
+
+    `dialect` and `machine` are those of `run`. `model` is the controller that the program is for, such as
+    "mintmt". A diagnostic has `code`, `message`, `line`, `hint` and `severity`, "error" or "warning". Raises
+    OSError if the file cannot be read, ProgramError if the machine file is wrong, and ValueError, with the
+    choices, for another model or language.
+    """
+    from motionlang.errors import ProgramError
+    from motionlang.execution import checked_settings, dialect_for, settings_beside
+    from motionlang.lang.dialect import unknown_model
+    from motionlang.lang.foreign import one_sentence
+    from motionlang.lang.machine.axes import missing_axes
+    from motionlang.lang.machine.machine import DEFAULT_AXES
+    from motionlang.source import Source
+
+    problem = None if model is None else unknown_model(model)
+    if problem is not None:
+        raise ValueError("; ".join(problem))
+    program = _checked(program)
+    source = program if isinstance(program, Source) else Source.read(program)
+    language = dialect_for(source, dialect)
+    settings = settings_beside(program) if machine is None else checked_settings(machine)
+    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    wrong = missing_axes(settings, axes, language.first_axis)
+    if wrong:
+        raise ProgramError(wrong)
+    if model is not None:
+        settings["controller.model"] = model
+    return one_sentence(language, source, language.check(source, settings))
+
+
+def profile(program: Program | Run) -> TimeProfile:
+    """Return where the time of a run goes: by line, sub, cause and axis, along the critical path.
+
+    `program` is a `Run`, or a program that is run first. All times are seconds. Raises what `run` raises.
+    """
+    from motionlang.analysis.cycle.profile import TimeProfile
+
+    return TimeProfile(_run_of(program))
+
+
+def diff(old: Side, new: Side, *tolerances: str) -> Difference:
+    """Return the difference between two runs: times, motion, output, events and errors.
+
+    Each side is a `Run`, a report, or a program that is run first. Moves, prints and events are aligned by
+    content, so a line that is inserted is no difference. `tolerances` are texts such as "time=1ms",
+    "position=0.01uu" or "speed=2%". The result has `same`, and its differences by kind. Raises ValueError for
+    a wrong tolerance or a report of an unknown version, and what `run` raises.
+    """
+    from motionlang.analysis.diff.reports import checked, difference
+    from motionlang.analysis.diff.tolerance import Tolerance
+
+    tolerance = Tolerance(*tolerances)
+    return difference(checked(_report_of(old)), checked(_report_of(new)), tolerance)
+
+
+def compare(
+    program: Program | Run,
+    recording: Program,
+    mapping: Mapping[str, str] | None = None,
+    *,
+    tolerances: Mapping[str, float] | None = None,
+    delay: float | None = None,
+) -> Comparison:
+    """Compare a recording of a real controller with a run: residuals, lag and overshoot, move by move.
+
+    `program` is a `Run`, or a program that is run first; `recording` is the path of a table of text.
+    `mapping` gives columns a meaning: {"time": "t*0.001", "position.0": "PosAct"}; a factor turns their
+    numbers into seconds or user units (uu). `tolerances` are the largest residuals allowed, uu, by "position"
+    or "position.0". `delay` is how many seconds the recording is later than the run; it is found without it.
+    Raises ProgramError if there is nothing to compare, ValueError for a wrong mapping, OSError if a file
+    cannot be read, and what `run` raises.
+    """
+    from motionlang.analysis.compare.comparison import Mapped, compare
+    from motionlang.source import Source
+
+    made = []
+    for target, column in (mapping or {}).items():
+        name, star, factor = column.rpartition("*")
+        try:
+            made.append(
+                Mapped(target, name.strip(), float(factor)) if star else Mapped(target, column.strip(), None)
+            )
+        except ValueError:
+            raise ValueError(f"{column!r}: {factor!r} is not a number to multiply by") from None
+    table = recording if isinstance(recording, Source) else Source.read(recording)
+    return compare(_run_of(program), table, made, tolerances=tolerances, delay=delay)
+
+
+def certify(program: Program | Run) -> list[Limit]:
+    """Return how far a run used each limit of its machine file: a line for each limit of each axis.
+
+    `program` is a `Run`, or a program that is run first. A limit has `reached`, `time` (s), `line`, `margin`
+    and `verdict`: "within", "exceeded" or "unknown". Raises ValueError if the machine file has no limits, and
+    what `run` raises.
+    """
+    from motionlang.analysis.certificate import LIMITS, certificate
+
+    result = _run_of(program)
+    lines = certificate(result.controller, result.machine.settings, result.time)
+    if not lines:
+        raise ValueError(f"the machine has no limits: axis.N.limits with {', '.join(LIMITS)}")
+    return lines
+
+
+def prove(program: Program | Run) -> Proof:
+    """Check the motion of a run against the commanded limits, independently of the planner.
+
+    `program` is a `Run` made with `prove=True`, or a program that is run first. The result has `holds`,
+    `violations` and `worst`, the largest used fraction of each bound. Raises ValueError for a run without
+    `prove`, and what `run` raises.
+    """
+    from motionlang.result import Run
+
+    return (program if isinstance(program, Run) else run(program, prove=True)).proof()
+
+
+def _run_of(program: Program | Run) -> Run:
+    from motionlang.result import Run
+
+    return program if isinstance(program, Run) else run(program)
+
+
+def _report_of(side: Side) -> dict[str, object]:
+    from motionlang.result import Run
+    from motionlang.source import Source
+
+    if isinstance(side, Run):
+        return side.report
+    if isinstance(side, str | os.PathLike | Source):
+        return run(side).report
+    return dict(side)
+
+
+def _checked(program: Program) -> Program:
+    """Return a program; ValueError for the text of one, which needs a `Source`."""
+    if isinstance(program, str) and "\n" in program:
+        raise ValueError('this is the text of a program: pass Source("name.mnt", text), or a path')
+    return program
