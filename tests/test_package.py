@@ -77,7 +77,7 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
     """It has everything in README: the gallery, the pages and the tests."""
     with tarfile.open(built[0]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
-    for folder in ("benchmarks", "docs", "grammars", "motionlang", "scripts", "tests"):
+    for folder in ("benchmarks", "docs", "examples", "grammars", "motionlang", "scripts", "tests"):
         here = {
             path.relative_to(ROOT).as_posix()
             for path in (ROOT / folder).rglob("*")

@@ -1,0 +1,37 @@
+"""The examples for Python: each prints what the comments of its `print` lines say."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+SHOWN = re.compile(r"^ *print\(.*\)  # (.*)$", re.MULTILINE)
+
+
+def test_they_are_numbered_without_a_gap() -> None:
+    assert [path.name[:3] for path in EXAMPLES] == [f"{n:02}_" for n in range(1, len(EXAMPLES) + 1)]
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_prints_its_comments(path: Path, tmp_path: Path) -> None:
+    done = subprocess.run(
+        [
+            sys.executable,
+            "-c",
+            f"import sys, runpy; sys.path[:0] = [{str(ROOT)!r}]; runpy.run_path({str(path)!r}, run_name='__main__')",
+        ],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        env={"PYTHONUTF8": "1", "MOTIONLANG_CACHE": str(tmp_path)},
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == SHOWN.findall(path.read_text(encoding="utf-8"))
