@@ -18,7 +18,7 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.cli.output_files import written
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.run_options import machine_time
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
@@ -54,6 +54,12 @@ examples:
 """
 # The suffixes of a recording; any other file is a program or a report.
 RECORDED = (".csv", ".tsv", ".dat")
+
+GROUPS = {
+    "two sides": "machine-a set-a variant-a machine-b set-b variant-b until",
+    "recording": "map delay",
+    "output": "all json plot",
+}
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -92,6 +98,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     add("--plot", metavar="PAGE", help="draw both runs into an .html page")
     add("--all", action="store_true", help="list every difference, not only the first ones of each kind")
     add("--json", action="store_true", help="print one JSON document and nothing else")
+    arrange(parser, GROUPS)
 
 
 def diff_command(arguments: argparse.Namespace) -> int:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 from motionlang.errors import nearest, renamed
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from _typeshed import SupportsWrite
 
@@ -111,14 +111,29 @@ if TYPE_CHECKING:
 def add_command(
     commands: Commands, name: str, summary: str, call: Callable[..., int], epilog: str = ""
 ) -> argparse.ArgumentParser:
-    parser = commands.add_parser(name, help=summary, description=_sentence(summary), epilog=epilog)
+    parser = commands.add_parser(name, help=summary, description=sentence(summary), epilog=epilog)
     parser.set_defaults(command=call, parser=parser)
     return parser
+
+
+def arrange(parser: argparse.ArgumentParser, groups: Mapping[str, str]) -> None:
+    """Show options under headings in help; each group has its title and the names of its options.
+
+    Options in no group stay under the general heading. Names that the parser does not have are skipped, so
+    that commands can share groups.
+    """
+    for title, names in groups.items():
+        actions = [parser._option_string_actions.get(f"--{name}") for name in names.split()]
+        group = parser.add_argument_group(title)
+        for action in filter(None, actions):
+            parser._optionals._group_actions.remove(action)
+            group._group_actions.append(action)
 
 
 def either(words: Sequence[str]) -> str:
     return f"{', '.join(words[:-1])} or {words[-1]}"
 
 
-def _sentence(summary: str) -> str:
+def sentence(summary: str) -> str:
+    """Return a summary as a sentence."""
     return summary[0].upper() + summary[1:] + "."

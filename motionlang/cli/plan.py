@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.analysis.planning import WRITERS, number, solve_plan
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
 from motionlang.notes.an00115 import formulas
@@ -62,6 +62,13 @@ examples:
   motionlang plan --encoder-lines 1000 --gear 3:1 --pitch 10 --distance 200 --time 1 --accel-time 0.2 --decel-time 0.2
 """
 
+GROUPS = {
+    "move": "distance time speed accel decel accel-time slew-time decel-time rule",
+    "scale": "scale encoder-lines quadrature gear pitch degrees resolution",
+    "program": "dialect axis use-times",
+    "output": "plot",
+}
+
 
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang plan` and its options."""
@@ -80,6 +87,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser.add_argument("--plot", metavar="FILE", help="draw the move into a .png or .svg file")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
     parser.epilog = EPILOG
+    arrange(parser, GROUPS)
 
 
 def plan_command(arguments: argparse.Namespace) -> int:

@@ -10,6 +10,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.output_files import need_writer
+from motionlang.cli.parser import arrange, sentence
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import OPTIONS, add_input
 from motionlang.errors import Diagnostic, ProgramError, need
@@ -32,11 +33,16 @@ OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.pvt/1"
 NOISE = 1e-6
 """Counts below which a difference is rounding."""
+GROUPS = {
+    "points": "positions time scurve jerk accel speed velocities sweeps linear start",
+    "fit to a program": "axis tolerance dialect",
+    "output": "report plot output format compare",
+}
 
 
 def add_parser(family: Commands, summary: str) -> None:
     """Add `motionlang pvt` and its commands."""
-    pvt = family.add_parser("pvt", help=summary)
+    pvt = family.add_parser("pvt", help=summary, description=sentence(summary))
     commands = pvt.add_subparsers(
         dest="pvt_command", required=True, metavar="plot | refine | export | stream"
     )
@@ -46,9 +52,10 @@ def add_parser(family: Commands, summary: str) -> None:
         ("export", "write a move, or the motion of a program, as CSV, serial words or CAN frames", export),
         ("stream", "send a move to a simulated drive over CANopen and compare the motion", stream),
     ):
-        parser = commands.add_parser(name, help=help_text, description=help_text)
+        parser = commands.add_parser(name, help=help_text, description=sentence(help_text))
         add_input(parser)
         OPTIONS[name](parser)
+        arrange(parser, GROUPS)
         parser.set_defaults(command=_guarded(handler))
 
 

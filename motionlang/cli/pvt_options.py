@@ -19,6 +19,7 @@ def add_input(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add(
         "file",
+        metavar="FILE",
         nargs="?",
         help="points (.csv: position, velocity, time), or a program whose motion is to be fitted",
     )

@@ -14,7 +14,7 @@ from motionlang.cli.event_status import ALLOWED
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
-from motionlang.cli.parser import add_command, either
+from motionlang.cli.parser import add_command, arrange, either
 from motionlang.cli.run import run_command
 from motionlang.cli.world_options import add_world, world_of
 from motionlang.errors import need
@@ -40,6 +40,15 @@ examples:
   motionlang run pick.mnt --show-code
   generate-program | motionlang run - --dialect mint --report json
 """
+
+GROUPS = {
+    "report": "report all paths profile profile-to",
+    "time": "until realtime",
+    "checks": "prove certify allow",
+    "trace": "trace rate columns trajectory-points trajectory-rate",
+    "picture": "plot from to axes path",
+    "code and files": "show-code show-tree no-cache nv log-size",
+}
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -187,6 +196,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         "--show-tree", action="store_true", help="print the syntax tree of the program; do not run it"
     )
     parser.add_argument("--no-cache", action="store_true", help="compile again and do not store the result")
+    arrange(parser, GROUPS)
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:

@@ -13,7 +13,7 @@ from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
 from motionlang.cli.output_queue import never_waiting
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.serve_board import serve_board
 from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.execution import machine_of
@@ -37,6 +37,12 @@ examples:
   motionlang serve packer.mnt --modbus 127.0.0.1:5020
   motionlang serve --tcp 0 --clock lockstep --set controller.model=dcx-pci300
 """
+
+GROUPS = {
+    "addresses": "tcp modbus pty max-hosts",
+    "time": "clock factor step",
+    "lines": "echo log",
+}
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -99,6 +105,8 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
             "Modbus request (0.01 s)"
         ),
     )
+
+    arrange(parser, GROUPS)
 
 
 def serve_command(args: argparse.Namespace) -> int:

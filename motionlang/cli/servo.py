@@ -11,6 +11,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from motionlang.cli.output_files import need_writer
+from motionlang.cli.parser import arrange, sentence
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
 from motionlang.cli.servo_options import (
     SECONDS,
@@ -38,13 +39,18 @@ OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.servo/1"
 PLOTS = (".png", ".svg")
 
+GROUPS = {
+    "motor and servo loop": "machine axis plant loop mint mccl model bandwidth",
+    "output": "report plot",
+}
+
 
 def add_parser(family: Commands, summary: str) -> None:
     """Add `motionlang servo` and its commands."""
-    servo = family.add_parser("servo", help=summary)
+    servo = family.add_parser("servo", help=summary, description=sentence(summary))
     commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
     for name, (what, handler, options) in _COMMANDS.items():
-        parser = commands.add_parser(name, help=what, description=what)
+        parser = commands.add_parser(name, help=what, description=sentence(what))
         options(parser)
         parser.add_argument(
             "--report",
@@ -53,6 +59,7 @@ def add_parser(family: Commands, summary: str) -> None:
             help="the report: table (the default), one JSON document, or none",
         )
         parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
+        arrange(parser, GROUPS)
         parser.set_defaults(command=_guarded(name, handler))
 
 

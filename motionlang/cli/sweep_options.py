@@ -6,6 +6,7 @@ import argparse
 
 from motionlang.analysis.sweeps.quantities import ROWS
 from motionlang.cli.machine_options import add_machine
+from motionlang.cli.parser import arrange
 from motionlang.cli.run_options import machine_time
 from motionlang.cli.world_options import add_world
 
@@ -27,6 +28,13 @@ examples:
   motionlang sweep pick.mnt --scenarios pick.scenarios --keep time,status,prints --out worlds.csv
   motionlang sweep pick.mnt --vary axis.0.plant.load_inertia=1e-5:1e-4:50 --keep time,torque.0 --plot load.png
 """
+
+GROUPS = {
+    "variants": "vary machines scenarios random latin seed",
+    "runs": "keep until prove certify jobs",
+    "selection": "minimise maximise where pareto",
+    "output": "report rows out resume plot",
+}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -115,6 +123,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="worker processes; default: one per core",
     )
+    arrange(parser, GROUPS)
 
 
 def _count(text: str) -> int:

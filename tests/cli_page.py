@@ -1,0 +1,114 @@
+"""Write the tables of options in docs/cli.md from the parsers: `python -m tests.cli_page`.
+
+The page has hand-written text around parts that begin with `<!-- options: COMMAND -->`, `<!-- commands -->` or
+`<!-- old options -->` and end with `<!-- end -->`. Only these parts are generated.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from motionlang.cli.commands import COMMANDS, build_parser
+from motionlang.cli.parser import OLD_OPTIONS
+
+PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
+_PART = re.compile(r"(<!-- (commands|old options|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
+# Commands with a page of their own.
+PAGES = {
+    "check": "lint.md",
+    "repl": "repl.md",
+    "keywords": "keywords",
+    "pvt": "copley.md",
+    "servo": "servo.md",
+    "diff": "diff.md",
+    "sweep": "sweep.md",
+    "compare": "compare.md",
+    "probe": "probe.md",
+    "serve": "serve.md",
+}
+
+
+def subparsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
+    """The parsers of the commands of a parser, by name."""
+    return {
+        name: each
+        for action in parser._actions
+        if isinstance(action, argparse._SubParsersAction)
+        for name, each in action.choices.items()
+    }
+
+
+def parsers() -> dict[str, argparse.ArgumentParser]:
+    """Every parser with options, by its command: "run", "pvt plot"."""
+    found: dict[str, argparse.ArgumentParser] = {}
+    for name, parser in subparsers(build_parser("*")).items():
+        below = subparsers(parser)
+        found |= {f"{name} {each}": other for each, other in below.items()} if below else {name: parser}
+    return found
+
+
+def written(text: str) -> str:
+    """Return the page with its generated parts."""
+    known = parsers()
+
+    def part(found: re.Match[str]) -> str:
+        if found[3]:
+            body = "".join(_options(known[found[3]]))
+        else:
+            body = "".join(_commands() if found[2] == "commands" else _old_options())
+        return f"{found[1]}{body}{found[4]}"
+
+    return _PART.sub(part, text)
+
+
+def _commands() -> Iterator[str]:
+    yield "\n| command | what it does | page |\n|---|---|---|\n"
+    for name, (_, summary) in COMMANDS.items():
+        page = f"[{PAGES[name]}]({PAGES[name]})" if name in PAGES else "here"
+        yield f"| [`{name}`](#{name}) | {_cell(summary)} | {page} |\n"
+    yield "\n"
+
+
+def _old_options() -> Iterator[str]:
+    yield "\n| old | new |\n|---|---|\n"
+    for old, new in OLD_OPTIONS.items():
+        yield f"| `{old}` | `{new}` |\n"
+    yield "\n"
+
+
+def _options(parser: argparse.ArgumentParser) -> Iterator[str]:
+    yield "\n"
+    for group in parser._action_groups:
+        rows = [
+            f"| {_spelt(action)} | {_cell(parser._get_formatter()._expand_help(action))} |\n"
+            for action in group._group_actions
+            if action.dest != "help" and action.help is not argparse.SUPPRESS
+        ]
+        if rows:
+            title = {"positional arguments": "argument", "options": "option"}.get(
+                group.title or "", group.title
+            )
+            yield f"| {title} | |\n|---|---|\n{''.join(rows)}\n"
+
+
+def _spelt(action: argparse.Action) -> str:
+    """Return the name of an argument with the form of its value."""
+    value = action.metavar or ("|".join(map(str, action.choices)) if action.choices else action.dest)
+    name = str(value) if not isinstance(value, tuple) else " ".join(value)
+    if not action.option_strings:
+        return f"`{_cell(name)}`"
+    if action.nargs == 0:
+        return ", ".join(f"`{each}`" for each in action.option_strings)
+    end = f" [{name}]" if action.nargs == "?" else f" {name}"
+    return ", ".join(f"`{each}{_cell(end)}`" for each in action.option_strings)
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+if __name__ == "__main__":
+    PAGE.write_text(written(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
