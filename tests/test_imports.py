@@ -47,7 +47,6 @@ LAZY = {
     # Those that need one another.
     "mint/compile/expressions.py": "compile.calls compile.words",
     "mint/compile/keyword_use.py": "compile.path_use",
-    "mint/compile/terminal_use.py": "compile.keyword_use",
     "mint/compile/loops.py": "compile.statements",
     "planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.
