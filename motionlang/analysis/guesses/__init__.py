@@ -211,11 +211,11 @@ class Guesses:
 
     def home(self, axis: int, result: Run) -> bool:
         """Put the home switch ahead of an axis that runs, or else index marks on its encoder."""
-        keys = self.axes.setdefault(axis, {})
         a = result.controller.axes[axis]
         velocity = a.profiles[-1].end_velocity / a.scale.counts if a.profiles else 0.0
         if not velocity:
             return False
+        keys = self.axes.setdefault(axis, {})
         ahead = velocity * HOME_AHEAD
         if "home_switch" not in keys:
             low, high = sorted((rounded(ahead), rounded(1.1 * ahead)))
