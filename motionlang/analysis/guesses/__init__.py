@@ -1,7 +1,6 @@
 """A first machine file for a program: what its inputs, answers, keys and switches might be.
 
-The problem: a program from a machine waits for a world that nobody has described. Nothing in it says when a part
-arrives, but it says which inputs it waits for, in which order, and what it does before.
+The problem: a program from a machine waits for a world that no file describes. Nothing in it says when a part arrives, but it says which inputs it waits for, in which order, and what it does before.
 
 The idea: run the program, see where it is stuck, guess what would let it go on, and run it again, until it ends or
 runs to the time limit. Each guess is one entry of the machine file, marked `guess = true`.
@@ -81,7 +80,7 @@ class Guesses:
         self.answers: dict[str, list[str]] = {}
         self.keys: list[Entry] = []
         self.axes: dict[int, dict[str, object]] = {}
-        # What was tried: forms of each input, answers to each question.
+        # Tried so far: forms of each input, answers to each question.
         self._forms: dict[int, set[str]] = {}
         self._tried: dict[str, list[str]] = {}
         self._lines: dict[int, int] = {}

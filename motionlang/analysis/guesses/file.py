@@ -36,16 +36,16 @@ ANALOGUE = """
 # Analogue inputs, in percent.
 """
 ANSWERS = """
-# What the operator types when the program asks.
+# Lines that the operator types when the program asks.
 """
 KEYS = """
 # Keys that the operator presses.
 """
 LIMITS = """\
-# What this axis may do; the figures are those of this run. `motionlang run --certify` compares them with a run.
+# Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
 """
 EXPECT = """
-# What `motionlang verify` checks. A scenario, another world for the same program, is a file of its own in the folder
+# Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own in the folder
 # {folder}: docs/scenarios.md.
 [[expect]]
 status = "{status}"
