@@ -1,6 +1,7 @@
 """A first machine file for a program: what its inputs, answers, keys and switches might be.
 
-The problem: a program from a machine waits for a world that no file describes. Nothing in it says when a part arrives, but it says which inputs it waits for, in which order, and what it does before.
+The problem: a program from a machine waits for a world that no file describes. Nothing in it says when a part
+arrives, but it says which inputs it waits for, in which order, and what it does before.
 
 The idea: run the program, see where it is stuck, guess what would let it go on, and run it again, until it ends or
 runs to the time limit. Each guess is one entry of the machine file, marked `guess = true`.
