@@ -45,8 +45,8 @@ LIMITS = """\
 # Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
 """
 EXPECT = """
-# Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own in the folder
-# {folder}: docs/scenarios.md.
+# Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own
+# in the folder {folder}: docs/scenarios.md.
 [[expect]]
 status = "{status}"
 """
