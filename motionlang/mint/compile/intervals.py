@@ -8,6 +8,8 @@ arithmetic.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
+
 INFINITY = float("inf")
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 EXACT = 2**53
@@ -48,9 +50,11 @@ def widen(old: Range, new: Range, thresholds: list[int]) -> Range:
     low, high = joined[0], joined[1]
     if old[2] == "i":
         if low < old[0]:
-            low = max((t for t in thresholds if t <= low), default=-EXACT)
+            below = bisect_right(thresholds, low)
+            low = thresholds[below - 1] if below else -EXACT
         if high > old[1]:
-            high = min((t for t in thresholds if t >= high), default=EXACT)
+            above = bisect_left(thresholds, high)
+            high = thresholds[above] if above < len(thresholds) else EXACT
     return (low, high, "i")
 
 

@@ -113,8 +113,11 @@ class Buffers:
     def _inside(self, function: Function, head: Step) -> list[Step]:
         """Return the steps of a loop's body, which come after its head."""
         assert isinstance(head.node, nodes.For)
-        steps = self.facts.graphs[function].steps[head.number + 2 :]
-        return steps[: next(n for n, step in enumerate(steps) if step.loop is head.node)]
+        steps, first = self.facts.graphs[function].steps, head.number + 2
+        last = first
+        while steps[last].loop is not head.node:
+            last += 1
+        return steps[first:last]
 
     # -------------------------------------------------------------------------------------- moves without a GO
 

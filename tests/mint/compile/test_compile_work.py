@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import sys
 import tracemalloc
+from collections.abc import Callable
 from types import FrameType
 
 import pytest
 
+from motionlang.fast.ranges import ranges
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
@@ -40,8 +42,19 @@ def back_to_few_labels(count: int) -> str:
     return "".join(f"#l{i}\n{turns}" for i in range(20))
 
 
+def counted_loops(count: int) -> str:
+    """Each loop has a limit of its own, at which the range of its counter settles."""
+    return "Dim i As Integer\n" + "".join(
+        f"For i = 1 To {n + 3}\nIf i = 2 Then n = n + i\nNext\n" for n in range(count)
+    )
+
+
 def calls_to_compile(text: str) -> int:
     module = parse(Source("a.mnt", f"n = 0\n{text}"))
+    return calls_of(lambda: compile_module(module, ranges=ranges))
+
+
+def calls_of(work: Callable[[], object]) -> int:
     calls = 0
 
     def note(_frame: FrameType, event: str, _argument: object) -> None:
@@ -51,14 +64,16 @@ def calls_to_compile(text: str) -> int:
     before = sys.getprofile()
     sys.setprofile(note)
     try:
-        compile_module(module)
+        work()
     finally:
         sys.setprofile(before)
     return calls
 
 
-@pytest.mark.parametrize("write", [labels, handler, jumps, subroutines, in_blocks, back_to_few_labels])
-def test_twice_the_labels_are_twice_the_work(write: object) -> None:
+@pytest.mark.parametrize(
+    "write", [labels, handler, jumps, subroutines, in_blocks, back_to_few_labels, counted_loops]
+)
+def test_twice_the_statements_are_twice_the_work(write: object) -> None:
     assert callable(write)
     calls_to_compile(write(40))  # imports and caches are complete after this
     once, twice = calls_to_compile(write(400)), calls_to_compile(write(800))
