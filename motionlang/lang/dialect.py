@@ -46,9 +46,10 @@ def dialect(name: str) -> Dialect:
 
 
 def parse(text: str, language: str) -> object:
-    """Return the syntax tree of a text in "mint" or "mccl"; ProgramError with all its syntax errors.
+    """Return the syntax tree of a text in "mint" or "mccl".
 
-    A tree is a `Module` of `motionlang.mint.syntax.nodes` or of `motionlang.mccl.syntax.tree`.
+    A tree is a `Module` of `motionlang.mint.syntax.nodes` or of `motionlang.mccl.syntax.tree`. Raises
+    ProgramError with all syntax errors, and ValueError for another language.
     """
     from motionlang.source import Source
 
