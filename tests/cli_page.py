@@ -18,6 +18,10 @@ PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
 _PART = re.compile(r"(<!-- (commands|old options|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
 # Commands with a page of their own.
 PAGES = {
+    "init": "old-machine.md",
+    "profile": "cycle.md",
+    "prove": "proof.md",
+    "certify": "certificate.md",
     "check": "lint.md",
     "repl": "repl.md",
     "keywords": "keywords",
@@ -29,6 +33,9 @@ PAGES = {
     "probe": "probe.md",
     "serve": "serve.md",
 }
+
+# Commands that are `run` with one of its options; their options are those of `run`.
+OF_RUN = tuple(name for name, (module, _) in COMMANDS.items() if module.startswith("run_verbs:"))
 
 
 def subparsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
@@ -45,6 +52,8 @@ def parsers() -> dict[str, argparse.ArgumentParser]:
     """Every parser with options, by its command: "run", "pvt plot"."""
     found: dict[str, argparse.ArgumentParser] = {}
     for name, parser in subparsers(build_parser("*")).items():
+        if name in OF_RUN:
+            continue
         below = subparsers(parser)
         found |= {f"{name} {each}": other for each, other in below.items()} if below else {name: parser}
     return found
@@ -68,7 +77,8 @@ def _commands() -> Iterator[str]:
     yield "\n| command | what it does | page |\n|---|---|---|\n"
     for name, (_, summary) in COMMANDS.items():
         page = f"[{PAGES[name]}]({PAGES[name]})" if name in PAGES else "here"
-        yield f"| [`{name}`](#{name}) | {_cell(summary)} | {page} |\n"
+        section = "verbs-for-one-question" if name in OF_RUN else name
+        yield f"| [`{name}`](#{section}) | {_cell(summary)} | {page} |\n"
     yield "\n"
 
 

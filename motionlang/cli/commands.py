@@ -21,10 +21,15 @@ PROGRAM = "motionlang"
 COMMANDS = {
     "run": ("run_options", "run a program and report what it did"),
     "init": ("init", "write a first machine file for a program, mark the guesses, and run it"),
+    "profile": ("run_verbs:profile", "show where the time of a run goes, by line, sub and cause"),
+    "prove": ("run_verbs:prove", "verify the motion of a run against the commanded limits"),
+    "certify": ("run_verbs:certify", "report how far a run uses each limit of its machine"),
+    "plot": ("run_verbs:plot", "draw the motion of a run into a file"),
+    "trace": ("run_verbs:trace", "sample the motion of a run into a file"),
     "check": ("check", "find the errors and warnings of programs without running them"),
     "repl": ("repl", "type a program line by line at an interactive prompt"),
     "plan": ("plan", "work out the missing figures of a move and write a program for it"),
-    "profiles": ("profiles", "compare the four velocity profiles of PMC's TN1069"),
+    "notes": ("notes", "print the figures of the vendors' notes, such as TN1069"),
     "keywords": ("keywords", "look up a keyword"),
     "verify": ("verify", "compare programs with their golden files"),
     "pvt": ("pvt", "work with position-velocity-time moves for Copley drives"),
@@ -42,6 +47,9 @@ COMMANDS = {
     "serve": ("serve", "let hosts talk to a virtual controller, or to a Mint program over Modbus"),
     "completion": ("completion", "print a completion script for bash, zsh or fish"),
 }
+
+# Old names of commands, which help does not show.
+OLD_COMMANDS = {"profiles": ("profiles", "compare the four velocity profiles of PMC's TN1069")}
 
 EPILOG = """\
 examples:
@@ -86,6 +94,13 @@ def _with_factor(given: Sequence[str]) -> list[str]:
     return words
 
 
+def _add(module: str) -> Callable[..., object]:
+    """Return the function that adds a command: `add_parser`, or the one after a colon."""
+    name, _, function = module.partition(":")
+    found: Callable[..., object] = getattr(import_module(f"motionlang.cli.{name}"), function or "add_parser")
+    return found
+
+
 def build_parser(command: str = "") -> argparse.ArgumentParser:
     """Return the parser with all commands.
 
@@ -100,7 +115,10 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for name, (module, summary) in COMMANDS.items():
         if command in (name, "*"):
-            import_module(f"motionlang.cli.{module}").add_parser(commands, summary)
+            _add(module)(commands, summary)
         else:
             commands.add_parser(name, help=summary)
+    if command in OLD_COMMANDS:
+        module, summary = OLD_COMMANDS[command]
+        _add(module)(commands, summary)
     return parser

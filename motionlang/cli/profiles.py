@@ -52,10 +52,15 @@ OPTIONS = (
 
 
 def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang profiles` and its options."""
-    parser = add_command(commands, "profiles", summary, profiles_command)
-    for name, letter, help in OPTIONS:
-        parser.add_argument(f"--{name}", type=float, metavar=letter, help=help)
+    """Add `motionlang profiles`, the old name of `motionlang notes tn1069`."""
+    add_options(commands, "profiles", summary)
+
+
+def add_options(commands: Commands, name: str, summary: str) -> None:
+    """Add a command with the options of the note."""
+    parser = add_command(commands, name, summary, profiles_command)
+    for option, letter, help in OPTIONS:
+        parser.add_argument(f"--{option}", type=float, metavar=letter, help=help)
     parser.add_argument(
         "--published",
         action="store_true",

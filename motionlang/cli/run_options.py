@@ -53,8 +53,23 @@ GROUPS = {
 
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang run` and its options."""
-    parser = add_command(commands, "run", summary, _run, RUN_EPILOG)
-    parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
+    add_run(commands, "run", summary, RUN_EPILOG)
+
+
+def add_run(
+    commands: Commands,
+    name: str,
+    summary: str,
+    epilog: str,
+    *,
+    what: str = "the program; - reads standard input",
+    out: tuple[str, str] | None = None,
+) -> argparse.ArgumentParser:
+    """Add a command with the options of `run`; `out` is the option that its second argument stands for."""
+    parser = add_command(commands, name, summary, _run, epilog)
+    parser.add_argument("file", metavar="FILE", help=what)
+    if out is not None:
+        parser.add_argument(out[0], metavar="OUT", help=out[1])
     add_machine(parser)
     add_world(parser)
     parser.add_argument(
@@ -84,7 +99,8 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="FACTOR",
         help="run at FACTOR × real time; FACTOR defaults to 1",
     )
-    parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
+    if out is None or out[0] != "trace":
+        parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
     parser.add_argument(
         "--rate",
         type=_rate,
@@ -113,7 +129,8 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="HZ",
         help=f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex boards)",
     )
-    parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
+    if out is None or out[0] != "plot":
+        parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
     parser.add_argument(
         "--from",
         dest="begin",
@@ -197,6 +214,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     parser.add_argument("--no-cache", action="store_true", help="compile again and do not store the result")
     arrange(parser, GROUPS)
+    return parser
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:

@@ -49,18 +49,24 @@ def add_parser(family: Commands, summary: str) -> None:
     """Add `motionlang servo` and its commands."""
     servo = family.add_parser("servo", help=summary, description=sentence(summary))
     commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
-    for name, (what, handler, options) in _COMMANDS.items():
-        parser = commands.add_parser(name, help=what, description=sentence(what))
-        options(parser)
-        parser.add_argument(
-            "--report",
-            choices=["table", "json", "none"],
-            default="table",
-            help="the report: table (the default), one JSON document, or none",
-        )
-        parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
-        arrange(parser, GROUPS)
-        parser.set_defaults(command=_guarded(name, handler))
+    for name in _COMMANDS:
+        add_one(commands, name, name)
+
+
+def add_one(commands: Commands, name: str, called: str, summary: str = "") -> None:
+    """Add the command `name` of `servo`, called `called`."""
+    what, handler, options = _COMMANDS[name]
+    parser = commands.add_parser(called, help=summary or what, description=sentence(summary or what))
+    options(parser)
+    parser.add_argument(
+        "--report",
+        choices=["table", "json", "none"],
+        default="table",
+        help="the report: table (the default), one JSON document, or none",
+    )
+    parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
+    arrange(parser, GROUPS)
+    parser.set_defaults(command=_guarded(name, handler))
 
 
 # --------------------------------------------------------------------------------------------------- commands

@@ -167,8 +167,6 @@ class Worker:
         self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
     ) -> Program:
         """The program for a machine, compiled once for all that differ in nothing that it depends on."""
-        if source is not self.source:  # a literal was edited
-            return self._dialect.compile_given(source, settings, overrides, accelerators().ranges)
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
         key = repr(sorted(deciding.items())) if deciding else ""
         found = self._programs.get(key)
