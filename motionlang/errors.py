@@ -220,13 +220,48 @@ def renamed(old: str, new: str, where: str) -> None:
     report_old_name(f"{where}: {old} is now {new}")
 
 
+class Spellings:
+    """Known words, for "did you mean …?"; case does not matter.
+
+    Most words are ruled out by an upper bound of their similarity: a letter that only one of two words has
+    cannot match. The bound takes a few machine instructions for each word.
+    """
+
+    __slots__ = ("_rows", "_spelt")
+
+    def __init__(self, words: Iterable[str]) -> None:
+        self._spelt = {each.lower(): each for each in words}
+        self._rows = [(each, len(each), _letters(each)) for each in self._spelt]
+
+    def nearest(self, word: str, cutoff: float = 0.6) -> str | None:
+        """Return the most similar word, None if none has a `difflib` ratio of `cutoff`."""
+        from difflib import get_close_matches  # only an error pays for this import
+
+        word = word.lower()
+        size, letters = len(word), _letters(word)
+        likely = [
+            each
+            for each, length, others in self._rows
+            if 2.0
+            * min(size - (letters & ~others).bit_count(), length - (others & ~letters).bit_count())
+            / (size + length or 1)
+            >= cutoff
+        ]
+        found = get_close_matches(word, likely, n=1, cutoff=cutoff)
+        return self._spelt[found[0]] if found else None
+
+
+def _letters(word: str) -> int:
+    """Return the set of the letters of a word as bits, which a few letters share."""
+    bits = 0
+    for letter in word:
+        bits |= 1 << (ord(letter) & 63)
+    return bits
+
+
 def nearest(word: str, words: Iterable[str]) -> str | None:
     """Return the most similar word of `words`, for "did you mean …?", or None."""
-    from difflib import get_close_matches  # only an error pays for this import
-
-    spelt = {each.lower(): each for each in words}
-    found = get_close_matches(word.lower(), spelt, n=1, cutoff=0.6)
-    return spelt[found[0]] if found else None
+    return Spellings(words).nearest(word)
 
 
 # Libraries that may be missing, by their import name: the extra of `pyproject.toml` and the name of the

@@ -12,7 +12,7 @@ from __future__ import annotations
 import gc
 from marshal import dumps
 
-from motionlang.errors import ProgramError
+from motionlang.errors import ProgramError, Spellings
 from motionlang.lang.nesting import Room
 from motionlang.mint.compile import jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from motionlang.lang.dialect import Ranges
-    from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.assembly import TypedLine
     from motionlang.mint.resolve.symbols import Function, Scope
     from motionlang.mint.runtime.code_units import Code
@@ -133,17 +132,17 @@ def warn_of_misspellings(whole: Whole) -> None:
 
     Such a name is a typing error rather than a variable.
     """
-    words: dict[str, Keyword] = {}
+    words: Spellings | None = None
     for function in whole.names.functions:
         for symbol in function.scope.names.values():
-            if symbol.kind != "variable" or symbol.declared or symbol.uses > 0:
+            if whole.problems.is_full:
+                return
+            if symbol.kind != "variable" or symbol.declared or symbol.uses > 0 or len(symbol.name) < 3:
                 continue
-            from difflib import get_close_matches
-
-            words = words or {r.name.lower(): r for r in whole.table if r.simulated and r.kind != "statement"}
-            near = get_close_matches(symbol.name.lower(), words, n=1, cutoff=0.75)
-            if near and len(symbol.name) > 2:
-                meant = bracketed(symbol.name, whole.table) or words[near[0]].name
+            words = words or Spellings(r.name for r in whole.table if r.simulated and r.kind != "statement")
+            near = words.nearest(symbol.name, 0.75)
+            if near is not None:
+                meant = bracketed(symbol.name, whole.table) or near
                 whole.problems.add(
                     "unknown-word", f"{symbol.name} is assigned but never read", symbol.at,
                     f"did you mean {meant}? If it is a variable, declare it with Dim",

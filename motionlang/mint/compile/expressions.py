@@ -158,13 +158,17 @@ def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
 
 def unknown(b: Body, node: nodes.Name) -> None:
     """Report a word that is neither declared nor a keyword."""
-    words = [symbol.name for symbol in b.scope.symbols()]
-    words += [row.name for row in b.whole.table if row.kind not in ("statement", "command")]
+    is_constant = node.name.startswith("_")
+
+    def words() -> list[str]:
+        symbols = [symbol.name for symbol in b.scope.symbols()]
+        rows = [row.name for row in b.whole.table if row.kind not in ("statement", "command")]
+        return [word for word in (*symbols, *rows) if word.startswith("_") or not is_constant]
+
     otherwise = (
         "" if node.args is not None else "a variable must be declared or assigned to before it is read"
     )
-    if node.name.startswith("_"):
-        words = [word for word in words if word.startswith("_")]
+    if is_constant:
         otherwise = (
             f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
         )
@@ -302,7 +306,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
     found = kind.record.members.get(node.field.lower())
     if found is None:
         b.whole.problems.unknown(f"{kind.record.name} has no member {node.field}", node.field,
-                                 kind.record.members, node.at)  # fmt: skip
+                                 kind.record.members.keys, node.at)  # fmt: skip
         return None
     position, type_, sizes = found
     return f"{owner}[{position}]", type_, sizes

@@ -97,7 +97,9 @@ def jump(b: Body, node: nodes.Jump) -> None:
     key = node.name.lower()
     if key not in labels:
         at = node.at + 1 + (b.whole.problems.text(node.at + 1) == "#")
-        b.whole.problems.unknown(f"there is no label {node.name}", node.name, [n for n in labels if n], at)
+        b.whole.problems.unknown(
+            f"there is no label {node.name}", node.name, lambda: filter(None, labels), at
+        )
         return
     number = labels[key]
     b.pending += node.kind in ("goto", "gosub")

@@ -244,7 +244,10 @@ def task(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol
     """Return the task that a node names; report it if there is no such task."""
     if node.symbol is not None and node.symbol.kind == "task":
         return node.symbol
-    tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
+
+    def tasks() -> list[str]:
+        return [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
+
     b.whole.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.at)
     return None
 

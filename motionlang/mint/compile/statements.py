@@ -271,9 +271,12 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
 
     A word that only has a value is not suggested.
     """
-    known = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
-    known += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
-    known += _FIRST_WORDS
+
+    def known() -> list[str]:
+        subs = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
+        commands = [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
+        return [*subs, *commands, *_FIRST_WORDS]
+
     message = f"{target.name} is neither a keyword nor a sub of this program"
     b.whole.problems.unknown(message, target.name, known, target.at, table=b.whole.table)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.errors import nearest
 from motionlang.mint.lint.effects import Facts, Key
+from motionlang.mint.resolve.problems import MOST
 from motionlang.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -26,14 +27,15 @@ _TURNS = frozenset(("task_status", "task_suspend", "task_resume"))
 def check_names(facts: Facts, add: Add) -> None:
     """Report names that are declared and never used, or used and never assigned."""
     own = _own_reads(facts)
+    suggestions = _Suggestions()
     for function in facts.functions:
         for symbol in function.scope.names.values():
             if symbol.home is not function or symbol.kind != "variable":
                 continue
             if symbol.uses <= own.get(symbol, 0):
-                _unused_variable(facts, symbol, add)
+                _unused_variable(facts, symbol, suggestions, add)
             elif symbol not in facts.writers:
-                _no_value(facts, symbol, add)
+                _no_value(facts, symbol, suggestions, add)
     run = {
         node.name.lower()
         for function in facts.functions
@@ -52,25 +54,25 @@ def check_names(facts: Facts, add: Add) -> None:
             add("unused-sub", f"{function.name} is never called", function.at)
 
 
-def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
+def _unused_variable(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
     given = facts.writers.get(symbol)
     if symbol in facts.kept or (given and symbol.type.name == SEMAPHORE):
         return  # taking a semaphore waits for it, which is a use
     what = "is declared and never used"
     if given:
         what = f"is assigned but never read{' elsewhere' if symbol.uses > 0 else ''}"
-    near = None if symbol.declared else _alike(symbol, lambda each: each.uses > 0)
+    near = None if symbol.declared else suggestions.alike(symbol, lambda each: each.uses > 0)
     hint = f"did you mean {near}?" if near else ""
     add("unused-variable", f"{symbol.name} {what}", symbol.at, hint)
 
 
-def _no_value(facts: Facts, symbol: Symbol, add: Add) -> None:
+def _no_value(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
     """Report a variable that is read and never assigned, so it is always 0 or empty."""
     whole = symbol.is_array or symbol.type.name in (TIME, SEMAPHORE, CONTROLLER, RECORD)
     if whole or symbol in facts.kept or symbol in facts.begun:
         return
     value = "empty" if symbol.type.name == STRING else "0"
-    near = _alike(symbol, lambda each: each in facts.writers and each.uses <= 1)
+    near = suggestions.alike(symbol, lambda each: each in facts.writers and each.uses <= 1)
     hint = f"did you mean {near} in its assignment?" if near else "assign it in its Dim or before it is read"
     add(
         "no-value",
@@ -80,14 +82,28 @@ def _no_value(facts: Facts, symbol: Symbol, add: Add) -> None:
     )
 
 
-def _alike(symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
-    """Return the name of another variable that the author may have meant."""
-    others = [
-        each.name
-        for each in symbol.home.scope.symbols()
-        if each is not symbol and each.kind == "variable" and wanted(each)
-    ]
-    return nearest(symbol.name, others)
+class _Suggestions:
+    """The search for names that the author may have meant.
+
+    Each takes time in proportion to the program, so only the first findings, which are shown, have one.
+    """
+
+    __slots__ = ("_left",)
+
+    def __init__(self) -> None:
+        self._left = MOST
+
+    def alike(self, symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
+        """Return the name of the most similar variable that is `wanted`, or None."""
+        if self._left == 0:
+            return None
+        self._left -= 1
+        others = [
+            each.name
+            for each in symbol.home.scope.symbols()
+            if each is not symbol and each.kind == "variable" and wanted(each)
+        ]
+        return nearest(symbol.name, others)
 
 
 def _own_reads(facts: Facts) -> dict[Symbol, int]:

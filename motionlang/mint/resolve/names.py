@@ -164,7 +164,7 @@ class Names:
             names = [
                 kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS if kind not in SOURCELESS
             ]
-            self.problems.unknown(f"there is no event {event.name}", event.name, names, event.at,
+            self.problems.unknown(f"there is no event {event.name}", event.name, lambda: names, event.at,
                                   f"the events are {', '.join(names)}")  # fmt: skip
         elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
             self.problems.add("duplicate", f"there is already a handler for {event.name}", event.at)
@@ -247,7 +247,7 @@ class Names:
             return Type(RECORD, record=self.types[key])
         if key not in TYPES:
             self.problems.unknown(
-                f"there is no type {node.name}", node.name, [*TYPES.values(), *self.types], node.at
+                f"there is no type {node.name}", node.name, lambda: [*TYPES.values(), *self.types], node.at
             )
             return Type(default)
         size = (

@@ -6,7 +6,7 @@ from motionlang.errors import Diagnostic, ProgramError, nearest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from motionlang.lang.keyword import Table
     from motionlang.mint.syntax.nodes import Module
@@ -27,6 +27,11 @@ class Problems:
             False  # True once there is an error, so that warnings, however many, never hide the first one
         )
 
+    @property
+    def is_full(self) -> bool:
+        """True if no further problem is recorded."""
+        return len(self.found) >= MOST and self._wrong
+
     def add(
         self, code: str, message: str, at: int, hint: str = "", severity: str = "error", fix: str = ""
     ) -> None:
@@ -46,19 +51,19 @@ class Problems:
         self,
         message: str,
         word: str,
-        words: Iterable[str],
+        words: Callable[[], Iterable[str]],
         at: int,
         otherwise: str = "",
         table: Table | None = None,
     ) -> None:
-        """Record an unknown word, with the nearest known word as the suggestion.
+        """Record an unknown word, with the nearest of `words()` as the suggestion.
 
         With `table`, a keyword whose brackets are missing is also suggested.
         """
-        if (len(self.found) >= MOST and self._wrong) or ("unknown-word", at) in self.found:
+        if self.is_full or ("unknown-word", at) in self.found:
             return
         meant = bracketed(word, table) if table is not None else None
-        near = meant or nearest(word, words)
+        near = meant or nearest(word, words())
         self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise, fix=meant or "")
 
     def of_the_run(self) -> list[Diagnostic]:

@@ -11,6 +11,8 @@ import pytest
 
 from motionlang.fast.ranges import ranges
 from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.lint import check
+from motionlang.mint.resolve.problems import MOST, Problems
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
@@ -108,3 +110,33 @@ def test_a_variable_takes_less_than_ten_kilobytes(write: object) -> None:
     peak_memory(write(40))
     fewer, more = peak_memory(write(500)), peak_memory(write(1500))
     assert more - fewer < 1000 * 10_000
+
+
+def names_without_a_value(count: int) -> str:
+    return "".join(f"Dim frodo{i} As Integer\nPrint frodo{i}\n" for i in range(count))
+
+
+def names_without_a_use(count: int) -> str:
+    return "".join(f"abc{i} = {i}\n" for i in range(count))
+
+
+@pytest.mark.parametrize("write", [names_without_a_value, names_without_a_use])
+def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) -> None:
+    """Twice the wrong names are twice the work, though each search compares with all of them."""
+    assert callable(write)
+    calls_of(lambda: check(Source("a.mnt", write(10))))
+    once, twice = (calls_of(lambda n=n: check(Source("a.mnt", write(n)))) for n in (400, 800))
+    assert twice < 2.2 * once
+
+
+def test_the_words_to_compare_with_are_collected_only_for_reported_mistakes() -> None:
+    problems = Problems(parse(Source("a.mnt", "a = 1\n" * MOST)))
+    collected = []
+
+    def words(at: int) -> list[str]:
+        collected.append(at)
+        return ["y"]
+
+    for at in range(2 * MOST):
+        problems.unknown("x is unknown", "x", lambda at=at: words(at), at)  # type: ignore[misc]
+    assert collected == list(range(MOST))
