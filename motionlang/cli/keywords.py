@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.assumptions.facts import of_word as of_word_facts
 from motionlang.assumptions.questions import of_word
 from motionlang.assumptions.reading import SETTLED
+from motionlang.cli.keyword_search import search
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command
 from motionlang.errors import Diagnostic, nearest
@@ -40,22 +41,22 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser.add_argument(
         "name",
         metavar="NAME",
-        nargs="?",
-        help="the keyword, by its name or short form, or a group of keywords",
+        nargs="*",
+        help="the keyword, by its name or short form, a group of keywords, or words of its description",
     )
     add_dialect(parser, "the language; default: both")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
 def _keywords(arguments: argparse.Namespace) -> int:
-    return keywords_command(arguments.name, arguments.dialect, arguments.json)
+    return keywords_command(" ".join(arguments.name) or None, arguments.dialect, arguments.json)
 
 
 def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:
     """Print the list, the page of a keyword or the list of a group; 1 if unknown."""
     names = dialects() if dialect_name is None else (dialect_name,)
     tables = {each: dialect(each).table() for each in names}
-    single = name is not None
+    single, omitted = name is not None, 0
     if name is None:
         found = {each: list(table) for each, table in tables.items()}
     else:
@@ -71,7 +72,9 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
                 for word in (row.name, row.short, row.group)
                 if word
             ]
-            return _unknown(name, nearest(name, words))
+            found, omitted = search(name, tables)
+            if not found or (" " not in name and nearest(name, words) is not None):
+                return _unknown(name, nearest(name, words))
     if as_json:
         rows = [
             {**as_dict(row, each), "open": [readings.as_dict(open_one) for open_one in of_word(each, row)]}
@@ -81,6 +84,8 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
         sys.stdout.write(json.dumps({"schema": SCHEMA, "keywords": rows}, indent=1) + "\n")
     else:
         _print(found, single)
+        if omitted:
+            sys.stdout.write(f"\n{omitted} more match; add a word\n")
     return 0
 
 

@@ -1,0 +1,53 @@
+"""`motionlang keywords` with words of a description."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.cli.keyword_search import MAX_FOUND, search
+from motionlang.execution import dialect, dialects
+from tests.cli.programs import Cell
+
+TABLES = {name: list(dialect(name).table()) for name in dialects()}
+
+
+@pytest.mark.parametrize(
+    ("question", "language", "word"),
+    [
+        ("how do I stop at an input", "mint", "STOPINPUT"),
+        ("following error", "mint", "FOLERROR"),
+        ("parabolic profile", "mccl", "PP"),
+        ("wait for a time", "mccl", "WA"),
+    ],
+)
+def test_a_question_finds_its_keyword(question: str, language: str, word: str) -> None:
+    found, _ = search(question, TABLES)
+    assert word in [row.name for row in found[language]]
+
+
+def test_names_come_first() -> None:
+    found, _ = search("how do I stop at an input", TABLES)
+    assert found["mint"][0].name == "STOPINPUT"
+
+
+def test_a_long_list_says_what_it_omits() -> None:
+    found, omitted = search("axis", TABLES)
+    assert max(map(len, found.values())) == MAX_FOUND
+    assert omitted > 0
+
+
+def test_the_words_need_no_quotes(cell: Cell) -> None:
+    assert cell("keywords", "following", "error").out == cell("keywords", "following error").out
+    assert cell("keywords", "SPEED").out.startswith("SPEED · Mint setting")
+
+
+def test_a_misspelt_keyword_is_no_question(cell: Cell) -> None:
+    ran = cell("keywords", "SPED")
+    assert (ran.status, ran.out) == (1, "")
+    assert "did you mean SPEED?" in ran.err
+
+
+def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
+    ran = cell("keywords", "xyzzy frobnicate")
+    assert ran.status == 1
+    assert "there is no keyword xyzzy frobnicate" in ran.err
