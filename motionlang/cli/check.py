@@ -170,7 +170,8 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
             rows[-1]["fixed"] = [each._asdict() for each in fixed]
         if options.form == "text":
             mended = f"{len(fixed)} fixed, " if fixed else ""
-            sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no problems'}\n")
+            fixable = "" if options.fix or file == STDIN else _fixable(diagnostics)
+            sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no problems'}{fixable}\n")
         if options.literals and source is not None and language:
             _list_literals(language, source, rows[-1], options.form == "json")
         if options.evidence and settings is not None and source is not None:
@@ -180,6 +181,14 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     elif options.form != "text":
         sys.stdout.write(written(document, options.form, "check"))
     return 1 if wrong else 0
+
+
+def _fixable(diagnostics: Sequence[Diagnostic]) -> str:
+    """Return what `--fix` would correct, or ""."""
+    count = sum(bool(each.fix) for each in diagnostics)
+    if not count:
+        return ""
+    return f"; --fix corrects {'it' if len(diagnostics) == 1 else count if count < len(diagnostics) else 'all'}"
 
 
 def _list_literals(language: str, source: Source, row: dict[str, object], as_json: bool) -> None:

@@ -176,3 +176,18 @@ def test_a_message_names_the_plain_character(cell: Cell) -> None:
     assert "‘ is a typographic quote, not a plain '" in ran.err
     cell("check", "a.mnt", "--fix")
     assert (cell.folder / "a.mnt").read_text(encoding="utf-8") == 'PRINT "open"\nPRINT ‘x’\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("MOVER(3) = 5\nGo3\n", "1 error; --fix corrects it"),
+        ("MOVER(3) = 5\nGo3\nMOVER(3) = 5\nGo3\n", "2 errors; --fix corrects all"),
+        ("MOVER(3) = 5\nGo3\nSPED(0) = 3\n", "2 errors; --fix corrects 1"),
+        ("SPED(0) = 3\n", "1 error"),
+    ],
+)
+def test_a_check_says_what_it_would_fix(text: str, said: str, cell: Cell) -> None:
+    cell.write("a.mnt", text)
+    assert cell("check", "a.mnt").out == f"a.mnt: {said}\n"
+    assert "--fix" not in cell("check", "a.mnt", "--fix").out
