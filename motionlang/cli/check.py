@@ -188,7 +188,9 @@ def _fixable(diagnostics: Sequence[Diagnostic]) -> str:
     count = sum(bool(each.fix) for each in diagnostics)
     if not count:
         return ""
-    return f"; --fix corrects {'it' if len(diagnostics) == 1 else count if count < len(diagnostics) else 'all'}"
+    return (
+        f"; --fix corrects {'it' if len(diagnostics) == 1 else count if count < len(diagnostics) else 'all'}"
+    )
 
 
 def _list_literals(language: str, source: Source, row: dict[str, object], as_json: bool) -> None:

@@ -20,6 +20,7 @@ PROGRAM = "motionlang"
 # Every command: the module that has its options, imported only for this command, and its summary.
 COMMANDS = {
     "run": ("run_options", "run a program and report what it did"),
+    "new": ("new", "write a small program with its machine file"),
     "init": ("init", "write a first machine file for a program, mark the guesses, and run it"),
     "profile": ("run_verbs:profile", "show where the time of a run goes, by line, sub and cause"),
     "prove": ("run_verbs:prove", "verify the motion of a run against the commanded limits"),
@@ -69,7 +70,9 @@ def parse(given: Sequence[str]) -> int:
         given = [*given[1:2], "--help"]
     parser = build_parser(given[0] if given else "")
     if not given:
-        parser.print_help(sys.stderr)
+        from motionlang.cli.welcome import welcome
+
+        sys.stderr.write(welcome())
         return 2
     arguments, unknown = parser.parse_known_args(_with_factor(given))
     arguments.given = list(given)

@@ -372,10 +372,11 @@ def test_paths_are_shown_as_they_were_given(cell: Cell) -> None:
     assert " --> cell/x.mcl:1:1\n" in cell("run", "cell/x.mcl").err
 
 
-def test_no_command_at_all_is_answered_with_the_help(cell: Cell) -> None:
+def test_no_command_at_all_is_answered_with_the_next_steps(cell: Cell) -> None:
     ran = cell()
     assert (ran.status, ran.out) == (2, "")
-    assert "run a program and report what it did" in ran.err
+    assert "motionlang run ballscrew.mcl " in ran.err
+    assert "motionlang --help " in ran.err
 
 
 @pytest.mark.parametrize("command", COMMANDS)

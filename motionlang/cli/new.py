@@ -1,0 +1,98 @@
+"""`motionlang new NAME`: a small commented program with its machine file."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain, unwritten
+from motionlang.cli.parser import add_command
+from motionlang.errors import Diagnostic
+from motionlang.execution import MACHINE_SUFFIX, dialect_of
+from motionlang.files import create
+
+if TYPE_CHECKING:
+    import argparse
+
+    from motionlang.cli.parser import Commands, Parser
+
+EPILOG = """\
+A file that exists is never overwritten.
+
+examples:
+  motionlang new feed          write feed.mnt and feed.machine.toml
+  motionlang new feed.mcl      the same in MCCL
+"""
+MINT = """\
+' Axis 0 feeds a part by 200 mm and returns; output 1 opens a gripper in between.
+SCALE(0) = 1000                         ' counts per mm: from here on lengths are mm
+SPEED(0) = 250                          ' mm/s
+ACCEL(0) = 1250 : DECEL(0) = 1250       ' mm/s²
+
+PAUSE INX(2)                            ' start button: the machine file presses it
+MOVEA(0) = 200 : GO(0)                  ' load a move to 200 mm, and start it
+PAUSE IDLE(0)                           ' wait until the axis is at rest
+OUT(1) = 1 : WAIT = 100 : OUT(1) = 0    ' open the gripper for 100 ms
+MOVEA(0) = 0 : GO(0)
+PAUSE IDLE(0)
+PRINT "back at "; POS(0); " mm"
+"""
+MCCL = """\
+; Axis 1 feeds a part by 200 mm and returns; channel 9 opens a gripper in between.
+1US1000,1MN             ; counts per mm, motor on: from here on lengths are mm
+1SV250,1SA1250,1DS1250  ; mm/s, mm/s²
+WN2                     ; start button: the machine file presses it
+1MA200,1WS              ; move to 200 mm, and wait until the axis is at rest
+CT9,WA0.1,CF9           ; open the gripper for 100 ms
+1MA0,1WS
+1TP                     ; print the position
+"""
+MACHINE = """\
+# The machine of {program}. docs/machine-file.md lists all keys.
+
+[axis.{axis}]
+travel = [-5.0, 350.0]          # mm: the limit switches
+
+[axis.{axis}.limits]            # motionlang certify {program} compares the motion with these
+speed = 300                     # mm/s
+acceleration = 2000             # mm/s²
+
+[[input]]                       # the start button, pressed after 0.5 s
+channel = 2
+at = 0.5
+"""
+TEXTS = {"mint": (MINT, 0), "mccl": (MCCL, 1)}
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """Add `motionlang new` and its argument."""
+    parser = add_command(commands, "new", summary, new_command, EPILOG)
+    parser.add_argument("name", metavar="NAME", help="the program to write; without a suffix it is Mint")
+
+
+def new_command(arguments: argparse.Namespace) -> int:
+    """Write both files and say what to do next; 1 if one exists or cannot be written."""
+    name = arguments.name if os.path.splitext(arguments.name)[1] else f"{arguments.name}.mnt"
+    language = dialect_of(name)
+    if language is None:
+        parser: Parser = arguments.parser
+        parser.error(f"{name}: the suffix is neither of Mint (.mnt) nor of MCCL (.mcl)")
+    text, axis = TEXTS[language.name]
+    machine = os.path.splitext(name)[0] + MACHINE_SUFFIX
+    for path in (name, machine):
+        if os.path.lexists(path):
+            hint = f"motionlang run {path} runs it" if path == name else "take another name"
+            complain([Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)], None, path)
+            return 1
+    files = {name: text, machine: MACHINE.format(program=os.path.basename(name), axis=axis)}
+    for path, content in files.items():
+        try:
+            create(path, content.encode())
+        except OSError as error:
+            complain([unwritten(path, error)], None, path)
+            return 1
+    sys.stdout.write(f"{name}, {machine}: written\n")
+    for verb in (f"run {name}", f"check {name}", f"plot {name} {os.path.splitext(name)[0]}.html"):
+        sys.stdout.write(f"  motionlang {verb}\n")
+    return 0
