@@ -185,7 +185,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
 
 def _fixable(diagnostics: Sequence[Diagnostic]) -> str:
     """Return what `--fix` would correct, or ""."""
-    count = sum(bool(each.fix) for each in diagnostics)
+    count = len([each for each in diagnostics if each.fix])
     if not count:
         return ""
     return (

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang import __version__
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import Parser
+from motionlang.cli.welcome import welcome
 from motionlang.errors import ProgramError
 
 if TYPE_CHECKING:
@@ -70,8 +71,6 @@ def parse(given: Sequence[str]) -> int:
         given = [*given[1:2], "--help"]
     parser = build_parser(given[0] if given else "")
     if not given:
-        from motionlang.cli.welcome import welcome
-
         sys.stderr.write(welcome())
         return 2
     arguments, unknown = parser.parse_known_args(_with_factor(given))

@@ -32,8 +32,9 @@ def search(question: str, tables: Mapping[str, Iterable[Keyword]]) -> tuple[dict
     for language, rows in tables.items():
         for row in rows:
             has = {_stem(word) for word in _words(f"{row.help} {row.group}")}
-            named = sum(word in row.name.lower() for word in words)
-            count = sum(word in row.name.lower() or any(_alike(word, each) for each in has) for word in words)
+            named = len([word for word in words if word in row.name.lower()])
+            described = [word for word in words if any(_alike(word, each) for each in has)]
+            count = len({*described, *(word for word in words if word in row.name.lower())})
             scores.append((count, named, language, row))
     best = max((count for count, *_ in scores), default=0)
     if not best:
