@@ -27,7 +27,7 @@ def table_curve(
     if len(places) != len(values) or len(places) < 2:
         raise ValueError("a table needs two points or more, and a value for each")
     if places[0] != 0.0 or not all(a < b for a, b in pairwise(places)):
-        raise ValueError("the places of a table must rise from 0")
+        raise ValueError("the positions of a table must rise from 0")
     if not all(abs(x) < 1e300 for x in (*places, *values)):
         raise ValueError("the numbers of a table must be finite")
     if kind not in KINDS:

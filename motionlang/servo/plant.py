@@ -61,7 +61,7 @@ class Motor:
         _one_of("amplifier", self.amplifier, AMPLIFIERS)
         _one_of("encoder", self.encoder, ENCODER_SIDES)
         if self.backlash and not self.resonance:
-            raise ValueError("backlash needs a resonance: the stiffness of what takes the play up")
+            raise ValueError("backlash needs a resonance: the stiffness of the part that takes up the play")
         if self.resonance and not self.load_inertia:
             raise ValueError("a resonance needs a load inertia to swing against the motor")
         if 0.0 < self.breakaway < self.coulomb:

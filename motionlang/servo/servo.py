@@ -125,7 +125,7 @@ class Servo:
         from motionlang.servo.trace import joined
 
         if self._kept is None:
-            raise ValueError("this servo writes nothing down: make it with record=True")
+            raise ValueError("this servo records nothing: create it with record=True")
         return joined(self.loop, self.plant, self._columns, self._kept)
 
     # -- running

@@ -76,7 +76,7 @@ def override(task: CommandTask, command: Command) -> None:
     """
     value = float(task.value(command)) if task.given(command) else 1.0
     if value == 0.0:
-        raise Fault(codes.PARAMETER, "VO0 would hold the path for ever", "ST stops it", "zero-speed")
+        raise Fault(codes.PARAMETER, "VO0 would hold the path forever", "ST stops it", "zero-speed")
     for axis in task.axes(command):
         axis.vector.override = value
         contour = task.board.contours.get(axis.number)

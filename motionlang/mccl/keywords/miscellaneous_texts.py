@@ -80,7 +80,7 @@ def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
     width, _, places = form.lstrip(_FLAGS).partition(".")
     if not kind or kind not in kinds or not (_is_small(width, WIDEST) and _is_small(places, FINEST)):
         hint = "such as " + ("%d, %6d or %08X" if "d" in kinds else "%f, %8.3f or %g")
-        raise Fault(codes.PARAMETER, f"%{form}{kind} is no form of a number here", hint, "values")
+        raise Fault(codes.PARAMETER, f"%{form}{kind} is not a number format here", hint, "values")
     return form, kind, k + 1
 
 

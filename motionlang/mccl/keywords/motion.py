@@ -221,7 +221,7 @@ def _check_fit(task: CommandTask, axis: AxisState) -> None:
     """Raise Refusal or Fault if the axis cannot accept a motion command now."""
     number = axis.number
     if axis.flags & MOTOR_ERROR:
-        raise Refusal("disabled-axis", f"axis {number} has tripped and takes no motion command")
+        raise Refusal("disabled-axis", f"axis {number} has tripped and accepts no motion command")
     check_unslaved(task, axis)
     if axis.jogging:
         raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")

@@ -135,7 +135,7 @@ ROWS = (
          "Bitwise exclusive or with the accumulator.",
          "AL12,AX10,TR0"),
     _row("AE", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: _bits(a) ^ _bits(b))),
-         "The same as AX; which of the two names is right is not known.", "AL12,AE10,TR0"),
+         "Same as AX; it is not known which of the two names is right.", "AL12,AE10,TR0"),
     _row("AC", "command", "C", "none", "bits", Actions("bit_not", do=complement),
          "Complement the accumulator.", "AL5,AC,TR0"),
     _row("SL", "command", "W", "none", "number", Actions("shift_left", do=_with(lambda a, b: _bits(a) << int(b))),

@@ -133,5 +133,5 @@ ROWS = (
     _contour_row("TX", "reading", "R", "axis", "number", tell_segment, "Tell the number of contour paths carried out.",
                  "1TX", family="contours"),
     _contour_row("CX", "reading", "R", "axis", "number", tell_segment,
-                 "The same as TX; which of the two names is right is not known.", "1CX", family="contours"),
+                 "Same as TX; it is not known which of the two names is right.", "1CX", family="contours"),
 )  # fmt: skip

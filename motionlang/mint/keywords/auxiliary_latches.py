@@ -215,7 +215,7 @@ ROWS = (
              "1 when the latch of an auxiliary encoder has caught.",
              _FAST),
     _reading("FASTAUXENCODER", "", "auxchannel", "number", Actions(read=of(AuxLatches, read_encoder)),
-             "What AUXENCODER was when its latch caught.",
+             "AUXENCODER at the moment of its latch.",
              _FAST),
     _reading("ENCODERZLATCH", "", "channel", "bool", _PASSED,
              "1 when an encoder has passed an index mark since this was read last.",
@@ -228,5 +228,5 @@ ROWS = (
     _setting("AUXENCODERZEROLATCHMODE", "integer", _ZERO_MODE, "1",
              "0: AUXENCODERZEROENABLE is for one mark; 1: for every one from then on.", 1),
     _reading("AUXENCODERZEROPOSITION", "", "auxchannel", "number", Actions(read=of(Indexes, read_place)),
-             "What AUXENCODER was at the index mark.", _MARK),
+             "AUXENCODER at the index mark.", _MARK),
 )  # fmt: skip

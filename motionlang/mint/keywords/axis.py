@@ -125,6 +125,6 @@ ROWS = (
             "How many moves the buffer of the axis can hold, the one being executed not counted.",
             "MOVEBUFFERSIZE(0) = 10\nPRINT MOVEBUFFERSIZE(0)", default=2.0, low=2, high=100, group="axis"),
     Keyword("DRIVEENABLE", "DE", "setting", "RW", "axis", "bool", _ENABLED,
-            "Whether the drive of the axis is on; a move on a disabled axis is refused.",
+            "State of the drive of the axis, 1 if enabled; a move on a disabled axis is rejected.",
             "DRIVEENABLE(0) = _TRUE\nPRINT DRIVEENABLE(0)", default=1.0, low=0, high=1, group="axis", effect="switch"),
 )  # fmt: skip

@@ -212,14 +212,15 @@ ROWS = (
             "The event MBLOW comes when an entry leaves the buffer and more places than this are free; -1 for never.",
             "MOVEBUFFERLOW(0) = 1\nPRINT MOVEBUFFERLOW(0)", default=-1.0, low=-1, high=100, group="buffer"),
     Keyword("TRIGGERMODE", "", "setting", "RW", "axis", "integer", _TRIGGER,
-            "What starts moves: _trAUTO at once when they are loaded, _trGO at GO, _trINPUT at the input TRIGGERINPUT, "
-            "_trPOSITION when TRIGGERCHANNEL passes TRIGGERVALUE. GO starts them in every mode.",
+            "Trigger of moves: _trAUTO at once when they are loaded, _trGO at GO, _trINPUT at the input "
+"TRIGGERINPUT, _trPOSITION when TRIGGERCHANNEL passes TRIGGERVALUE. GO starts them in every "
+"mode.",
             "TRIGGERMODE(0) = _trAUTO\nMOVER(0) = 10\nPAUSE IDLE(0)\nPRINT POS(0)",
             default=1.0, low=0, high=3, group="buffer", effect="hands-over switch"),
     _trigger("TRIGGERINPUT", _TRIGGER, "integer", "The input that starts moves; -1 for none.", -1, 999,
              -1.0),
     _trigger("TRIGGERSOURCE", _TRIGGER, "integer",
-             "What TRIGGERCHANNEL is: 0 an axis, 1 an encoder, 2 an auxiliary encoder.", 0, 2, 0.0),
+             "Type of TRIGGERCHANNEL: 0 an axis, 1 an encoder, 2 an auxiliary encoder.", 0, 2, 0.0),
     _trigger("TRIGGERCHANNEL", _TRIGGER, "integer", "The axis or encoder whose position starts moves.",
              0, 999, 0.0),
     _trigger("TRIGGERVALUE", _TRIGGER, "number",

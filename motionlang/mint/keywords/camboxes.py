@@ -213,7 +213,7 @@ _BOX = (
 
 ROWS = (
     Keyword("CAMBOX", "", "setting", "RW", "box", "bool", _BOX_ACTIONS,
-            "Whether a cam box switches its output at the positions of its CAMBOXDATA.",
+            "State of a cam box: 1 switches its output at the positions of its CAMBOXDATA.",
             _BOX, default=0.0, low=0, high=1, group="latches"),
     Keyword("CAMBOXDATA", "", "command", "C", "box, output, source, channel, time, array", "",
             Actions(do=of(CamBoxes, do_data)),

@@ -116,7 +116,7 @@ class Capture:
         """Start the capture; if `waits`, wait for one of the triggers that are set."""
         self.refuse_running()
         if self.points * self.period <= 0.0:
-            raise Refusal("capture-points", "the points of the capture would all be at one time")
+            raise Refusal("capture-points", "all points of the capture would have the same time")
         recorded = [Channel(each.mode, each.axis, each.parameter) for each in self.channels]
         for channel in recorded:
             quantities.check(self._environment, channel.mode, channel.where)
@@ -234,7 +234,7 @@ class Capture:
             raise Refusal(
                 "channel",
                 f"capture channel {channel} has recorded nothing",
-                "CAPTUREMODE says what it records",
+                "choose what it records with CAPTUREMODE",
             )
         taken = self.taken()
         if not 0 <= index < taken:
@@ -395,13 +395,13 @@ def _channel(
 
 ROWS = (
     _channel("CAPTUREMODE", "cpm", _attribute("mode"), "channel", "integer",
-             f"What a channel of the capture records: {QUANTITIES}.", 14),
+             f"Quantity that a channel of the capture records: {QUANTITIES}.", 14),
     _channel("CAPTUREAXIS", "", _attribute("axis"),
              "channel", "integer", "The axis whose quantity a channel records.", 63),
     _channel("CAPTUREMODEPARAMETER", "cpmp", _attribute("parameter"), "channel", "integer",
              "The encoder, the analogue channel or the bank that a channel records.", 999),
     Keyword("CAPTUREMODENAME", "", "reading", "R", "channel", "text", Actions(read=of(Capture, read_name)),
-            "What a channel of the capture records, in words.", "CAPTUREMODE(0) = 3\nPRINT CAPTUREMODENAME(0)",
+            "Name of the quantity that a channel records.", "CAPTUREMODE(0) = 3\nPRINT CAPTUREMODENAME(0)",
             group="capture"),
     _word("CAPTURENUMPOINTS", "", "RW", "none", "integer", _POINTS, "How many points a channel records, 1 to 100000.",
           "CAPTURENUMPOINTS = 100\nPRINT CAPTURENUMPOINTS", 1000.0),
@@ -416,7 +416,7 @@ ROWS = (
           "For how long before its trigger a capture has recorded already; until then no trigger counts.",
           "CAPTUREPRETRIGGERDURATION = 50\nPRINT CAPTUREPRETRIGGERDURATION", 0.0, 0, 2147483647.0),
     _channel("CAPTURETRIGGERMODE", "", _attribute("mode"), "trigger", "integer",
-             "What triggers a capture: 0 nothing, 1 the source rising through the value, 2 falling, 3 either.", 3),
+             "Trigger of a capture: 0 none, 1 the source rising through the value, 2 falling, 3 either.", 3),
     _channel("CAPTURETRIGGERSOURCE", "", _attribute("source"), "trigger", "integer",
              "The quantity that triggers a capture, numbered as in CAPTUREMODE; of digital channels a single one.", 14),
     _channel("CAPTURETRIGGERCHANNEL", "", _attribute("channel"), "trigger", "integer",

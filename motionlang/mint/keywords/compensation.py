@@ -107,7 +107,7 @@ class Compensation(Settings):
         mode = self.setting("PRECISIONMODE", axis)
         if mode == DUAL and self.setting("BACKLASHMODE", axis):
             raise Refusal("range", f"axis {axis} cannot have two tables and BACKLASHMODE 1",
-                          "the tables of both directions hold the play: BACKLASHMODE(axis) = 0")  # fmt: skip
+                          "the two tables already include the backlash: set BACKLASHMODE(axis) = 0")  # fmt: skip
         screws = self._made(axis, mode == DUAL) if mode else None
         loop = environment.controller.gain(axis, PERIOD, LOOP_TIME)
         takeup.size = scale_of(environment, axis).to_counts(self.setting("BACKLASH", axis))
@@ -141,9 +141,7 @@ def do_table(
 ) -> None:
     """PRECISIONTABLE: set the positions of the nut, forward and in reverse."""
     if forward is None:
-        raise Refusal(
-            "range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL"
-        )
+        raise Refusal("range", f"{row.name}: no forward table", "only the reverse table may be NULL")
     elements(forward, row.name)
     compensation.attach(axis, forward, reverse)
 
@@ -191,7 +189,7 @@ ROWS = (
             "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, group="compensation"),
     _setting("PRECISIONINCREMENT", "", "uu", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,
              0, _LARGEST),
-    _setting("PRECISIONOFFSET", "PCO", "uu", "Where PRECISIONTABLE begins, from the axis's zero.", _TABLE,
+    _setting("PRECISIONOFFSET", "PCO", "uu", "Start position of PRECISIONTABLE, from the axis's zero.", _TABLE,
              -_LARGEST, _LARGEST),
     _setting("PRECISIONMODE", "", "integer",
              "Compensation of the leadscrew: _lsOFF, _lsSINGLE_TABLE for both directions, _lsDUAL_TABLE for one each.",

@@ -205,7 +205,8 @@ ROWS = (
     _setting("SPEEDREFENABLE", "bool", "0 lets the axis ramp to rest whatever SPEEDREF is, 1 lets it go on.",
              _RUN + "SPEEDREF(0) = 500\nSPEEDREFENABLE(0) = 0\nPAUSE IDLE(0)\nPRINT SPEEDREF(0)", 1, 1.0, effect="act"),
     _setting("SPEEDREFSOURCE", "integer",
-             "What the speed reference is: 0 SPEEDREF, n analogue input n - 1, whose 100 % are the highest speed.",
+             "Source of the speed reference: 0 SPEEDREF, n analogue input n - 1, whose 100 % are the "
+"highest speed.",
              "SPEEDREFSOURCE(0) = 1\nPRINT SPEEDREF(0)", 64, effect="hands-over"),
     _time("SPEEDREFACCELTIME", "Milliseconds from rest to the highest speed (DRIVESPEEDMAX, else MAXSPEED, else "
                                "SPEED) in ramps of SPEEDREF; 0 for ACCEL."),

@@ -170,8 +170,8 @@ ROWS = (
             "Percentage of its speed at which a move runs, where bit 1 of FEEDRATEMODE is set; it acts at once.",
             _HALF, default=100.0, low=0.0, high=_LARGEST, group="axis"),
     Keyword("FEEDRATEPARAMETER", "", "setting", "RW", "axis, parameter", "number", _PARAMETER,
-            "What moves loaded from now on keep: parameter 0 a speed, 1 an acceleration, 2 a deceleration; 0 goes back "
-            "to SPEED, ACCEL or DECEL.",
+            "Parameters of moves loaded from now on: 0 a speed, 1 an acceleration, 2 a deceleration; the "
+"value 0 restores SPEED, ACCEL or DECEL.",
             "FEEDRATEPARAMETER(0, 0) = 25\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)",
             default=0.0, low=0.0, high=1e12, group="axis"),
     _most("MAXSPEED", "uu/s", _limit("max_speed"),

@@ -136,7 +136,7 @@ ROWS = (
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOWNUMERATOR(1) = 2\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\n"
             "PAUSE IDLE(0)\nPRINT POS(1)", default=1.0, low=-_LARGEST, high=_LARGEST, group="motion"),
     Keyword("FOLLOWDENOM", "", "setting", "RW", "axis", "number", _PART,
-            "What FOLLOW is divided by.",
+            "Divisor of FOLLOW.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
             default=1.0, low=1e-9, high=_LARGEST, group="motion"),
     Keyword("FLY", "", "move", "W", "axis", "uu", Actions(load=loads(Environment, put_fly)),

@@ -101,7 +101,7 @@ _LARGEST = 8388607.0
 ROWS = (
     Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number",
             Actions(read=compared(AuxEncoders), write=of(AuxEncoders, write_encoder)),
-            "What an auxiliary encoder shows, in units of AUXENCODERSCALE.",
+            "Value of an auxiliary encoder, in units of AUXENCODERSCALE.",
             "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
             default=0.0, group="encoders", driven="encoder", solved=True),
     Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number",
@@ -121,7 +121,7 @@ ROWS = (
                 f"AUX{name}(0) = 4\nPRINT AUX{name}(0)", default=default, low=low, high=_LARGEST, group="encoders")
         for name, unit, help, default, low in (
             ("ENCODERSCALE", "number", "Counts of an auxiliary encoder in one of its units.", 1.0, 1e-6),
-            ("ENCODERPRESCALE", "integer", "What the counts of an auxiliary encoder are divided by first.", 1.0, 1),
+            ("ENCODERPRESCALE", "integer", "Prescaler of an auxiliary encoder, which divides its counts.", 1.0, 1),
             ("ENCODERWRAP", "number", "The range in which AUXENCODER counts, from 0 on; 0 for no end.", 0.0, 0),
         )
     ),

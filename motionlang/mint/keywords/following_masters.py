@@ -128,7 +128,8 @@ def _setting(
 
 ROWS = (
     _setting("MASTERSOURCE", "", "integer",
-             "What MASTERCHANNEL is: _msPOS an axis, _msENCODER an encoder, _msAUXENCODER an auxiliary encoder.",
+             "Type of MASTERCHANNEL: _msPOS an axis, _msENCODER an encoder, _msAUXENCODER an auxiliary "
+"encoder.",
              0.0, 0, 2),
     _setting("MASTERCHANNEL", "", "integer", "The axis or encoder that the axis follows.", 0.0, 0, 63),
     _setting("MASTERDISTANCE", "", "number",

@@ -172,7 +172,7 @@ ROWS = (
             "HOMETYPE(0) = _hmPOSITIVE_SWITCH\nPRINT HOMETYPE(0)",
             default=0.0, low=0, high=len(HOME_TYPES) - 1, group="homing"),
     _setting("HOMESPEED", "uu/s", "50", "Speed of the search for the switch.", HOME_SPEED, 1e-6, 8388607.0),
-    _setting("HOMEBACKOFF", "number", "20", "What HOMESPEED is divided by while the axis leaves the switch.",
+    _setting("HOMEBACKOFF", "number", "20", "Divisor of HOMESPEED while the axis leaves the switch.",
              HOME_BACKOFF,
              1.0, 1e6),
     _setting("HOMECREEPSPEED", "uu/s", "2", "Speed of the search for the index after the switch, and of the way to "
@@ -189,8 +189,8 @@ ROWS = (
             "1 when the axis has found its datum.",
             _HOMED.format("HOMESTATUS"), default=0.0, low=0, high=1, group="homing"),
     Keyword("HOMEPHASE", "", "reading", "R", "axis", "integer", Actions(read=of(Homes, Homes.phase)),
-            "Where the homing is: 0 at its end, 1 search, 2 stopping on the switch, 3 leaving it, 4 looking for the "
-            "index, 5 stopping behind the datum, 6 on the way to HOMEOFFSET.",
+            "Phase of homing: 0 complete, 1 search, 2 stopping on the switch, 3 leaving it, 4 looking "
+"for the index, 5 stopping behind the datum, 6 moving to HOMEOFFSET.",
             _HOMED.format("HOMEPHASE"), default=0.0, group="homing"),
     Keyword("HOMEINPUT", "hi", "setting", "RW", "axis", "integer", SWITCH_INPUT,
             "The input that is the home switch of the axis; -1 for none.",

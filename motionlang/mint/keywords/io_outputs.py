@@ -143,7 +143,7 @@ ROWS = (
             "An analogue input in percent of its range, after gain, offset and dead band.",
             "PRINT ADC(0)", default=0.0, group="io", driven="analogue"),
     _adc("ADCGAIN", "ag", "Gain of an analogue input in percent.", -10000.0, 10000.0),
-    _adc("ADCOFFSET", "ao", "What is added to an analogue input, in percent of its range.", -100.0, 100.0),
+    _adc("ADCOFFSET", "ao", "Offset added to an analogue input, in percent of its range.", -100.0, 100.0),
     _adc("ADCDEADBAND", "add", "An analogue input this near to ADCDEADBANDOFFSET reads as that.", 0.0, 100.0),
     _adc("ADCDEADBANDOFFSET", "", "The middle of the dead band of an analogue input.", -100.0, 100.0),
     _adc("ADCMODE", "am", "Range of an analogue input: 0 both signs, -100 to 100; 1 positive only.", 0, 1, "integer"),

@@ -57,7 +57,7 @@ ROWS = (
     _word("Task", "A piece of program that runs beside the parent task once it is Run.",
           "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task"),
     _word("Run", "Start a task.", "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task"),
-    _word("Event", "What is done when something happens, between two statements of the tasks.",
+    _word("Event", "Handler of an event, run between two statements of the tasks.",
           "TIMEREVENT = 100\nWAIT = 350\nEnd\nEvent TIMER\n  PRINT \"tick\"\nEnd Event"),
     _word("Startup", "Statements that are done before anything else.",
           "PRINT \"main\"\nStartup\n  PRINT \"startup\"\nEnd Startup"),

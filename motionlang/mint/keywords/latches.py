@@ -226,12 +226,13 @@ def _reading(name: str, index: str, unit: str, actions: Actions, help: str, exam
 
 ROWS = (
     _setting("LATCHTRIGGERMODE", "trigger_mode", "latch", "integer", "1",
-             "What triggers a latch: 0 an input, 1 the encoder's index.", 1),
+             "Trigger of a latch: 0 an input, 1 the encoder's index.", 1),
     _setting("LATCHTRIGGERCHANNEL", "input", "latch", "integer", "3", "The input that triggers a latch.", 999),
     _setting("LATCHTRIGGEREDGE", "edge", "latch", "integer", "2",
              "The edge that triggers a latch: 0 becoming active, 1 becoming inactive, 2 both.", 2),
     _setting("LATCHSOURCE", "source", "latch", "integer", "1",
-             "What a latch catches: 0 the position of an axis in user units, 1 what its encoder has counted.", 1),
+             "Quantity that a latch captures: 0 the position of an axis in user units, 1 its encoder "
+"value.", 1),
     _setting("LATCHSOURCECHANNEL", "axis", "latch", "integer", "1", "The axis whose position a latch catches.", 63),
     _setting("LATCHMODE", "again", "latch", "integer", "1",
              "0: a latch catches once and must be enabled again; 1: it stays enabled, and reading LATCH resets it.", 1),
@@ -243,7 +244,7 @@ ROWS = (
             "Arm a latch; it forgets what it had caught.",
             _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
     _reading("LATCH", "latch", "bool", _CAUGHT, "1 when a latch has caught a position.", _ARMED),
-    _reading("LATCHVALUE", "latch", "number", _VALUE, "What a latch has caught.", _ARMED),
+    _reading("LATCHVALUE", "latch", "number", _VALUE, "Captured value of a latch.", _ARMED),
     _setting("FASTSELECT", "input", "axis", "integer", "3", "The input that triggers the fast latch of the axis.", 999),
     Keyword("FASTENABLE", "", "setting", "W", "axis", "integer", _ENABLE,
             "Arm the fast latch of the axis; it forgets what it had caught.",
@@ -256,7 +257,7 @@ ROWS = (
     _reading("FASTLATCH", "axis", "bool", _CAUGHT, "1 when the fast latch of the axis has caught.", _FAST),
     _reading("FASTPOS", "axis", "number", _VALUE, "The position that the fast latch has caught.", _FAST),
     _reading("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),
-             "What the encoder had counted when the fast latch caught.", _FAST),
+             "Encoder value captured by the fast latch.", _FAST),
 )  # fmt: skip
 # The event sources of each kind, created for programs that handle these events.
 SOURCES = {"latch": Latches, "fastin": FastLatches}

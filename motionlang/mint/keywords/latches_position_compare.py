@@ -185,7 +185,7 @@ ROWS = (
             default=0.0, low=-8388607.0, high=8388607.0, group="latches"),
     Keyword("COMPAREENABLE", "", "setting", "RW", "output", "bool",
             Actions(read=of(Compares, read_enable), write=unchecked(of(Compares, write_enable))),
-            "Whether the position compare switches an output.",
+            "State of position compare: 1 switches an output.",
             "COMPAREOUTPUT(0) = 2\nCOMPAREENABLE(2) = 1\nPRINT COMPAREENABLE(2)",
             default=0.0, low=0, high=1, group="latches"),
     Keyword("COMPARELATCH", "", "reading", "R", "axis", "bool", _PASSED,

@@ -92,8 +92,8 @@ _STOP_MODE = Actions(read=reading(StopModes), write=writing(StopModes))
 
 ROWS = (
     Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", _STOP_MODE,
-            "What the axis does when its stop input becomes active: _emIGNORE only the event STOP, _emCRASH_STOP "
-            "a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
+            "Reaction of the axis when its stop input becomes active: _emIGNORE only the event STOP, "
+"_emCRASH_STOP a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
             default=float(STOP_INPUT_MODE), low=0, high=3, group="limits"),
     Keyword("STOP", "ST", "command", "C", "axes", "",

@@ -259,8 +259,9 @@ ROWS = (
           "Bit pattern of the analogue inputs that the axis minds and that are beyond their limits now.",
           _ADC.format("ADCERROR(0)"), group="io"),
     _word("ADCERRORMODE", "", "RW", "axis", "integer", ERROR_MODE,
-          "What the axis does when an analogue input that it minds goes beyond its limits: one of _emIGNORE, "
-          "_emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, _emERROR_DECEL_DISABLE, _emCALL_EVENT.",
+          "Reaction of the axis when an analogue input that it monitors leaves its limits: one of "
+"_emIGNORE, _emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, _emERROR_DECEL_DISABLE, "
+"_emCALL_EVENT.",
           "ADCERRORMODE(0) = _emERROR_DECEL\nPRINT ADCERRORMODE(0)", float(MODES["ADCERRORMODE"]), 0, 5, "limits"),
     Keyword("ADCOFFSETTRIM", "", "command", "C", "channel", "", Actions(do=of(Environment, do_trim)),
             "Make what an analogue input shows now its zero, by its ADCOFFSET.",
@@ -289,7 +290,7 @@ ROWS = (
           "1 while the hardware enable input of the drive is on, or where the machine file gives it none.",
           "PRINT DRIVEENABLESWITCH(0)", 1.0),
     _word("ENABLESWITCH", "", "R", "axis", "bool", _ENABLE_SWITCH,
-          "The same as DRIVEENABLESWITCH.", "PRINT ENABLESWITCH(0)", 1.0),
+          "Same as DRIVEENABLESWITCH.", "PRINT ENABLESWITCH(0)", 1.0),
     _word("DRIVEERROR", "dre", "RW", "axis", "bits", Actions(read=of(Environment, drive_errors), write=_CLEAR),
           "Errors of the drive, which only the machine file brings about. Writing 0 clears the errors of the axis.",
           "DRIVEERROR(0) = 0\nPRINT DRIVEERROR(0)", 0.0, 0, 0),

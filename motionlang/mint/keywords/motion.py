@@ -57,7 +57,7 @@ def refuse_stopping(environment: Environment, axis: int) -> None:
     """Raise Refusal if the axis is stopping: Mint's error 236."""
     move = environment.controller.axes[axis].move
     if move is not None and move.ended in ("stop", "fault"):
-        raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it stands")
+        raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it is at rest")
 
 
 def finite(row: Keyword, value: float) -> None:

@@ -80,7 +80,7 @@ def write_encoder(nodes: Nodes, bus: int, node: int, channel: int, value: int) -
 def _object(index: int, sub: int) -> tuple[int, int]:
     if not (0 <= index <= LAST_OBJECT and 0 <= sub <= LAST_SUB):
         raise Refusal(
-            "channel", f"there is no object {index}, {sub}", "objects are 0 to 0xFFFF, their parts 0 to 255"
+            "channel", f"there is no object {index}, {sub}", "objects are 0 to 0xFFFF, sub-indexes 0 to 255"
         )
     return index, sub
 
@@ -105,7 +105,7 @@ def _of_type(value: int, type: int) -> int:
     """Reduce a value to the bits of a CANopen type."""
     if type not in _TYPES:
         raise Refusal(
-            "range", f"{type} is no type of an object", "1 Boolean, 2 to 4 integers, 5 to 7 without a sign"
+            "range", f"{type} is not an object type", "1 Boolean, 2 to 4 integers, 5 to 7 without a sign"
         )
     bits, signed = _TYPES[type]
     value &= (1 << bits) - 1
@@ -250,7 +250,7 @@ ROWS = (
     *_bus("EVENT", _EVENT,
           "Code of the next event of a bus, which is taken off its queue; 0 when there is none."),
     *_bus("EVENTINFO", _EVENT_INFO,
-          "What the event that was taken last is about: the number of the node."),
+          "Node number of the event that was read last."),
     *_bus("STATE", _BUS_STATE, "State of a bus: 1 operational, 2 passive, 3 off.", default=1.0),
     _reset("BUSRESET"),
     _reset("CANBUSRESET"),

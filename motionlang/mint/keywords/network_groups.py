@@ -111,7 +111,7 @@ ROWS = (
           "How many nodes a node is connected to.",
           "CONNECT(1, 2, 7) = 1\nPRINT CONNECTSTATUS(1, 2)"),
     network_row("GROUP", "RW", "bus, group, node", "bool", _MEMBER,
-          "Whether a node belongs to a group, 0 to 31.",
+          "Membership of a node in a group, 0 to 31.",
           "GROUP(1, 3, 7) = 1\nPRINT GROUP(1, 3, 7)"),
     network_row("GROUPCOMMS", "W", "bus, group, element", "number", Actions(write=of(Groups, write_comms)),
           "Write an element of the comms array of every node of a group.",

@@ -39,6 +39,7 @@ ROWS = (
             "A whole number in non-volatile memory, addresses 0 to 1023; `run --nv FILE` keeps it from run to run.",
             "NVLONG(5) = NVLONG(5) + 1\nPRINT NVLONG(5)", default=0.0, group="control"),
     Keyword("NVFLOAT", "", "setting", "RW", "address", "number", _REAL,
-            "The same memory as single-precision numbers: NVLONG and NVFLOAT of one address share their bits.",
+            "NVLONG's memory as single-precision numbers: NVLONG and NVFLOAT of one address share their "
+"bits.",
             "NVFLOAT(7) = 2.5\nPRINT NVFLOAT(7)", default=0.0, group="control"),
 )  # fmt: skip

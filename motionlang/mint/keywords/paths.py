@@ -158,7 +158,8 @@ ROWS = (
              "1: a path begins when BLENDDISTANCE is left of the one before it, on top of the rest of that one.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, 1),
     _setting("BLENDDISTANCE", "number", "blend_distance",
-             "What is left of a path when the next one begins, in user units along it; up to half of the path.",
+             "Remaining length of a path when the next one begins, in user units; at most half of the "
+"path.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _LARGEST),
     Keyword("BLEND", "", "command", "C", "axes", "", Actions(do=on_axes(lambda e, axis: e.controller.blend(axis))),
             "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",

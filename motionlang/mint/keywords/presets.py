@@ -154,7 +154,7 @@ _SECOND = {
 def _second(row: Keyword, number: int) -> int:
     last, hint = _SECOND.get(row.name, (0, ""))
     if not 0 <= number <= last:
-        raise Refusal("range", f"{row.name} has no number {number} behind the preset", hint)
+        raise Refusal("range", f"{row.name} has no parameter {number}", hint)
     return number
 
 
@@ -207,9 +207,9 @@ def _setting(
 
 ROWS = (
     _format("PRESETMOVETYPE", "integer",
-            "What a preset is (number 0 behind it): 1 HOME, 2 JOG, 3 MOVEA, 4 MOVER, 5 POS, 6 SPEEDREF, 7 TORQUEREF, "
-            "8 STOP, 9 SUSPEND, 10 CANCEL; 0 nothing.", 10, "parameter"),
-    _entry("PRESETMOVEPOSITION", "number", "Where a preset goes, or how far, in user units of its axis.", -_LARGEST,
+            "Type of a preset: 1 HOME, 2 JOG, 3 MOVEA, 4 MOVER, 5 POS, 6 SPEEDREF, 7 TORQUEREF, 8 STOP, "
+"9 SUSPEND, 10 CANCEL; 0 none.", 10, "parameter"),
+    _entry("PRESETMOVEPOSITION", "number", "Position or distance of a preset, in user units of its axis.", -_LARGEST,
            _LARGEST),
     _entry("PRESETMOVESPEED", "number", "The speed of a preset that moves or is a speed reference; 0 for SPEED.",
            -_LARGEST, _LARGEST),
@@ -227,9 +227,9 @@ ROWS = (
          "The preset that is next; without a trigger input writing it starts it, while PRESETMOVEENABLE is 1.",
          _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion", effect="act"),
     _setting("PRESETINDEXMODE",
-             "What follows a preset: 0 it stays selected, 1 the next one of the table is selected, 2 that starts by "
-             "itself after PRESETDWELLTIME.", 0, 2),
-    _setting("PRESETINDEXSOURCE", "What selects a preset: 0 PRESETINDEX, 1 the inputs from PRESETSELECTORINPUT on.", 0,
+             "Action after a preset: 0 it stays selected, 1 the next one of the table is selected, 2 that "
+"starts by itself after PRESETDWELLTIME.", 0, 2),
+    _setting("PRESETINDEXSOURCE", "Selector of presets: 0 PRESETINDEX, 1 the inputs from PRESETSELECTORINPUT on.", 0,
              1),
     _setting("PRESETDWELLTIME", "Milliseconds of rest between presets that follow each other by themselves.", 0,
              _LONGEST),
@@ -242,6 +242,6 @@ ROWS = (
     _setting("PRESETTRIGGERINPUT", "The input whose becoming active starts the preset that is selected; -1 for none.",
              -1, 999, -1.0),
     _row("PRESETMOVEENABLE", "axis", "bool", _SETTING,
-         "Whether presets start; without a trigger input 1 starts the one that is selected.", _RUN.format(""), 0, 1,
+         "Enables presets; without a trigger input, 1 starts the selected preset.", _RUN.format(""), 0, 1,
          group="motion", effect="hands-over"),
 )  # fmt: skip

@@ -57,7 +57,7 @@ def begin(presets: Presets, axis: int, number: int, line: int) -> None:
     """Start a preset on an axis, also while the axis moves."""
     kind = int(presets.entry("PRESETMOVETYPE", number))
     if not 0 < kind < len(WAYS):
-        raise Refusal("range", f"preset {number} is nothing", f"write PRESETMOVETYPE({number}, 0) first")
+        raise Refusal("range", f"preset {number} has no type", f"write PRESETMOVETYPE({number}, 0) first")
     WAYS[kind](Preset(presets, axis, number, line))
 
 

@@ -130,7 +130,9 @@ class Nodes:
         """Return a node; raise Refusal if it does not answer, unless `silent`."""
         if not (silent or self.answers(bus, node)):
             raise Refusal(
-                "no-connection", f"node {node} of bus {bus} does not answer", f"NODELIVE({bus}, {node}) tells"
+                "no-connection",
+                f"node {node} of bus {bus} does not answer",
+                f"check it with NODELIVE({bus}, {node})",
             )
         key = checked_bus(bus), checked(node, LAST_NODE, "node")
         found = self._nodes.get(key)

@@ -47,6 +47,6 @@ ROWS = (
             "Pulses in one unit of STEPPER.", "STEPPERSCALE(0) = 4\nPRINT STEPPERSCALE(0)", default=1.0, low=1e-9,
             high=8388607.0, group="encoders"),
     Keyword("STEPPERWRAP", "", "setting", "RW", "channel", "number", _SETTING,
-            "Where STEPPER begins again at 0; 0: it never does.", "STEPPERWRAP(0) = 360\nPRINT STEPPERWRAP(0)",
+            "Value at which STEPPER wraps to 0; 0: it never does.", "STEPPERWRAP(0) = 360\nPRINT STEPPERWRAP(0)",
             default=0.0, low=0.0, high=8388607.0, group="encoders"),
 )  # fmt: skip

@@ -185,7 +185,7 @@ def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line:
     counts = delta * cams.masters.of(axis).per_unit
     if total(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
         raise Refusal("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
-                      "the master must still go forward in each of them")  # fmt: skip
+                      "the master must still advance in each of them")  # fmt: skip
     cams.phases[axis] = Phase(index, end, counts)
 
 
@@ -245,7 +245,7 @@ ROWS = (
     setting_row("CAMEND", MASTER_SETTING, "integer",
              "The last segment of a cam that is used; 0 for the table's last.",
              _CAM.format("CAMEND(1) = 3\n"), 0.0, 0, 16777215),
-    setting_row("CAMAMPLITUDE", MASTER_SETTING, "number", "What the positions of a cam are multiplied by.",
+    setting_row("CAMAMPLITUDE", MASTER_SETTING, "number", "Factor of the positions of a cam.",
              _CAM.format("CAMAMPLITUDE(1) = 2\n"), 1.0, -_LARGEST, _LARGEST),
     index_row("CAMINDEX", "The segment of the cam that is executing, 0 without a cam.",
            _CAM.format("") + "\nPRINT CAMINDEX(1)",

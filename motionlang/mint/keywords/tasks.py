@@ -121,7 +121,7 @@ ROWS = (
             "Data of the error that was read last: of an axis error 1 is the axis, 2 its error bits.",
             'ABORT\nWhile ERRORREADNEXT(_egAXIS, 0)\n  PRINT ERRDATA(1), " ", ERRDATA(2)\nEnd While', group="errors"),
     Keyword("ERRORPRESENT", "", "reading", "R", "group, data", "bool", Actions(read=of(Errors, Errors.present)),
-            "Whether a group of errors holds any; data is the axis of the group _egAXIS.",
+            "True if a group of errors has any; data is the axis of the group _egAXIS.",
             "PRINT ERRORPRESENT(_egALL, 0)", group="errors"),
     Keyword("ERRORREADNEXT", "", "reading", "R", "group, data", "bool", Actions(read=of(Errors, Errors.read_next)),
             "Read the next error of a group into ERRCODE, ERRLINE, ERRSTRING and ERRDATA; 0 when there is none.",

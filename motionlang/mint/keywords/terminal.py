@@ -59,7 +59,7 @@ class Terminals:
         found = self.bits(pattern)
         if len(found) != 1:
             known = " and ".join(map(str, found)) or "none"
-            raise Refusal("one-terminal", f"the program asks at one terminal, not at {known}", "TERMINAL = 1")
+            raise Refusal("one-terminal", f"INPUT uses one terminal, not {known}", "TERMINAL = 1")
         return found[0]
 
     def write(self, text: str, pattern: int = CURRENT) -> None:

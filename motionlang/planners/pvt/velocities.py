@@ -51,7 +51,7 @@ def pvt_velocities(
         return velocities
     if method == "exact":
         return smooth_velocities(points, times, first, last)
-    raise ValueError(f"there is no way {method!r} to choose velocities; there is {', '.join(METHODS)}")
+    raise ValueError(f"there is no method {method!r} to choose velocities; choose from {', '.join(METHODS)}")
 
 
 def average_velocities(

@@ -146,7 +146,7 @@ function begin() {
   data.first.path.forEach((name, k) => { wayAxes[k] = name; });
   if (data.axes.length > 1) document.getElementById("ways").append(...wayChoice());
   for (const [name, act] of Object.entries(EXPORTS)) {
-    const button = Object.assign(document.createElement("button"), { textContent: name, title: `the window as a ${name} file` });
+    const button = Object.assign(document.createElement("button"), { textContent: name, title: `export the view as a ${name} file` });
     button.addEventListener("click", act);
     document.getElementById("exports").append(button);
   }

@@ -23,7 +23,7 @@ RUN = {
     "Dim a(3) As Float = 2, 1, 1\nCAMTABLE(1, a)\nMASTERDISTANCE(1) = 5\nCAMSTART(1) = 3\nCAM(1) = 0": "CAM: the table "
     "has segments 1 to 2, not 3 to 2",
     "Dim a(3) As Float = 2, 1, 1\nCAMTABLE(1, a)\nMASTERDISTANCE(1) = -5\nCAM(1) = 0": "axis 1 cannot follow the "
-    "table: the places of a table must rise from 0",
+    "table: the positions of a table must rise from 0",
     "Dim a(3) As Float = 2, 1, 1\nCAMSEGMENT(1, 0, 1, a)": "CAMSEGMENT: axis 1 has no table 0",
     "SPLINE(0) = 0": "axis 0 has no spline",
     "Dim a(3) As Float = 2, 1, 1\nSPLINETABLE(0, a)\nMOVER(0) = 5\nSPLINE(0) = 0": "axis 0 is moving, or its buffer is "

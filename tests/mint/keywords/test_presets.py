@@ -169,7 +169,7 @@ def test_a_trigger_that_cannot_be_done_goes_to_onerror() -> None:
     [
         ("PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1", "preset 1 is nothing"),
         ("x = 64\nPRESETMOVEPOSITION(x) = 1", "there is no preset 64"),
-        ("PRESETMOVETYPE(1, 1) = 2", "PRESETMOVETYPE has no number 1 behind the preset"),
+        ("PRESETMOVETYPE(1, 1) = 2", "PRESETMOVETYPE has no parameter 1"),
     ],
 )
 def test_mistakes(text: str, message: str) -> None:
