@@ -210,12 +210,12 @@ def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--modbus", "5020"], "--modbus needs the Mint program"),
-        (["a.mcl", "--modbus", "5020"], "--modbus serves the memory of a Mint program"),
-        (["a.mnt", "--modbus", "5020", "--pty"], "one of them at a time"),
-        (["a.mnt", "--modbus", "5020", "--log"], "Modbus has none"),
+        (["--modbus", "5020"], "--modbus needs a Mint program"),
+        (["a.mcl", "--modbus", "5020"], "--modbus serves a Mint program; for a file"),
+        (["a.mnt", "--modbus", "5020", "--pty"], "use one or the other"),
+        (["a.mnt", "--modbus", "5020", "--log"], "have no effect with --modbus"),
         (["a.mnt", "--modbus", "here:port"], "'here:port' is not HOST:PORT"),
-        (["a.mnt", "--modbus", "0", "--step", "1"], "--step is about lock step"),
+        (["a.mnt", "--modbus", "0", "--step", "1"], "--step needs --clock lockstep"),
     ],
 )
 def test_what_does_not_go_together(

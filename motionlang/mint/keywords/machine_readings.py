@@ -65,9 +65,9 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     if row is None or row.name.upper() != word.upper():
         near = nearest(word, [each.name for each in rows]) if row is None else row.name
         hint = f"did you mean {near}?" if near else "motionlang keywords lists the keywords of Mint"
-        return f"there is no word {word} to be read", hint
+        return f"there is no readable keyword {word}", hint
     if row not in rows:
-        return f"{row.name} is no word for the machine file to answer", _why_not(row)
+        return f"the machine file cannot set {row.name}", _why_not(row)
     return _value_problem(row, where, value)
 
 
@@ -77,7 +77,7 @@ def can_be_told(row: Keyword) -> bool:
 
 
 def _why_not(row: Keyword) -> str:
-    return "it has no value" if "R" not in row.access else "what it reads comes about in the run"
+    return "it has no value" if "R" not in row.access else "the run computes it"
 
 
 def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] | None:

@@ -193,4 +193,4 @@ def test_an_end_of_the_program_ends_a_run_that_holds_for_ever() -> None:
 def test_per_unit_needs_an_axis() -> None:
     from motionlang.lang.machine.file import first_mistake
 
-    assert "needs the axis" in first_mistake({"analogue": [{"channel": 1, "value": 0.0, "per_unit": 2.0}]})
+    assert "needs an axis" in first_mistake({"analogue": [{"channel": 1, "value": 0.0, "per_unit": 2.0}]})

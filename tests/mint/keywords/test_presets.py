@@ -159,15 +159,15 @@ def test_a_trigger_that_cannot_be_done_goes_to_onerror() -> None:
         + "PRESETTRIGGERINPUT(0) = 8 : PRESETINDEX(0) = 9\nPRESETMOVEENABLE(0) = 1\nWAIT = 1000\nPRINT 1\nEnd\n"
     )
     handler = "Event ONERROR\nIf ERRORREADNEXT(0, 0) Then PRINT ERRSTRING, ERRLINE\nEnd Event"
-    assert ran(text + handler, input=TRIGGER).output == ["preset 9 is nothing6", "1"]
+    assert ran(text + handler, input=TRIGGER).output == ["preset 9 has no type6", "1"]
     result = run(Source("a.mnt", text), machine={"input": TRIGGER}, cache=False)
-    assert [(each.message, each.line) for each in result.diagnostics] == [("preset 9 is nothing", 6)]
+    assert [(each.message, each.line) for each in result.diagnostics] == [("preset 9 has no type", 6)]
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1", "preset 1 is nothing"),
+        ("PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1", "preset 1 has no type"),
         ("x = 64\nPRESETMOVEPOSITION(x) = 1", "there is no preset 64"),
         ("PRESETMOVETYPE(1, 1) = 2", "PRESETMOVETYPE has no parameter 1"),
     ],

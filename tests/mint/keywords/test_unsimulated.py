@@ -182,16 +182,16 @@ def test_the_demand_can_be_read_and_not_written() -> None:
 @pytest.mark.parametrize(
     ("line", "message", "hint"),
     [
-        ("DRIVEBUSVOLT = 3", "there is no keyword DRIVEBUSVOLT to be read", "did you mean DRIVEBUSVOLTS?"),
-        ("dbv = 3", "there is no keyword dbv to be read", "did you mean DRIVEBUSVOLTS?"),
-        ("POS = 3", "POS is no word for the machine file to answer", "what it reads occurs in the run"),
-        ("AUTOTUNE = 3", "AUTOTUNE is no word for the machine file to answer", "it has no value"),
+        ("DRIVEBUSVOLT = 3", "there is no readable keyword DRIVEBUSVOLT", "did you mean DRIVEBUSVOLTS?"),
+        ("dbv = 3", "there is no readable keyword dbv", "did you mean DRIVEBUSVOLTS?"),
+        ("POS = 3", "the machine file cannot set POS", "the run computes it"),
+        ("AUTOTUNE = 3", "the machine file cannot set AUTOTUNE", "it has no value"),
         ("HALL = 2.5", "HALL is a whole number, not 2.5", "hall sensors group"),
         ('HALL = "a"', "HALL is a whole number, not 'a'", "hall sensors group"),
         ('DBVOLTS = "a"', "DBVOLTS is a whole number, not 'a'", "dynamic brake group"),
         (
             'EFFORTS = "a"',
-            "there is no keyword EFFORTS to be read",
+            "there is no readable keyword EFFORTS",
             "motionlang keywords lists the keywords of Mint",
         ),
         ("PRODUCTSERIALNUMBER = 3", "PRODUCTSERIALNUMBER is a text, not 3", MEANINGLESS),
