@@ -1,7 +1,7 @@
 """The build steps of the package: grammars in the wheel, and its description.
 
-A `package-dir` mapping for the grammars would make editable installs start through an import hook; see
-docs/decisions.md.
+A `package-dir` mapping would do the same, but makes editable installs start through an import hook; see
+docs/contributing/decisions.md.
 """
 
 from __future__ import annotations

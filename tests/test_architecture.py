@@ -13,7 +13,7 @@ from tests.trees import text_of, tree_of
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
-PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "contributing" / "architecture.md").read_text(encoding="utf-8")
 
 # From the top down; a package may import packages of lower levels, and itself.
 LEVELS: dict[str, int] = {
@@ -484,7 +484,9 @@ def roots() -> tuple[Path, ...]:
 
 @cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", PAGE))))
 def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None:
-    assert any((root / named).exists() for root in roots()), f"docs/architecture.md names {named}"
+    assert any((root / named).exists() for root in roots()), (
+        f"docs/contributing/architecture.md names {named}"
+    )
 
 
 def public(body: list[ast.stmt]) -> Iterator[ast.FunctionDef | ast.ClassDef]:

@@ -1,4 +1,4 @@
-"""The recipe of docs/architecture.md, for a new keyword in both languages."""
+"""The recipe of docs/contributing/architecture.md, followed with a made-up keyword in both languages."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ Invariants.
 - The profile ends at rest at the target. Its acceleration is continuous and its duration finite.
 - Speed, acceleration and jerk keep their limits. A start above a limit returns within it.
 - A reversal is at rest and without acceleration, unless the initial acceleration carries the motion through zero speed.
-  A faster reversal would keep its acceleration; see `docs/decisions.md`.
+  A faster reversal would keep its acceleration; see `docs/contributing/decisions.md`.
 - Figures too many orders of magnitude apart raise ValueError.
 
 Cost. A few square roots. Newton's method, where it is needed, takes some five steps; the most in 20 000 random moves

@@ -1,8 +1,8 @@
 """Times and distances of ramps, stops and moves, from the commands alone.
 
-This is the proof's own arithmetic, not a planner's. A move is as fast as the rules of `docs/decisions.md`
-allow: it reverses at rest, and velocities of opposite signs meet there. Velocities and accelerations count in
-one direction; rates and jerks are pairs, of speeding up and of slowing down.
+The proof's own arithmetic, no planner's. A move is as fast as the rules of `docs/contributing/decisions.md` let it be:
+it turns at rest, and velocities of opposite signs meet there. Velocities and accelerations are counted in one
+direction; rates and jerks are pairs, of speeding up and of slowing down.
 """
 
 from __future__ import annotations
