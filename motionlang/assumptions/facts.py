@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parent.parent
 # How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule
-# is printed; a choice has no evidence.
-STRENGTHS = ("manual", "code", "sibling", "memory high", "memory medium", "memory low", "choice")
+# is printed; a choice has no evidence. For a meaning that is "name only" the source has the name, the
+# arguments and the type.
+STRENGTHS = ("manual", "code", "name only", "sibling", "memory high", "memory medium", "memory low", "choice")
 # The facts that a row may have, in the order of the keyword's page.
 FACTS = ("meaning", "short", "index", "unit", "default", "range")
 

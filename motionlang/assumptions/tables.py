@@ -415,6 +415,7 @@ DEFAULTS = {
         "mint.speedreferrordeceltime-default": ("speedreferrordeceltime", ""),
         "mint.speedtestrefacceltime-default": ("speedtestrefacceltime", ""),
         "mint.speedtestrefdeceltime-default": ("speedtestrefdeceltime", ""),
+        "mint.speeddemand-default": ("speeddemand", ""),
         "mint.accel-default": ("accel", "accel ac acceltime acceljerk acceltimemax acceljerktime"),
         "mint.decel-default": ("decel", "decel deceltime deceljerk deceltimemax deceljerktime"),
         "mint.acceljerk-default": (
@@ -494,6 +495,7 @@ DEFAULTS = {
         "mint.fastlatchdistance-default": ("fastlatchdistance", ""),
         "mint.comparemode-default": ("comparemode", ""),
         "mint.compareoutput-default": ("compareoutput", ""),
+        "mint.comparelatch-default": ("comparelatch", ""),
         "mint.idlemode-default": ("idlemode", ""),
         "mint.idlepos-default": ("idlepos", ""),
         "mint.idlevel-default": ("idlevel", ""),

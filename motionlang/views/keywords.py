@@ -18,12 +18,15 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
-# The certainty of a fact, by the first word of its strength.
+# The certainty of a fact, by its strength.
 TRUST = {
     "manual": "printed in a manual",
     "code": "taken from running code",
     "sibling": "printed for a similar product",
-    "memory": "from memory, not checked against a manual",
+    "name only": "only the name, the arguments and the type; the meaning is assumed",
+    "memory high": "from memory with high confidence, not checked against a manual",
+    "memory medium": "from memory with medium confidence, not checked against a manual",
+    "memory low": "from memory with low confidence, not checked against a manual",
     "choice": "a choice: no source",
 }
 UNITS = {
@@ -92,7 +95,7 @@ def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
         **{name: getattr(row, name) for name in names},
         "simulated": row.simulated,
         "source": known["meaning"].source,
-        "trust": _trust(known["meaning"]),
+        "trust": known["meaning"].strength,
         "evidence": evidence,
     }
 
@@ -130,7 +133,7 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
     default = "" if row.default is None else _figure(row.default)
     evidence = of_word(dialect, row)
     known = evidence["meaning"]
-    trust = TRUST[_trust(known)]
+    trust = TRUST[known.strength]
     source = f"{known.source} ({trust})" if known.source else trust
     return [
         ("form", ", ".join(language(dialect).forms(row))),
@@ -143,10 +146,6 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
         ("group", row.group),
         ("known from", source),
     ]
-
-
-def _trust(evidence: Evidence) -> str:
-    return evidence.strength.partition(" ")[0]
 
 
 def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:

@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from motionlang.assumptions.facts import STRENGTHS
 from motionlang.cli import main
 from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
@@ -56,7 +57,10 @@ def test_the_page_of_a_word() -> None:
 def test_the_page_of_a_word_that_is_not_simulated_says_so() -> None:
     text = page([CAM], "mint")
     assert "  not simulated: the keyword is recognised, and a program that uses it gets a message.\n" in text
-    assert "  known from  Mint type library (from memory, not checked against a manual)\n" in text
+    assert (
+        "  known from  Mint type library (from memory with low confidence, not checked against a manual)\n"
+        in text
+    )
 
 
 def test_the_list() -> None:
@@ -78,7 +82,7 @@ def test_json_has_every_field_of_the_table(cell: Cell) -> None:
     document = json.loads(cell("keywords", "SV", "--dialect", "mccl", "--json").out)
     (row,) = document["keywords"]
     assert (row["dialect"], row["name"], row["unit"], row["simulated"]) == ("mccl", "SV", "uu/s", True)
-    assert row["trust"] in ("manual", "code", "memory")
+    assert row["trust"] in STRENGTHS
 
 
 def test_a_word_that_no_language_has(cell: Cell) -> None:

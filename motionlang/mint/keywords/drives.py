@@ -177,8 +177,14 @@ def _time(name: str, help: str) -> Keyword:
     return _setting(name, "number", help, f"{name}(0) = 200\nPRINT {name}(0)", _LONGEST)
 
 
-def _reading(name: str, short: str, unit: str, actions: str | Actions, help: str) -> Keyword:
-    return Keyword(name, short, "reading", "R", "axis", unit, actions, help,
+def _ignored(environment: Environment, axis: int, value: float) -> None:
+    """Accept a value that changes nothing."""
+
+
+def _reading(
+    name: str, short: str, unit: str, actions: str | Actions, help: str, access: str = "R"
+) -> Keyword:
+    return Keyword(name, short, "setting" if "W" in access else "reading", access, "axis", unit, actions, help,
                    f"JOG(0) = 100\nWAIT = 100\nPRINT {name}(0)\nCANCEL(0)", default=0.0, group="state")  # fmt: skip
 
 
@@ -227,7 +233,8 @@ ROWS = (
     _reference("POSREF", "", "uu", _POSITION,
                "Position reference: within a millisecond the axis is there, in a straight line.",
                "POSREF(0) = 2\nWAIT = 2\nPRINT POS(0)"),
-    _reading("SPEEDDEMAND", "sdd", "uu/s", "demand_velocity", "The speed that the drive is to have now."),
+    _reading("SPEEDDEMAND", "sdd", "uu/s", Actions("demand_velocity", write=of(Environment, _ignored)),
+             "The speed that the drive is to have now; SPEEDREF sets it. Writing SPEEDDEMAND changes nothing.", "RW"),
     _reading("SPEEDMEASURED", "sms", "uu/s", "velocity", "The measured speed, as VEL."),
     _reading("SPEEDERROR", "", "uu/s", _ERROR, "Demanded minus measured speed."),
     _reading("VELERROR", "", "uu/s", _ERROR, "Demanded minus measured velocity."),

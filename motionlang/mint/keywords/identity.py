@@ -161,8 +161,9 @@ ROWS = (
           Actions(read=answers(lambda environment: environment.machine.model or VIRTUAL)),
           "The controller: controller.model of the machine file, or Virtual Controller."),
     _word("FIRMWAREVERSION", "", "R", "none", "text", Actions(read=answers(version)), "The version of this program."),
-    _word("NUMBEROF", "no", "R", "item", "integer", Actions(read=answers(count)),
-          "How many there are of something: _noAXES counts the axes; of other things the machine file knows.",
+    _word("NUMBEROF", "no", "RW", "item", "integer", Actions(read=answers(count), write=_NOTHING_WRONG.write),
+          "How many there are of something: _noAXES counts the axes; of other things the machine file knows. Writing "
+          "it changes nothing.",
           default=None),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",
             group="constants"),

@@ -165,7 +165,14 @@ def _setting_of(attribute: str) -> Actions:
     )
 
 
-_PASSED = Actions(read=of(Compares, lambda compares, axis: int(compares.compare(axis).passed)))
+def _set_passed(compares: Compares, axis: int, passed: int) -> None:
+    compares.compare(axis).passed = bool(passed)
+
+
+_PASSED = Actions(
+    read=of(Compares, lambda compares, axis: int(compares.compare(axis).passed)),
+    write=of(Compares, _set_passed),
+)
 
 
 def _compare(name: str, sets: str, help: str, low: float, high: float, default: float) -> Keyword:
@@ -188,7 +195,7 @@ ROWS = (
             "State of position compare: 1 switches an output.",
             "COMPAREOUTPUT(0) = 2\nCOMPAREENABLE(2) = 1\nPRINT COMPAREENABLE(2)",
             default=0.0, low=0, high=1, group="latches"),
-    Keyword("COMPARELATCH", "", "reading", "R", "axis", "bool", _PASSED,
-            "1 when the axis has been at a compare position since the compare was enabled.", "PRINT COMPARELATCH(0)",
-            default=0.0, group="latches"),
+    Keyword("COMPARELATCH", "", "setting", "RW", "axis", "bool", _PASSED,
+            "1 when the axis has been at a compare position since the compare was enabled, or since 0 was written.",
+            "COMPARELATCH(0) = 0\nPRINT COMPARELATCH(0)", default=0.0, low=0, high=1, group="latches"),
 )  # fmt: skip
