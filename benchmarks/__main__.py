@@ -69,6 +69,8 @@ BARS: dict[str, Bar] = {
     "start_table": _most(5.5),
     "start_first_sight_table": _most(7.0),
     "start_hello": _most(2.5),
+    "start_check": _most(7.5),
+    "start_keywords": _most(5.0),
     # Machine time against CPU time.
     "shift_speed": _least(250_000.0),
     "shift_core_speed": _least(500_000.0),

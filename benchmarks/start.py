@@ -7,8 +7,8 @@ without a report and with the table for a terminal.
 The command is the script that a current pip writes for it. An older one (up to 25.0) writes a script that
 imports `re` for itself, which takes half as long as an empty Python. The package cannot avoid that, and it
 would hide half of the measured time: `start_installed` is the command as it is installed where this runs, and
-`start_re` that import alone. `start_hello` is a program of one line,
-`start_import` is `import motionlang` alone. Bytecode of the package exists before,
+`start_re` that import alone. `start_hello` is a program of one line. `start_check` checks the program, and
+`start_keywords` shows the page of a keyword. Bytecode of the package exists before,
 as after an installation.
 """
 
@@ -33,7 +33,18 @@ if __name__ == '__main__':
     sys.argv[0] = sys.argv[0].removesuffix('.exe')
     sys.exit(main())
 """
-FIGURES = ("cached", "first_sight", "table", "first_sight_table", "hello", "installed", "re", "import")
+FIGURES = (
+    "cached",
+    "first_sight",
+    "table",
+    "first_sight_table",
+    "hello",
+    "check",
+    "keywords",
+    "installed",
+    "re",
+    "import",
+)
 
 
 def command() -> list[str]:
@@ -70,6 +81,8 @@ def main() -> None:
             "table": [*run, PROGRAM],
             "first_sight_table": [*run, str(fresh)],
             "hello": [*run, HELLO, *silent],
+            "check": [sys.executable, str(script), "check", PROGRAM],
+            "keywords": [sys.executable, str(script), "keywords", "SPEED"],
             "installed": [*command(), "run", PROGRAM, *silent],
         }
         times: dict[str, list[float]] = {name: [] for name in cases}

@@ -47,6 +47,7 @@ LEVELS: dict[str, int] = {
     "servo": 2,
     "planners": 1,
     "cache": 1,
+    "analysis.cores": 1,
     "analysis.workers": 1,
     "analysis.planning": 2,
     "fast": 6,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.analysis.certificate import certificate, violations
 from motionlang.cli.complaints import complain, unreadable
-from motionlang.cli.golden import programs
+from motionlang.cli.program_files import programs
 from motionlang.errors import ProgramError
 from motionlang.execution import MACHINE_SUFFIX, machine_of, run
 from motionlang.source import STDIN_NAME, Source

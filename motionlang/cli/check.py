@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.findings_options import add_form
 from motionlang.cli.fix import Fixed, fix
-from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import add_command
+from motionlang.cli.program_files import programs
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
 from motionlang.lang.dialect import unknown_model

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.analysis.diff.reports import difference
 from motionlang.analysis.diff.tolerance import EXACT
-from motionlang.execution import dialect, dialects
 from motionlang.files import replacing
 from motionlang.report import SCHEMA, text
 from motionlang.views.diff import diff_lines
@@ -24,20 +23,6 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 MOST_DIFFERENCES = 8
-
-
-def programs(paths: Sequence[str]) -> list[str]:
-    """Return the programs of the paths, those of a folder by their suffixes, in order."""
-    found: list[str] = []
-    suffixes = tuple(suffix for name in dialects() for suffix in dialect(name).suffixes)
-    for path in paths:
-        if not os.path.isdir(path):
-            found.append(path)
-            continue
-        for folder, folders, files in os.walk(path):
-            folders.sort()
-            found += [os.path.join(folder, name) for name in sorted(files) if name.lower().endswith(suffixes)]
-    return found
 
 
 def golden_files(program: str) -> tuple[str, str]:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from motionlang.analysis.guesses import Guesses, answer_entry, guessed
 from motionlang.analysis.guesses.file import inline, machine_text
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
-from motionlang.cli.golden import programs
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.options import REPORTS, Options
 from motionlang.cli.parser import add_command
+from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
 from motionlang.cli.run_options import machine_time
 from motionlang.errors import Diagnostic

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypeVar
 
-from motionlang.analysis.sweeps.cores import cores
+from motionlang.analysis.cores import cores
 
 if TYPE_CHECKING:
     from argparse import ArgumentParser

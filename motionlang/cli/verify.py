@@ -12,9 +12,10 @@ from motionlang.analysis.scenarios import Scenario, unmet
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
 from motionlang.cli.findings_options import add_form
-from motionlang.cli.golden import differences, golden_files, programs, update
+from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import add_command
+from motionlang.cli.program_files import programs
 from motionlang.cli.review import NobodyAnswers, Quit, ask, review
 from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_besides import besides, expectations

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape, quoteattr
 
 from motionlang import __version__
 from motionlang.errors import CODES
@@ -100,6 +99,18 @@ def _junit(found: Sequence[Found], command: str) -> str:
             lines.append(f"<system-out>{escape(_xml(text))}</system-out>")
         lines.append("</testcase>")
     return "\n".join([*lines, "</testsuite>", "</testsuites>"]) + "\n"
+
+
+def escape(text: str) -> str:
+    """Return text as the content of an XML element; `xml.sax` would import an HTTP client."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def quoteattr(text: str) -> str:
+    """Return text as a quoted XML attribute."""
+    for letter, entity in (("\n", "&#10;"), ("\r", "&#13;"), ("\t", "&#9;")):
+        text = text.replace(letter, entity) if letter in text else text
+    return '"' + escape(text).replace('"', "&quot;") + '"'
 
 
 def _xml(text: str) -> str:

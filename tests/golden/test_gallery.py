@@ -11,7 +11,8 @@ import pytest
 
 from motionlang import run
 from motionlang.analysis.scenarios import scenario_files
-from motionlang.cli.golden import differences, golden_files, programs, update
+from motionlang.cli.golden import differences, golden_files, update
+from motionlang.cli.program_files import programs
 from motionlang.cli.verify_besides import besides, sweep_golden
 
 ROOT = Path(__file__).parent.parent.parent

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.cli.golden import programs
+from motionlang.cli.program_files import programs
 from motionlang.controller.faults import NAMES
 from motionlang.execution import run
 from motionlang.report import failure, text

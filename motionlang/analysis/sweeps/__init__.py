@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 
-from motionlang.analysis.sweeps.cores import cores
+from motionlang.analysis.cores import cores
 from motionlang.analysis.sweeps.job import Job
 from motionlang.analysis.sweeps.pool import Hand
 from motionlang.analysis.sweeps.quantities import quantity

@@ -1,0 +1,25 @@
+"""The programs that a command line names: files, and folders of files."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from motionlang.execution import dialect, dialects
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def programs(paths: Sequence[str]) -> list[str]:
+    """Return the programs of the paths, those of a folder by their suffixes, in order."""
+    found: list[str] = []
+    suffixes = tuple(suffix for name in dialects() for suffix in dialect(name).suffixes)
+    for path in paths:
+        if not os.path.isdir(path):
+            found.append(path)
+            continue
+        for folder, folders, files in os.walk(path):
+            folders.sort()
+            found += [os.path.join(folder, name) for name in sorted(files) if name.lower().endswith(suffixes)]
+    return found
