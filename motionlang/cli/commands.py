@@ -33,6 +33,7 @@ COMMANDS = {
     "plan": ("plan", "work out the missing figures of a move and write a program for it"),
     "notes": ("notes", "print the figures of the vendors' notes, such as TN1069"),
     "keywords": ("keywords", "look up a keyword"),
+    "explain": ("explain", "explain a diagnostic by its code"),
     "verify": ("verify", "compare programs with their golden files"),
     "pvt": ("pvt", "work with position-velocity-time moves for Copley drives"),
     "servo": ("servo", "simulate and tune the servo loop behind the profile"),

@@ -1,0 +1,75 @@
+"""`motionlang explain CODE`: the meaning of a diagnostic, an example and its fix."""
+
+from __future__ import annotations
+
+import re
+import sys
+import textwrap
+from typing import TYPE_CHECKING
+
+from motionlang.cli.explanations import ADVICE, EXAMPLES
+from motionlang.cli.parser import add_command
+from motionlang.errors import CODES, Diagnostic, nearest
+from motionlang.views.diagnostics import render
+from motionlang.views.terminal import draws, plain, wants_colour
+
+if TYPE_CHECKING:
+    import argparse
+
+    from motionlang.cli.parser import Commands
+
+WIDTH = 80
+EPILOG = """\
+examples:
+  motionlang explain never-started
+  motionlang explain "error[never]"
+  motionlang explain                   all codes
+"""
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """Add `motionlang explain` and its argument."""
+    parser = add_command(commands, "explain", summary, explain_command, EPILOG)
+    parser.add_argument(
+        "code",
+        metavar="CODE",
+        nargs="?",
+        help="the code in the brackets of a diagnostic; default: list all codes",
+    )
+
+
+def explain_command(arguments: argparse.Namespace) -> int:
+    """Print the explanation of a code, or the list of all; 1 if it is unknown."""
+    if arguments.code is None:
+        _write("".join(f"{_item(code)}\n" for code in sorted(CODES)))
+        return 0
+    code = re.sub(r"^(?:error|warning)\[(.*)\]:?$", r"\1", arguments.code.strip()).lower()
+    if code not in CODES:
+        near = nearest(code, CODES)
+        hint = f"did you mean {near}?" if near else "motionlang explain lists all codes"
+        found = Diagnostic("unknown-word", f"there is no diagnostic {code}", hint=hint)
+        sys.stderr.write(render(found, colour=wants_colour(sys.stderr)))
+        return 1
+    _write(explanation(code))
+    return 0
+
+
+def explanation(code: str) -> str:
+    """Return the text about a code of `CODES`."""
+    lines = [code, "", *textwrap.wrap(CODES[code], WIDTH - 2, initial_indent="  ", subsequent_indent="  ")]
+    if code in EXAMPLES:
+        for title, program in zip(("with it", "without it"), EXAMPLES[code], strict=True):
+            lines += ["", f"  {title}", *(f"    {line}" for line in program.splitlines())]
+    if code in ADVICE:
+        lines += ["", *textwrap.wrap(ADVICE[code], WIDTH - 2, initial_indent="  ", subsequent_indent="  ")]
+    return "\n".join(lines) + "\n"
+
+
+def _item(code: str) -> str:
+    return textwrap.fill(
+        CODES[code], WIDTH, initial_indent=f"{code:<22}", subsequent_indent=" " * 22, break_on_hyphens=False
+    )
+
+
+def _write(text: str) -> None:
+    sys.stdout.write(text if draws(sys.stdout) else plain(text))
