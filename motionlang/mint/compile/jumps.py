@@ -97,6 +97,11 @@ def jump(b: Body, node: nodes.Jump) -> None:
     key = node.name.lower()
     if key not in labels:
         at = node.at + 1 + (b.whole.problems.text(node.at + 1) == "#")
+        symbol = b.scope.find(node.name)
+        if symbol is not None and symbol.kind == "sub":
+            hint = f"a sub is called by its name alone: {symbol.name}"
+            b.whole.problems.add("unknown-word", f"{symbol.name} is a sub, not a label", at, hint)
+            return
         b.whole.problems.unknown(
             f"there is no label {node.name}", node.name, lambda: filter(None, labels), at
         )

@@ -278,6 +278,11 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
         return [*subs, *commands, *_FIRST_WORDS]
 
     message = f"{target.name} is neither a keyword nor a sub of this program"
+    following = b.scope.find(b.whole.problems.text(target.at + 1)) if target.name.lower() == "call" else None
+    if following is not None and following.kind == "sub":
+        hint = f"a sub is called by its name alone: {following.name}"
+        b.whole.problems.add("unknown-word", message, target.at, hint)
+        return
     b.whole.problems.unknown(message, target.name, known, target.at, table=b.whole.table)
 
 
