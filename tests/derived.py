@@ -21,6 +21,7 @@ WRITERS = (
     "tests.sources.page",
     "tests.report_types",
     "tests.cli_page",
+    "tests.stages_page",
 )
 
 
