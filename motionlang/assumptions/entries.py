@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from functools import cache
 from pathlib import Path
@@ -38,6 +39,8 @@ FILES = (
 )
 # The number of chapters before that of Mint's settings at power-up.
 AFTER = 3
+# The head of an entry after "[[section", and its line of keywords.
+_HEAD, _WORDS = ".reading]]", re.compile(r'^words = "([^"]*)"', re.MULTILINE)
 PROBE_KEYS = (
     *("before", "ask", "after", "answers", "form", "scale", "motion"),
     *("alone", "behind", "error", "needs", "machine"),
@@ -82,6 +85,40 @@ def chapters() -> tuple[Chapter, ...]:
 def readings() -> Mapping[str, Reading]:
     """Return every assumption by its name, in the order of the chapters."""
     return {each.name: each for each in _readings(chapters())}
+
+
+def entries_naming(word: str) -> list[Reading]:
+    """Return the assumptions that name a keyword, in the order of the chapters.
+
+    Only those entries are parsed.
+    """
+    texts = _texts().get(word, [])
+    defaults = [_default(row) for row in _rows_with_default().get(word, ())]
+    first, last = (
+        [_reading(tomllib.loads(text)) for n, text in texts if (n < AFTER) is early]
+        for early in (True, False)
+    )
+    return [*first, *defaults, *last]
+
+
+@cache
+def _texts() -> Mapping[str, list[tuple[int, str]]]:
+    """Return the TOML of the entries that name a word, with the number of their file."""
+    found: dict[str, list[tuple[int, str]]] = {}
+    for number, file in enumerate(FILES):
+        for entry in (ROOT / file).read_text(encoding="utf-8").split("\n[[section")[1:]:
+            words = _WORDS.search(entry) if entry.startswith(_HEAD) else None
+            for word in words[1].split() if words else ():
+                found.setdefault(word, []).append((number, entry.removeprefix(_HEAD)))
+    return found
+
+
+@cache
+def _rows_with_default() -> Mapping[str, list[Keyword]]:
+    found: dict[str, list[Keyword]] = {}
+    for row in with_default():
+        found.setdefault(row.name, []).append(row)
+    return found
 
 
 def _readings(found: Sequence[Chapter]) -> Iterator[Reading]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-from motionlang.assumptions.entries import readings
+from motionlang.assumptions.entries import entries_naming, readings
 from motionlang.assumptions.rules import facts_asked
 from motionlang.lang.dialect import dialect, dialects
 
@@ -37,10 +37,6 @@ def questions() -> Mapping[str, Reading]:
 def of_word(language: str, row: Keyword) -> list[Reading]:
     """Return the open assumptions of a keyword: its entries, then its own facts."""
     others = tuple(f"{each}." for each in dialects() if each != language)
-    entries = [
-        each
-        for each in readings().values()
-        if each.is_open and row.name in each.words and not each.name.startswith(others)
-    ]
+    entries = [each for each in entries_naming(row.name) if each.is_open and not each.name.startswith(others)]
     known = {each.name for each in entries}
     return entries + [each for each in facts_asked(language, row) if each.name not in known]

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from motionlang.assumptions.entries import chapters, readings
+from motionlang.assumptions.entries import chapters, entries_naming, readings
 from motionlang.assumptions.page import markdown
 from motionlang.execution import dialect, dialects
 
@@ -65,3 +65,11 @@ def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
         if switch.choices:
             assert len(switch.choices) == 1 + len(each.alternatives), name
         assert len(switch.choices or [1]) == len(each.probe.answers), name
+
+
+def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
+    """`keywords WORD` parses only these entries; each keyword of both languages has the same ones."""
+    for language in ("mint", "mccl"):
+        for row in dialect(language).table():
+            names = [each.name for each in readings().values() if row.name in each.words]
+            assert [each.name for each in entries_naming(row.name)] == names, row.name
