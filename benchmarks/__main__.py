@@ -24,7 +24,15 @@ from rich.table import Table
 FOLDER = Path(__file__).parent
 # Order: the ones that take seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "pvt", "watches", "cycle", "events", "proof")  # fmt: skip
+         "servo", "serve", "pvt", "watches", "cycle", "events", "growth",
+         "proof")  # fmt: skip
+
+# The kinds of programs whose growth is measured, by stage (growth.py).
+GROWTH = {
+    "compile": "assignments variables undeclared labels jumps for for_if subs moves mccl_moves",
+    "check": "variables labels for_if subs moves unknown unreadable no_value unused mccl_unknown",
+    "run": "display waits for_if moves mccl_moves",
+}
 
 
 class Bar(NamedTuple):
@@ -124,6 +132,8 @@ BARS: dict[str, Bar] = {
     "cycle_by_run_and_table": _most(1.1),
     "cycle_by_run_and_json": _most(1.1),
     "cycle_command": _most(1.1),
+    # The exponent by which calls grow with the size of a program.
+    **{f"growth_{stage}_{name}": _most(1.1) for stage, names in GROWTH.items() for name in names.split()},
     # The time of a proof of twice the run.
     "proof_168_over_82": _most(2.2),
 }
