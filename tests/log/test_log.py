@@ -155,7 +155,7 @@ def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytes
     source = Source("followed.mnt", FOLLOWED)
     expected = figures(run(source, machine=machine, cache=False))
     request.getfixturevalue("small")
-    result = run(source, machine=machine, cache=False)
+    result = run(source, machine=machine, cache=False, fast=False)
     a = result.controller.axes[0]
     assert a.older is not None
     assert a.older.count > 80
@@ -305,7 +305,7 @@ def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
 def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """It does not depend on packing, on the number of chunks, or on caching."""
     plant = {"axis.0.plant.load_inertia": 4e-5}
-    a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False).controller.axes[0]
+    a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False, fast=False).controller.axes[0]
     assert a.older is not None
     assert a.older.count > 80
     count = len(Followed(a).starts)
