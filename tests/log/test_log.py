@@ -51,6 +51,8 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     for name, value in (("MOST", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
+    monkeypatch.setattr(log_module, "FIRST_LOOK", 1)
+    monkeypatch.setattr(log_module, "HURRY", 0.0)
     monkeypatch.setattr(log_module, "MOST_PROFILES", 16)
     monkeypatch.setattr(log_module, "MOST_FOLLOWED", 16)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
@@ -155,7 +157,7 @@ def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytes
     source = Source("followed.mnt", FOLLOWED)
     expected = figures(run(source, machine=machine, cache=False))
     request.getfixturevalue("small")
-    result = run(source, machine=machine, cache=False, fast=False)
+    result = run(source, machine=machine, cache=False)
     a = result.controller.axes[0]
     assert a.older is not None
     assert a.older.count > 80
@@ -305,7 +307,7 @@ def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
 def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """It does not depend on packing, on the number of chunks, or on caching."""
     plant = {"axis.0.plant.load_inertia": 4e-5}
-    a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False, fast=False).controller.axes[0]
+    a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False).controller.axes[0]
     assert a.older is not None
     assert a.older.count > 80
     count = len(Followed(a).starts)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import tracemalloc
 from collections.abc import Callable
+from functools import partial
 from types import FrameType
 
 import pytest
@@ -125,7 +126,7 @@ def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) ->
     """Twice the wrong names are twice the work, though each search compares with all of them."""
     assert callable(write)
     calls_of(lambda: check(Source("a.mnt", write(10))))
-    once, twice = (calls_of(lambda n=n: check(Source("a.mnt", write(n)))) for n in (400, 800))
+    once, twice = (calls_of(partial(check, Source("a.mnt", write(n)))) for n in (400, 800))
     assert twice < 2.2 * once
 
 
@@ -138,5 +139,5 @@ def test_the_words_to_compare_with_are_collected_only_for_reported_mistakes() ->
         return ["y"]
 
     for at in range(2 * MOST):
-        problems.unknown("x is unknown", "x", lambda at=at: words(at), at)  # type: ignore[misc]
+        problems.unknown("x is unknown", "x", partial(words, at), at)
     assert collected == list(range(MOST))
