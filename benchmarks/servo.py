@@ -37,7 +37,7 @@ SECONDS = 60
 RATE = 4000
 STEPS = SECONDS * RATE
 ROUNDS = 7
-SHORTEST = 0.02
+MIN_TIME = 0.02
 ASKED = ("position", "output")
 LOOP = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
 MOTOR = Motor()
@@ -152,7 +152,7 @@ def timed(jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
         job()
         begin = process_time()
         job()
-        repeats[name] = max(1, round(SHORTEST / max(process_time() - begin, 1e-6)))
+        repeats[name] = max(1, round(MIN_TIME / max(process_time() - begin, 1e-6)))
         best[name] = float("inf")
     for _ in range(ROUNDS):
         for name, job in jobs.items():

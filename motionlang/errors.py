@@ -167,7 +167,7 @@ class Diagnostic:
 
 
 # Maximum characters of a value in a message.
-_LONGEST = 60
+_MAX_SHOWN = 60
 
 
 class ProgramError(Exception):
@@ -197,7 +197,7 @@ def shown(value: object) -> str:
 
 def clipped(text: str) -> str:
     """Return a quoted text of at most one line."""
-    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
+    return text if len(text) <= _MAX_SHOWN else f"{text[:_MAX_SHOWN]}…"
 
 
 class OldName(DeprecationWarning):

@@ -11,19 +11,19 @@ from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
-from motionlang.lang.nesting import Room
+from motionlang.lang.nesting import StackSpace
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.result import (
     Run,
     interrupted,
-    open_kept,
-    save_kept,
+    open_nonvolatile,
+    report_futile_waits,
+    report_keywords_without_effect,
+    report_never_started,
+    report_stuck,
+    save_nonvolatile,
     tell_guesses,
-    tell_never_started,
-    tell_stuck,
     tell_unasked,
-    tell_who_waited,
-    tell_words,
 )
 from motionlang.source import STDIN, Source
 
@@ -136,7 +136,7 @@ def run(
             source, overrides, remarks = edited(source, language, overrides)
         except ProgramError as error:
             wrong, overrides = error.diagnostics, None
-    settings = checked_settings(machine) if machine is not None else settings_beside(program)
+    settings = checked_settings(machine) if machine is not None else settings_next_to(program)
     if inputs or analog or answers or keys:
         from motionlang.lang.machine.entries import with_entries
 
@@ -158,7 +158,7 @@ def run(
     result.program = compiled
     if log_size is not None:
         result.machine.log.store.disk = int(log_size * 1e9)
-    if nv is not None and compiled is not None and not open_kept(result, nv):
+    if nv is not None and compiled is not None and not open_nonvolatile(result, nv):
         compiled = None
     if compiled is not None:
         size, last = compiled.size, end_of(settings) if until is None else until
@@ -193,14 +193,14 @@ def _perform(
 ) -> None:
     """Execute a compiled program and collect the remarks on its run."""
     if prove:
-        from motionlang.log.orders import Orders
+        from motionlang.log.expected_motion import ExpectedMotion
 
-        result.orders = Orders(result.controller)
+        result.orders = ExpectedMotion(result.controller)
     if begun is not None:
         begun(result.machine)
     result.diagnostics += compiled.warnings
     try:
-        with Room():
+        with StackSpace():
             _execute(result, compiled, until, pace, outside)
     except Exception as error:
         if not keep_crash:
@@ -213,9 +213,9 @@ def _perform(
         result.notes += notes(result.controller)
     result.notes += result.machine.notes
     if result.machine.without_effect or result.machine.assumed:
-        tell_words(result)
+        report_keywords_without_effect(result)
     if result.machine.nv is not None:
-        save_kept(result)
+        save_nonvolatile(result)
 
 
 def end_of(settings: Mapping[str, object]) -> float:
@@ -225,7 +225,7 @@ def end_of(settings: Mapping[str, object]) -> float:
     return until
 
 
-def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, object]:
+def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, object]:
     """Return the settings of the machine file next to a program with a path."""
     path = machine_of(program)
     if path is None:
@@ -340,10 +340,10 @@ def _execute(
         assert scheduler is not None
         result.status = scheduler.run(until)
         if result.status == "until":
-            tell_who_waited(result, scheduler)
+            report_futile_waits(result, scheduler)
         left = result.machine.never_started() if result.status == "ended" else []
         if left:
-            tell_never_started(result, left)
+            report_never_started(result, left)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
@@ -351,10 +351,10 @@ def _execute(
     except (KeyboardInterrupt, Terminated) as error:
         result.status = "interrupted"
 
-        result.controller.keep_whole()
+        result.controller.finish_updates()
         result.diagnostics.append(interrupted(result, scheduler, error))
     except Stuck as stuck:
-        tell_stuck(result, stuck, until)
+        report_stuck(result, stuck, until)
     except Exception as error:
         from motionlang.lang.run_errors import explain
 

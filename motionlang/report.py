@@ -41,7 +41,7 @@ _LISTS = ("moves", "events")
 # Moves that are written at once.
 AT_ONCE = 1000
 # Formatted moves that are cached, for equal ones.
-MOST_ALIKE = 4096
+MAX_EQUAL = 4096
 
 
 def build(run: Run) -> Report:
@@ -100,7 +100,7 @@ def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
     """
     running = _running(run)
     figures = _motor_figures(run.controller)
-    for number, move in enumerate(run.controller.log.moves.as_kept()):
+    for number, move in enumerate(run.controller.log.moves.as_stored()):
         if in_full is not None and number >= in_full and number not in figures:
             yield _brief(run, move, running)
             continue
@@ -134,7 +134,7 @@ def _move_lines(run: Run) -> Iterator[str]:
     figures = _motor_figures(run.controller)
     running = _running(run)
     known: dict[object, tuple[str, str]] = {}
-    for number, move in enumerate(run.controller.log.moves.as_kept()):
+    for number, move in enumerate(run.controller.log.moves.as_stored()):
         if isinstance(move, tuple):
             start_time, key = move[1], _key(move)
         elif id(move) in running or move.overlaid or number in figures:
@@ -144,7 +144,7 @@ def _move_lines(run: Run) -> Iterator[str]:
             start_time, key = move.start_time, _long_key(move)
         around = known.get(key)
         if around is None:
-            if len(known) >= MOST_ALIKE:
+            if len(known) >= MAX_EQUAL:
                 known.clear()
             text = line(_move(run, move_of(move) if isinstance(move, tuple) else move, {}, None))
             before, after = text.split(f'"start_time": {start_time!r}', 1)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.lang.task import Task
     from motionlang.library.moves import Moves
     from motionlang.library.report_types import Report, ReportMove
-    from motionlang.log.orders import Orders
+    from motionlang.log.expected_motion import ExpectedMotion
     from motionlang.log.trace import Trace
     from motionlang.source import Source
 
@@ -59,7 +59,7 @@ class Run:
         # An internal error, which ended the run.
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source
-        self.orders: Orders | None = None  # of a run to be proved
+        self.orders: ExpectedMotion | None = None  # of a run to be proved
         self.certificate: list[Limit] | None = None  # of a run with certified limits
 
     @property
@@ -131,10 +131,10 @@ class Run:
 
 
 # Maximum lines that are named for a keyword without effect.
-MOST_LINES = 5
+MAX_LINES = 5
 
 
-def tell_words(result: Run) -> None:
+def report_keywords_without_effect(result: Run) -> None:
     """Report keywords without full effect, with the lines that used them."""
     _tell(result, "keywords without effect here", result.machine.without_effect)
     _tell(result, "unknown values, 0 or empty here", result.machine.assumed)
@@ -149,13 +149,13 @@ def _tell(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
 def _in_lines(lines: list[int]) -> str:
     if not lines:
         return ""
-    shown = [str(line) for line in sorted(lines)[:MOST_LINES]]
-    if len(lines) > MOST_LINES:
+    shown = [str(line) for line in sorted(lines)[:MAX_LINES]]
+    if len(lines) > MAX_LINES:
         shown.append("…")
     return f" (line{'s' if len(lines) > 1 else ''} {', '.join(shown)})"
 
 
-def open_kept(result: Run, path: str) -> bool:
+def open_nonvolatile(result: Run, path: str) -> bool:
     """Lock and read the file of nv data; on failure return false and do not run."""
     from motionlang.files import InUse
     from motionlang.lang.machine.nonvolatile import NonVolatile
@@ -164,15 +164,15 @@ def open_kept(result: Run, path: str) -> bool:
         result.machine.nv = NonVolatile(path)
     except InUse:
         hint = "wait until it ends, or give each run its own file"
-        _no_kept(result, f"the nv data of {path} are in use by another run", hint)
+        _no_nonvolatile(result, f"the nv data of {path} are in use by another run", hint)
         return False
     except (OSError, ValueError) as problem:
-        _no_kept(result, f"the nv data of {path} cannot be read: {_why_not(problem)}")
+        _no_nonvolatile(result, f"the nv data of {path} cannot be read: {_why_not(problem)}")
         return False
     return True
 
 
-def save_kept(result: Run) -> None:
+def save_nonvolatile(result: Run) -> None:
     """Write the file of nv data, or report which data do not outlive the run."""
     kept = result.machine.kept
     if kept.path is None:
@@ -183,31 +183,31 @@ def save_kept(result: Run) -> None:
     try:
         kept.save()
     except OSError as problem:
-        _no_kept(result, f"the nv data cannot be written to {kept.path}: {_why_not(problem)}")
+        _no_nonvolatile(result, f"the nv data cannot be written to {kept.path}: {_why_not(problem)}")
 
 
 def _why_not(problem: Exception) -> str:
     return getattr(problem, "strerror", None) or str(problem)
 
 
-def _no_kept(result: Run, message: str, hint: str = "") -> None:
+def _no_nonvolatile(result: Run, message: str, hint: str = "") -> None:
     result.diagnostics.append(Diagnostic("file", message, hint=hint))
     result.status = "fault"
 
 
-def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
+def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
     """Report waits that only an event could have ended, and none did.
 
     They are not part of the run's figures.
     """
     if result.machine.moving():
-        _tell_lost(result, scheduler)
+        _report_endless_homing(result, scheduler)
         return
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == float("inf"):
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
-            _note_wait(result, task.at, task.wait.why)
+            _log_wait(result, task.at, task.wait.why)
             result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
@@ -216,12 +216,12 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
             result.notes.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
 
 
-def _note_wait(result: Run, at: int, why: str) -> None:
+def _log_wait(result: Run, at: int, why: str) -> None:
     """Log a wait that has run out as an event, at the source position of its task."""
     result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
 
 
-def _tell_lost(result: Run, scheduler: Scheduler) -> None:
+def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:
     """Report a homing that finds nothing, if no task can act on it any more."""
     if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
         result.diagnostics += _lost(result)
@@ -299,7 +299,7 @@ def tell_unasked(result: Run) -> None:
         )
 
 
-def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
+def report_never_started(result: Run, moves: Sequence[Move]) -> None:
     """Warn of moves that were loaded and not started: the first of each line."""
     for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
         text = result.source.line(move.line)
@@ -318,7 +318,7 @@ def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
         result.diagnostics.append(diagnostic)
 
 
-def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
+def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
     """Report a wait that nothing can end, unless the machine file sets the run's end."""
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
     lost = _lost(result)
@@ -327,7 +327,7 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.diagnostics += lost
         return
     message = f"the program waits {stuck.wait.why}, which can never happen"
-    _note_wait(result, stuck.task.at, stuck.wait.why)
+    _log_wait(result, stuck.task.at, stuck.wait.why)
     result.notes.append(f"line {line}: {message}")
     others = _others(result, stuck.task)
     for each in others:

@@ -53,10 +53,10 @@ def _prove_every_run() -> None:
         outside: Outside | None,
     ) -> None:
         from motionlang.analysis.proof.prove import prove
-        from motionlang.log.orders import Orders
+        from motionlang.log.expected_motion import ExpectedMotion
         from motionlang.log.track import Recorded
 
-        orders = Orders(result.controller) if result.orders is None else None
+        orders = ExpectedMotion(result.controller) if result.orders is None else None
         execute(result, compiled, until, pace, outside)
         if orders is not None and not orders.is_full:
             found = prove(Recorded(result.controller), orders, result.machine.clock.now).violations

@@ -85,7 +85,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "attention", "ends", "foreign", "literals", "parsing", "machine", "vocabulary"),
+        ("asked", "dependencies", "ends", "foreign", "literals", "parsing", "machine", "vocabulary"),
         ("scheduler",),
     ),
     "controller": (

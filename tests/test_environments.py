@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import cache
-from tests.cli.programs import LONGEST
+from tests.cli.programs import MAX_SECONDS
 from tests.installed import PROJECT, Install, closure, first_uses, needed
 
 posix = pytest.mark.skipif(os.name == "nt", reason="POSIX descriptors, homes and locales")
@@ -107,7 +107,7 @@ def result(
     command = [*install.python(*STRICT), "-m", "motionlang", *use.split()]
     ran = subprocess.run(
         ["sh", "-c", f'exec "$@" {closed}', "sh", *command], cwd=install.folder, env=install.environment,
-        text=True, encoding="utf-8", check=False, timeout=LONGEST, stdout=stdout, stderr=stderr,
+        text=True, encoding="utf-8", check=False, timeout=MAX_SECONDS, stdout=stdout, stderr=stderr,
     )  # fmt: skip
     return ran.returncode, ran.stdout or "", ran.stderr or ""
 

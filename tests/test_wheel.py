@@ -16,7 +16,7 @@ from packaging.requirements import Requirement
 from motionlang.client import Client
 from motionlang.errors import LIBRARIES
 from tests.built import ROOT
-from tests.cli.programs import LONGEST
+from tests.cli.programs import MAX_SECONDS
 from tests.installed import EXTRAS, PROJECT, USED, Install, check, closure, first_uses, helps, needed
 from tests.lowest import SUPPORTED, lowest
 
@@ -95,7 +95,7 @@ def test_a_board_is_served_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> N
         with Client.open(address.split()[-1]) as board:
             assert board.send("1TP") == ["01 0"]
         process.send_signal(signal.SIGTERM)
-        out, err = process.communicate(timeout=LONGEST)
+        out, err = process.communicate(timeout=MAX_SECONDS)
     assert (process.returncode, err) == (0, "")
     assert out.startswith("served 1 hosts")
 
@@ -105,7 +105,7 @@ def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
     opened = "from motionlang.client import Client; Client.open('COM7')"
     with install.start(code=opened) as process:
-        _, err = process.communicate(timeout=LONGEST)
+        _, err = process.communicate(timeout=MAX_SECONDS)
     assert err.splitlines()[-1] == (
         "motionlang.client.errors.ConnectionLost: "
         'a serial line needs pyserial: python -m pip install "motionlang[serial]"'

@@ -12,7 +12,7 @@ import sys
 from motionlang.analysis.proof.prove import prove
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
-from motionlang.log.orders import Orders
+from motionlang.log.expected_motion import ExpectedMotion
 from motionlang.log.track import Recorded
 
 _run = Scheduler.run
@@ -22,7 +22,7 @@ _count = [0]
 def _proved(scheduler: Scheduler, until: float = float("inf")) -> str:
     machine = scheduler.machine
     controller = machine.controller if isinstance(machine, Machine) else machine
-    orders = controller.orders or Orders(controller)
+    orders = controller.orders or ExpectedMotion(controller)
     status = _run(scheduler, until)
     found = prove(Recorded(controller), orders, controller.clock.now).violations
     if found:

@@ -67,11 +67,11 @@ def read(text: str, wanted: str = "") -> Answers:
     """
     found = Answers()
     lines = [_STAMP.sub("", line) for line in _ESCAPE.sub("", re.sub(r"\r\n?", "\n", text)).split("\n")]
-    told = _told_by_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
+    told = _answers_of_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
     if told:
         found.language = "mint"
     else:
-        told = _told_by_mccl(lines, found)
+        told = _answers_of_mccl(lines, found)
         found.language = "mccl" if told else ""
     if not told:
         what = (
@@ -97,7 +97,7 @@ def _is_a_probe(text: str) -> bool:
 # answers
 
 
-def _told_by_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
+def _answers_of_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
     """Return the answers by name, with their lines.
 
     The listing of the probe itself has a quote after the name.
@@ -115,7 +115,7 @@ def _told_by_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str,
     return told
 
 
-def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
+def _answers_of_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
     """The answers by name: the text after each mark, without the echoed question."""
     names = {mark(name): name for name in (*questions(), BEGIN, END, NEXT)}
     told: dict[str, list[tuple[str, int]]] = {}
@@ -195,14 +195,14 @@ def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
 
 def _take(found: Answers, reading: Reading, answer: str, line: int) -> None:
     try:
-        verdict = judged(reading, answer)
+        verdict = result_of(reading, answer)
     except ValueError as problem:
         found.complain(f"{reading.name}: {problem}", "nothing is set for it", line)
         return
     found.verdicts.append(verdict)
 
 
-def judged(reading: Reading, answer: str) -> Verdict:
+def result_of(reading: Reading, answer: str) -> Verdict:
     """Return the result of an answer; ValueError for a number that cannot be set."""
     probe = reading.probe
     assert probe is not None

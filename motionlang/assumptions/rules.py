@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 # Units of integer values, and of those that have a scale.
 SCALED = ("uu", "uu/s", "uu/s2", "uu/s3")
 # If an integer setting has no more values than this, each alternative is named.
-FEW = 4
+MAX_NAMED_VALUES = 4
 # The two scales between which a value is read back, and the value.
 SCALES, VALUE = (10, 20), 5
 # The fraction that is written, relative to the lowest value: no rounding makes it another value's.
@@ -38,7 +38,7 @@ AGAIN = "switch the drive off, and start the controller anew afterwards"
 def other_defaults(row: Keyword) -> list[str]:
     """Return the alternatives of a default: each value of a few, or a general text."""
     low, high = row.low if row.low is not None else 0, 1 if row.unit == "bool" else row.high
-    if not row.takes_fractions and high is not None and high - low < FEW:
+    if not row.takes_fractions and high is not None and high - low < MAX_NAMED_VALUES:
         few = [f"{value}" for value in range(int(low), int(high) + 1) if value != row.default]
         if few:
             return few
@@ -93,7 +93,7 @@ def unasked(language: str) -> frozenset[tuple[str, str]]:
     return frozenset(found)
 
 
-Asked = list[tuple[str, str, str, list[str], Probe]]
+Questions = list[tuple[str, str, str, list[str], Probe]]
 
 
 def _place(row: Keyword) -> str | None:
@@ -123,7 +123,7 @@ def _is_kept(row: Keyword) -> bool:
 # ------------------------------------------------------------------------------------------------------ Mint
 
 
-def _default(row: Keyword) -> Asked:
+def _default(row: Keyword) -> Questions:
     place = _place(row)
     if place is None or row.kind != "setting" or "R" not in row.access or isinstance(row.default, str):
         return []
@@ -132,11 +132,11 @@ def _default(row: Keyword) -> Asked:
     return [("default", question, f"{row.default:.10g}", other_defaults(row), probe)]
 
 
-def _range(row: Keyword) -> Asked:
+def _range(row: Keyword) -> Questions:
     """Return the last value and one beyond; the handler reports the rejected one."""
     if not _is_kept(row):
         return []
-    found: Asked = []
+    found: Questions = []
     for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
         if bound is None:
             continue
@@ -172,7 +172,7 @@ def _beyond(bound: float, step: int) -> str:
     return f"{bound + step:.10g}" if bound == int(bound) else f"{0 if bound * step < 0 else 2 * bound:.10g}"
 
 
-def _unit(row: Keyword) -> Asked:
+def _unit(row: Keyword) -> Questions:
     if not _is_kept(row):
         return []
     if row.unit in SCALED:
@@ -182,7 +182,7 @@ def _unit(row: Keyword) -> Asked:
     return []
 
 
-def _scale(row: Keyword) -> Asked:
+def _scale(row: Keyword) -> Questions:
     """A question with a second scale, which changes a value stored in counts only."""
     first, second = SCALES
     kept = VALUE * first / second
@@ -205,7 +205,7 @@ def _scale(row: Keyword) -> Asked:
     return [("scale", question, "yes: user units, kept in counts", ["no, or it is kept as written"], probe)]
 
 
-def _type(row: Keyword) -> Asked:
+def _type(row: Keyword) -> Questions:
     low = int(row.low or 0)
     probe = Probe(
         "mint",
@@ -223,7 +223,7 @@ def _type(row: Keyword) -> Asked:
     return [("type", f"What {row.name} makes of a fraction", "it is cut off: a whole number", others, probe)]
 
 
-def _short(row: Keyword) -> Asked:
+def _short(row: Keyword) -> Questions:
     """A question with a short form next to its keyword, if reading moves nothing."""
     place = _place(row)
     if place is None or "R" not in row.access:
@@ -234,7 +234,7 @@ def _short(row: Keyword) -> Asked:
     return [("short", f"The short form of {row.name}", row.short.upper(), others, probe)]
 
 
-def _number(row: Keyword) -> Asked:
+def _number(row: Keyword) -> Questions:
     """Return a question for the number of a constant."""
     if row.kind != "constant" or not re.fullmatch(r"-?\d+", row.verb):
         return []
@@ -248,11 +248,11 @@ def _number(row: Keyword) -> Asked:
 # ------------------------------------------------------------------------------------------------------ MCCL
 
 
-def _code(row: Keyword) -> Asked:
+def _code(row: Keyword) -> Questions:
     """A question whose parameter a board rejects with a code, or accepts silently."""
     if row.kind != "setting" or row.effect:
         return []
-    found: Asked = []
+    found: Questions = []
     axis = "{a}" if row.index in ("axis", "axes") else ""
     for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
         if bound is not None:
@@ -264,7 +264,7 @@ def _code(row: Keyword) -> Asked:
     return found
 
 
-def _bare(row: Keyword) -> Asked:
+def _bare(row: Keyword) -> Questions:
     """Return a question for a command that names no axis."""
     if row.kind != "reading" or row.access != "R" or row.index not in ("axis", "axes"):
         return []
@@ -275,11 +275,11 @@ def _bare(row: Keyword) -> Asked:
     return [("axis", f"{row.name} without an axis number", chosen, [other], probe)]
 
 
-MINT: dict[str, Callable[[Keyword], Asked]] = {
+MINT: dict[str, Callable[[Keyword], Questions]] = {
     "meaning": _number,
     "default": _default,
     "range": _range,
     "unit": _unit,
     "short": _short,
 }
-MCCL: dict[str, Callable[[Keyword], Asked]] = {"range": _code, "index": _bare}
+MCCL: dict[str, Callable[[Keyword], Questions]] = {"range": _code, "index": _bare}

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 # Maximum programs without limits that are named.
-MOST_NAMED = 5
+MAX_NAMED = 5
 
 
 def certify(result: Run, machine: str | None) -> list[Limit]:
@@ -94,6 +94,6 @@ def certify_folder(folder: str, options: Options) -> int:
         signed += not wrong
     sys.stdout.write(f"{signed} of {signed + failed} machines within their limits\n")
     if without:
-        more = f", and {len(without) - MOST_NAMED} more" if len(without) > MOST_NAMED else ""
-        sys.stdout.write(f"no limits given for {len(without)}: {', '.join(without[:MOST_NAMED])}{more}\n")
+        more = f", and {len(without) - MAX_NAMED} more" if len(without) > MAX_NAMED else ""
+        sys.stdout.write(f"no limits given for {len(without)}: {', '.join(without[:MAX_NAMED])}{more}\n")
     return 1 if failed or not signed else 0

@@ -153,7 +153,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     document: list[Found] = []
     jobs = 1 if STDIN in found_files else options.jobs
     for file, (language, source, settings, diagnostics, fixed) in zip(
-        found_files, in_parallel(partial(_looked_at, options=options), found_files, jobs), strict=True
+        found_files, in_parallel(partial(_checked_and_fixed, options=options), found_files, jobs), strict=True
     ):
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file
@@ -175,7 +175,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         if options.literals and source is not None and language:
             _list_literals(language, source, rows[-1], options.form == "json")
         if options.evidence and settings is not None and source is not None:
-            _tell_evidence(language, source, settings, rows[-1], options.form == "json")
+            _report_evidence(language, source, settings, rows[-1], options.form == "json")
     if options.form == "json":
         sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
     elif options.form != "text":
@@ -209,7 +209,7 @@ def _list_literals(language: str, source: Source, row: dict[str, object], as_jso
         )
 
 
-def _tell_evidence(
+def _report_evidence(
     language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
 ) -> None:
     """Print the open assumptions of a program with strength, or add them to its row."""
@@ -225,7 +225,7 @@ def _tell_evidence(
         sys.stdout.write(listing(found, width=width_of(sys.stdout), colour=wants_colour(sys.stdout)))
 
 
-def _looked_at(
+def _checked_and_fixed(
     file: str, options: CheckOptions
 ) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic], list[Fixed]]:
     """Return the findings of `_check`, and the fixes made before with `--fix`."""

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 MACHINE = ".toml"
 REPORT = "crash.txt"
 # The maximum of existing crash folders next to a new one.
-MOST = 1000
+MAX_FOLDERS = 1000
 
 
 def crash(error: BaseException, arguments: Sequence[str], source: Source | None = None) -> Diagnostic:
@@ -69,7 +69,7 @@ def _bundle(error: BaseException, arguments: Sequence[str], source: Source | Non
 
 def _folder() -> str:
     """Return a new folder that no other user may read."""
-    for number in range(MOST):
+    for number in range(MAX_FOLDERS):
         path = os.path.join(tempfile.gettempdir(), f"motionlang-crash-{os.getpid()}-{number}")
         try:
             os.mkdir(path, 0o700)

@@ -286,10 +286,10 @@ def _data(found: Any, parted: Any, charges: Sequence[Charge]) -> dict[str, Any]:
 
 
 def _print(found: Any, parted: Any, charges: Sequence[Charge], everything: bool) -> None:
-    from motionlang.views.diff import MOST, diff_lines
+    from motionlang.views.diff import MAX_LINES, diff_lines
     from motionlang.views.terminal import draws, plain, wants_colour
 
-    most = 1_000_000 if everything else MOST
+    most = 1_000_000 if everything else MAX_LINES
     lines = diff_lines(found, parted, charges, colour=wants_colour(sys.stdout), most=most) or [
         "no difference"
     ]

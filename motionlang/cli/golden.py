@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from motionlang.result import Run
 
-MOST_DIFFERENCES = 8
+MAX_DIFFERENCES = 8
 
 
 def golden_files(program: str) -> tuple[str, str]:
@@ -39,7 +39,7 @@ def differences(program: str, result: Run) -> list[str]:
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
-    found = diff_lines(difference(expected, json.loads(text(result, whole=False))), most=MOST_DIFFERENCES)
+    found = diff_lines(difference(expected, json.loads(text(result, whole=False))), most=MAX_DIFFERENCES)
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read()

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.guesses import Entry
     from motionlang.cli.parser import Commands
-    from motionlang.lang.asked import WorldRead
+    from motionlang.lang.loop_dependencies import WorldRead
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0

@@ -12,7 +12,7 @@ from motionlang.planners.counts import linear_scale, rotary_scale
 if TYPE_CHECKING:
     import argparse
 
-LEAST, MOST = 1e-6, 1e12
+MIN_VALUE, MAX_VALUE = 1e-6, 1e12
 
 
 def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
@@ -53,8 +53,8 @@ def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
         scale, how = _rotary(arguments)
     else:
         scale, how = (1.0 if arguments.scale is None else arguments.scale), ""
-    if not LEAST <= scale <= MOST:
-        raise ValueError(f"--scale must be a number of counts from {LEAST:g} to {MOST:g}")
+    if not MIN_VALUE <= scale <= MAX_VALUE:
+        raise ValueError(f"--scale must be a number of counts from {MIN_VALUE:g} to {MAX_VALUE:g}")
     return scale, how
 
 

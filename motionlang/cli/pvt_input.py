@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 GRID = 0.001
-MOST_TOLD = 20
+MAX_REPORTED = 20
 TOLERANCE = 1.0
 NAMES = {
     "table": "a file of points",
@@ -116,13 +116,13 @@ def diagnose(move: Move, start: float | None, *, strict: bool) -> list[Diagnosti
     """
     found = []
     troubles = check_points(move.points, start)
-    for bad in troubles[:MOST_TOLD]:
+    for bad in troubles[:MAX_REPORTED]:
         line = move.lines[bad.index] if bad.index < len(move.lines) else 0
         severity = "error" if bad.severe and strict else "warning"
         message = f"point {bad.index}: {bad.reason}" if move.points else bad.reason
         found.append(Diagnostic("range", message, line, hint=bad.consequence, severity=severity))
-    if len(troubles) > MOST_TOLD:
-        rest = f"{len(troubles) - MOST_TOLD} more points like these"
+    if len(troubles) > MAX_REPORTED:
+        rest = f"{len(troubles) - MAX_REPORTED} more points like these"
         found.append(Diagnostic("range", rest, severity=found[-1].severity))
     return found
 

@@ -11,7 +11,7 @@ from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_command
 from motionlang.cli.world_options import add_world, with_world, world_of
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.execution import dialect, dialect_of, machine_of
 from motionlang.lang.dialect import dialects
@@ -67,8 +67,8 @@ def open_session(
     complain = _show if at_terminal else _complain
     try:
         session = Session(language, machine_settings, overrides, show=_show, complain=complain)
-    except Refusal as refusal:
-        _complain(render(Diagnostic(refusal.code, refusal.message, hint=refusal.hint)))
+    except Rejected as rejected:
+        _complain(render(Diagnostic(rejected.code, rejected.message, hint=rejected.hint)))
         return 1
     session.colour = wants_colour(sys.stdout if at_terminal else sys.stderr)
     if file is not None:

@@ -30,7 +30,7 @@ q  quit and reject this change and all others
 """
 
 
-class NobodyAnswers(Exception):
+class NoAnswer(Exception):
     """Standard input has ended, or there is none, so no change is accepted."""
 
 
@@ -41,7 +41,7 @@ class Quit(Exception):
 def ask(question: str, keys: str) -> str:
     """Ask for one of the `keys` on a terminal or a pipe; "?" explains them.
 
-    Raises `NobodyAnswers` if neither gives one.
+    Raises `NoAnswer` if neither gives one.
     """
     while True:
         sys.stdout.write(f"{question} [{','.join(keys)},?] ")
@@ -52,7 +52,7 @@ def ask(question: str, keys: str) -> str:
             line = ""
         if not line:
             sys.stdout.write("\n")
-            raise NobodyAnswers
+            raise NoAnswer
         if not _is_terminal():
             sys.stdout.write(line if line.endswith("\n") else f"{line}\n")  # what a terminal would show
         answer = line.strip().lower()[:1]

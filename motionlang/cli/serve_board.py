@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.output_queue import dropped
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.execution import accelerators
 from motionlang.lang.machine.machine import Machine
@@ -48,8 +48,8 @@ def serve_board(
             source or Source("", ""), _say, lambda diagnostic: complain([diagnostic], source, args.file or "")
         )
         download.override(overrides)
-    except Refusal as refusal:
-        complain([Diagnostic(refusal.code, refusal.message, hint=refusal.hint)], None, "")
+    except Rejected as rejected:
+        complain([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)], None, "")
         return 1
     spy = Spy(_remark) if args.log else None
     with Server(

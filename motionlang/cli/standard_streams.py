@@ -29,7 +29,7 @@ def silence() -> None:
         pass
 
 
-class Whole(FileIO):
+class CompleteWriter(FileIO):
     """A file descriptor with complete writes: an interrupted one continues.
 
     Python's own text layer takes an interrupted write for a complete one if there is no buffer below it, and
@@ -48,7 +48,7 @@ class Whole(FileIO):
         return size
 
 
-class Dispensable(Whole):
+class Dispensable(CompleteWriter):
     """A descriptor whose write errors are ignored: they lose only the text.
 
     Such errors are a full disk and a reader that has gone.
@@ -78,13 +78,13 @@ def _write_whole() -> None:
     The exit status states how the command ended, which a lost message does not change.
     """
     if type(getattr(sys.stdout, "buffer", None)) is FileIO:
-        sys.stdout = _text(sys.stdout, Whole)
+        sys.stdout = _text(sys.stdout, CompleteWriter)
     below = getattr(sys.stderr, "buffer", None)
     if type(below) is FileIO or (type(below) is BufferedWriter and type(below.raw) is FileIO):
         sys.stderr = _text(sys.stderr, Dispensable)
 
 
-def _text(stream: object, kind: type[Whole]) -> TextIOWrapper:
+def _text(stream: object, kind: type[CompleteWriter]) -> TextIOWrapper:
     """Return a text stream on the descriptor of `stream` that writes at once."""
     assert isinstance(stream, TextIOWrapper)
     raw = kind(stream.fileno(), "wb", closefd=False)

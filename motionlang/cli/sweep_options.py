@@ -12,7 +12,7 @@ from motionlang.cli.world_options import add_world
 
 REPORTS = ("table", "csv", "none")
 # Rows of the table without --rows.
-MOST_ROWS = 20
+MAX_ROWS = 20
 EPILOG = f"""\
 Each variant is a complete run. Quantities for --keep:
 {chr(10).join(f"  {row.name:<13} {row.help}{f', {row.unit}' if row.unit else ''}" for row in ROWS)}
@@ -113,9 +113,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add(
         "--rows",
         type=_rows,
-        default=MOST_ROWS,
+        default=MAX_ROWS,
         metavar="N",
-        help=f"rows of the table ({MOST_ROWS}); 0 for all",
+        help=f"rows of the table ({MAX_ROWS}); 0 for all",
     )
     add(
         "--jobs",

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Cells = list[object]
 
 # Failed variants that are named for each error.
-MOST_BAD = 3
+MAX_FAILED = 3
 _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
@@ -62,7 +62,7 @@ class Report:
             self._print(arguments, sweep, rows, good, best, front)
         sys.stdout.flush()
         if bad:
-            self._tell_bad(sweep, bad, len(rows))
+            self._report_failures(sweep, bad, len(rows))
         status = self._draw(arguments, sweep, rows, good, best, front) if arguments.plot is not None else 0
         return 1 if bad else status
 
@@ -158,7 +158,7 @@ class Report:
 
     # --------------------------------------------------------------------------------------- failed variants
 
-    def _tell_bad(self, sweep: Sweep, bad: dict[int, Problem], count: int) -> None:
+    def _report_failures(self, sweep: Sweep, bad: dict[int, Problem], count: int) -> None:
         """Report failed variants separately, grouped by error."""
         from motionlang.views.sweep_table import cell
 
@@ -172,9 +172,9 @@ class Report:
         for message, indices in alike.values():
             named = [
                 ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
-                for index in indices[:MOST_BAD]
+                for index in indices[:MAX_FAILED]
             ]
-            more = f"; and {len(indices) - MOST_BAD} more" if len(indices) > MOST_BAD else ""
+            more = f"; and {len(indices) - MAX_FAILED} more" if len(indices) > MAX_FAILED else ""
             sys.stderr.write(f"  {message}\n    with {'; '.join(named)}{more}\n")
 
     # --------------------------------------------------------------------------------------------- the picture
@@ -207,7 +207,7 @@ class Report:
         front: list[int],
     ) -> str | None:
         """Draw a picture that fits the varied names; return the reason if there is none."""
-        from motionlang.views.sweep_plot import MOST_LINES, plot_front, plot_lines, plot_map
+        from motionlang.views.sweep_plot import MAX_LINES, plot_front, plot_lines, plot_map
 
         units = {name: unit_of(name) for name in self.keep}
         table: list[tuple[int, dict[str, Any]]] = [(n, self._values(sweep, rows, n)) for n in good]
@@ -223,7 +223,7 @@ class Report:
             return "no recorded quantity or no varied name is a number"
         others = [name for name in self.names if name != varied[0]]
         kinds = {tuple(str(values[name]) for name in others) for _, values in table}
-        if len(varied) == 1 or len(kinds) <= MOST_LINES:
+        if len(varied) == 1 or len(kinds) <= MAX_LINES:
             curves: dict[str, dict[str, list[tuple[float, ...]]]] = {name: {} for name in figures}
             for _, values in table:
                 label = ", ".join(f"{name} = {_short(values[name])}" for name in others)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.cli.golden import MOST_DIFFERENCES
+from motionlang.cli.golden import MAX_DIFFERENCES
 from motionlang.errors import Diagnostic
 
 if TYPE_CHECKING:
@@ -49,9 +49,9 @@ class Verdict:
         """Fail if any differences were found."""
         if found:
             self.fail("differs")
-            self.lines += [f"  {each}" for each in found[:MOST_DIFFERENCES]]
-            if len(found) > MOST_DIFFERENCES:
-                self.lines.append(f"  and {len(found) - MOST_DIFFERENCES} more")
+            self.lines += [f"  {each}" for each in found[:MAX_DIFFERENCES]]
+            if len(found) > MAX_DIFFERENCES:
+                self.lines.append(f"  and {len(found) - MAX_DIFFERENCES} more")
 
     def findings(self) -> list[Diagnostic]:
         """Return the result as diagnostics, for other tools."""

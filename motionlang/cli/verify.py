@@ -16,9 +16,9 @@ from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import add_command
 from motionlang.cli.program_files import programs
-from motionlang.cli.review import NobodyAnswers, Quit, ask, review
+from motionlang.cli.review import NoAnswer, Quit, ask, review
 from motionlang.cli.verdict import Verdict
-from motionlang.cli.verify_besides import besides, expectations
+from motionlang.cli.verify_further import expectations, further_checks
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.source import Source
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 SCHEMA = "motionlang.verify/1"
-NOBODY = """\
+NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
 accept all changes with --update. The golden files of this program are unchanged.
 """
@@ -90,11 +90,11 @@ def verify_command(
                     _review(each[0].name, verdict)
                 except Quit:
                     quits = True
-                except NobodyAnswers:
-                    sys.stderr.write(NOBODY)
+                except NoAnswer:
+                    sys.stderr.write(NO_ANSWER)
                     return 2
     if form == "text":
-        good = f"{_count(verdicts, 'program')}{_besides(verdicts)}"
+        good = f"{_count(verdicts, 'program')}{_further_counts(verdicts)}"
         sys.stdout.write(f"{good} {'have current golden files' if rewrite else 'match their golden files'}\n")
     elif form == "json":
         sys.stdout.write(
@@ -130,7 +130,7 @@ def _review_rows(program: str, verdict: Verdict) -> None:
     if answer == "q":
         raise Quit
     if answer == "y":
-        (again,) = besides(program, True, verdict.name)
+        (again,) = further_checks(program, True, verdict.name)
         verdict.failed = again.failed
         complain(again.diagnostics, again.source, again.place)
 
@@ -142,7 +142,7 @@ def _count(verdicts: Sequence[Verdict], kind: str) -> str:
     return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""
 
 
-def _besides(verdicts: Sequence[Verdict]) -> str:
+def _further_counts(verdicts: Sequence[Verdict]) -> str:
     parts = [_count(verdicts, kind) for kind in ("scenario", "sweep")]
     return "".join(f", {part}" for part in parts if part)
 
@@ -157,7 +157,7 @@ def _judged(rewrite: bool, program: str) -> list[Verdict]:
     verdict = Verdict(program)
     if _is_readable(verdict):
         (_update if rewrite else _verify)(verdict)
-    return [verdict, *besides(program, rewrite)]
+    return [verdict, *further_checks(program, rewrite)]
 
 
 def _verify(verdict: Verdict) -> None:

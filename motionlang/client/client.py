@@ -32,7 +32,7 @@ DRAIN = 0.5
 ESC = b"\x1b"
 ATTEMPTS = 3
 # The largest number of stored lines that were not requested, from background tasks.
-MOST_UNASKED = 1000
+MAX_UNASKED = 1000
 
 
 class Client:
@@ -47,7 +47,7 @@ class Client:
         self.timeout = timeout
         self.version = ""
         self.prompts = True
-        self.unasked: deque[str] = deque(maxlen=MOST_UNASKED)
+        self.unasked: deque[str] = deque(maxlen=MAX_UNASKED)
         self._wire = wire
         self._rest = b""
         try:

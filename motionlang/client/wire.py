@@ -14,7 +14,7 @@ from typing import Protocol
 from motionlang.client.errors import ConnectionLost
 from motionlang.errors import MissingExtra, need
 
-MOST = 65536
+MAX_UNREAD = 65536
 
 
 class Wire(Protocol):
@@ -61,7 +61,7 @@ class TcpWire:
         """
         try:
             self._socket.settimeout(max(timeout, 0.0))
-            data = self._socket.recv(MOST)
+            data = self._socket.recv(MAX_UNREAD)
         except (TimeoutError, BlockingIOError):
             return b""
         except OSError as error:
@@ -119,7 +119,7 @@ class SerialWire:
         try:
             self._line.timeout = max(timeout, 0.0)
             first: bytes = self._line.read(1)
-            return first + self._line.read(min(self._line.in_waiting, MOST)) if first else b""
+            return first + self._line.read(min(self._line.in_waiting, MAX_UNREAD)) if first else b""
         except (self._lost, OSError) as error:
             raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
 

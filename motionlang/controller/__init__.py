@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 
-def door(family: str, *modules: str) -> Callable[[str], ModuleType]:
+def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:
     """Return a `__getattr__` for a family that imports its modules on first use.
 
     The family is a package. From then on the module is an attribute of it, like every imported module.

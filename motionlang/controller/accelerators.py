@@ -24,7 +24,7 @@ class Accelerators:
     * `scheduler(…)`: the scheduler of a run, called like `Scheduler`
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
     * `counted(counters, steps)`: how many iterations of a loop with counters may be skipped
-    * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `Ahead`
+    * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
     """
 
     __slots__ = ("axes", "counted", "ranges", "scheduler", "servo")

@@ -216,7 +216,7 @@ class Axis:
         """Start the move of `loader`; false if there is none."""
         return False
 
-    def keep_whole(self, now: float) -> None:
+    def finish_updates(self, now: float) -> None:
         """Roll back or finish partial updates after an interrupt."""
 
     # ---------------------------------------------------------------------------------------- state at a time

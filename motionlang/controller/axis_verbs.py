@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.controller import motion, moves, triggers
 from motionlang.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.controller.core import Core
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Move
 from motionlang.planners import hold
 
@@ -57,7 +57,7 @@ SETTINGS = frozenset(
 class AxisVerbs(Core):
     """The commands of a language for one axis, in counts and seconds.
 
-    They raise Refusal if the axis cannot execute them.
+    They raise Rejected if the axis cannot execute them.
     """
 
     # ------------------------------------------------------------------------------------------- settings
@@ -161,7 +161,7 @@ class AxisVerbs(Core):
         a = self.axes[axis]
         if not self.may_enable(axis):
             words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
-            raise Refusal("enable-input", words, "the drive can be enabled while it is on")
+            raise Rejected("enable-input", words, "the drive can be enabled while it is on")
         a.enabled = True
         triggers.events.cleared(self, a)
         a.faults = 0
@@ -189,7 +189,7 @@ class AxisVerbs(Core):
         triggers.events.cleared(self, a)
         a.faults = 0
         if a.feedback is not None:
-            a.feedback.look_again()
+            a.feedback.search_again()
         self.tell("cleared", axis)
 
     def define_position(self, axis: int, position: float) -> None:
@@ -308,11 +308,11 @@ class AxisVerbs(Core):
         A `step`, counts/s, is the velocity at which a stepper starts and stops at once, with the axis's rates
         in between. `action` handles a stop if the caller has several axes on one profile.
         """
-        from motionlang.controller.motion.profile_playback import Played
+        from motionlang.controller.motion.profile_playback import Playback
 
         a = self.movable(axis)
         move = Move(axis, command, line, profile.end)
-        played = Played(on_path, step)
+        played = Playback(on_path, step)
         move.action = action or played
         self.end_move(a, "retarget")
         self.run_profile(

@@ -73,7 +73,7 @@ class Clock:
         self._kept += count
         return first
 
-    def at_kept(self, time: float, order: int, call: Callable[[], object]) -> Event:
+    def at_reserved(self, time: float, order: int, call: Callable[[], object]) -> Event:
         """Schedule a call like `at`, with a reserved order number."""
         event = Event(time, call)
         heappush(self._heap, (time, order, event))

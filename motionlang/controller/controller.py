@@ -11,8 +11,8 @@ from motionlang.controller import readers
 from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
-from motionlang.controller.faults import Refusal
-from motionlang.controller.readers import UNHEARD
+from motionlang.controller.faults import Rejected
+from motionlang.controller.readers import NO_SUBSCRIBER
 from motionlang.log.log import Log
 from motionlang.log.moves import power_up
 
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from motionlang.controller.motion.sampled_velocity import Track
     from motionlang.controller.moves.entries import Make, Table
     from motionlang.controller.moves.geometry import Arc, Line
-    from motionlang.controller.moves.guide import Guide
-    from motionlang.controller.readers import Hearing, Loader, Reader, Writer
+    from motionlang.controller.moves.path_policy import PathPolicy
+    from motionlang.controller.readers import Loader, Reader, Subscriber, Writer
     from motionlang.controller.triggers.latch import Compare, Latch
     from motionlang.controller.triggers.limit import Limit
     from motionlang.log.trace import Trace
@@ -37,7 +37,7 @@ class Controller(AxisVerbs):
     """`axes` axes numbered from `first`, a clock, and the log of all events.
 
     Unless stated, positions and distances are in counts and times in seconds. A rejected command raises
-    Refusal.
+    Rejected.
     """
 
     def __init__(
@@ -53,13 +53,13 @@ class Controller(AxisVerbs):
 
     # ----------------------------------------------------------------------------------- bound to an axis
 
-    def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
+    def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
         """Return a reader of a setting or an axis verb, for repeated use, in `unit`.
 
-        "place" is the unit of positions, "" that of counts and of quantities without a unit. `hearing` is
+        "place" is the unit of positions, "" that of counts and of quantities without a unit. `subscriber` is
         notified of each reading.
         """
-        return readers.reader(self, name, axis, unit, hearing)
+        return readers.reader(self, name, axis, unit, subscriber)
 
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
         """Return a writer of one of `SETTINGS`, for repeated use, in `unit`."""
@@ -93,12 +93,12 @@ class Controller(AxisVerbs):
             feedback.warned = call
             feedback.set_warn_limit(limit)
 
-    def take_mishaps(self, handles: Callable[[Refusal], bool]) -> None:
+    def set_fault_handler(self, handles: Callable[[Rejected], bool]) -> None:
         """Set the handler of run-time faults between statements.
 
-        `handles(refusal)` returns true if it has handled the fault.
+        `handles(rejected)` returns true if it has handled the fault.
         """
-        self.handles_mishap = handles
+        self.fault_handler = handles
 
     def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
         """Add a limit of an axis at the end `sign` of its travel, without a position yet.
@@ -155,14 +155,14 @@ class Controller(AxisVerbs):
         self,
         axes: Sequence[int],
         geometry: Line | Arc,
-        guide: Guide,
+        policy: PathPolicy,
         command: str = "",
         line: int = 0,
     ) -> None:
         """Load a path whose pace and joins are set by its guide."""
         from motionlang.controller.moves import path
 
-        path.load_guided(self, axes, geometry, guide, command, line)
+        path.load_guided(self, axes, geometry, policy, command, line)
 
     def replan_path(self, axis: int) -> None:
         """Continue on the present path of the axis at the pace that its guide gives now."""
@@ -414,7 +414,7 @@ class Controller(AxisVerbs):
         if encoder:
             return self.encoder(number)
         if number not in self.axes:
-            raise Refusal("axis", f"there is no axis {number} to follow")
+            raise Rejected("axis", f"there is no axis {number} to follow")
         return self.axes[number]
 
     # ---------------------------------------------------------------------------------- capture and
@@ -507,7 +507,7 @@ class Controller(AxisVerbs):
         """Apply a voltage to a simulated motor; motion ends at the commanded position."""
         a = self.axes[axis]
         if a.feedback is None:
-            raise Refusal(
+            raise Rejected(
                 "not-simulated",
                 f"axis {axis} has no simulated motor that a torque could turn",
                 f"the machine file gives it one with [axis.{axis}.plant]",

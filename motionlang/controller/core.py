@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from motionlang.controller import motion, moves, triggers
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
-from motionlang.controller.move import MOST_PIECES, Move
+from motionlang.controller.faults import Rejected
+from motionlang.controller.move import MAX_PIECES, Move
 from motionlang.controller.readings import Readings
 from motionlang.planners import hold
 from motionlang.planners.trapezoid import plan_trapezoid
@@ -44,14 +44,14 @@ class Core(Readings):
     def movable(self, axis: int) -> Axis:
         """Return an axis that may move.
 
-        Raises Refusal while it is disabled, has an error that locks it, its brake is set, or it is in a
+        Raises Rejected while it is disabled, has an error that locks it, its brake is set, or it is in a
         motion that allows no other.
         """
         a = self.axes[axis]
         triggers.conditions.refuse_motion(self, a)
         if a.move is not None and a.move.action is not None and a.move.action.exclusive:
             words = f"axis {axis} is in {a.move.command}, which takes no other motion"
-            raise Refusal("moving", words, "stop it before another motion")
+            raise Rejected("moving", words, "stop it before another motion")
         self._hold(a)
         return a
 
@@ -61,11 +61,11 @@ class Core(Readings):
             a.feedback.take_over(self)
 
     def rates(self, a: Axis, speed: float) -> tuple[float, float]:
-        """The rates in force for a move at `speed`; raise Refusal if it is not positive."""
+        """The rates in force for a move at `speed`; raise Rejected if it is not positive."""
         accel, decel = a.rates(speed)
         for rate, what in ((accel, "acceleration"), (decel, "deceleration")):
             if not rate > 0:
-                raise Refusal(
+                raise Rejected(
                     "zero-acceleration",
                     f"axis {a.index} cannot move: its {what} is {rate:g}",
                     f"a move needs an {what} above zero"
@@ -78,7 +78,7 @@ class Core(Readings):
         """Plan from the state of the axis to the end of the move."""
         speed = a.speed if move.speed is None else move.speed
         if not speed > 0:
-            raise Refusal(
+            raise Rejected(
                 "zero-speed",
                 f"axis {a.index} cannot move: its speed is {speed:g}",
                 "set a speed above zero; the move would never end",
@@ -108,7 +108,7 @@ class Core(Readings):
             made = plan(shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, bent)
             return made if eased is None else eased.then(made)
         except ValueError as problem:
-            raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
+            raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
 
     def start_move(self, a: Axis, move: Move) -> None:
         self.run_profile(a, move, self.plan_move(a, move))
@@ -162,22 +162,22 @@ class Core(Readings):
         for follower in tuple(a.followers):
             follower(profile)
         for limit in a.limits:
-            limit.look()
+            limit.check()
 
     def make_room(self) -> None:
         """Pack old profiles of all tracks."""
         self.log.make_room((*self.axes.values(), *self.encoders.values()))
 
-    def keep_whole(self) -> None:
+    def finish_updates(self) -> None:
         """Roll back or finish partial updates after an interrupt."""
         axes = (*self.axes.values(), *self.encoders.values())
         for a in axes:
-            a.keep_whole(self.clock.now)
-        self.log.keep_whole(axes)
+            a.finish_updates(self.clock.now)
+        self.log.finish_updates(axes)
         for a in axes:
             del a.starts[len(a.profiles) :]
         if self.orders is not None:
-            self.orders.keep_whole()
+            self.orders.finish_updates()
 
     def arrive(self, a: Axis) -> None:
         """Handle the end of the profile of the move in progress."""
@@ -203,13 +203,13 @@ class Core(Readings):
             try:
                 self.start_next(a)
                 return
-            except Refusal as refusal:
-                self.mishap(refusal)
+            except Rejected as rejected:
+                self.run_time_fault(rejected)
 
     def start_next(self, a: Axis) -> None:
         """Start the next entry of the buffer, if it is released.
 
-        Raises Refusal for an entry that cannot begin. It is skipped, and those behind it start once the error
+        Raises Rejected for an entry that cannot begin. It is skipped, and those behind it start once the error
         has been handled.
         """
         while a.move is None and a.index not in self.homings and a.buffer and a.buffer[0].released:
@@ -225,8 +225,8 @@ class Core(Readings):
                     self.start_move(a, move)
                 else:
                     move.action.begin(self, a, move)
-            except Refusal as refusal:
-                refusal.line = refusal.line or move.line
+            except Rejected as rejected:
+                rejected.line = rejected.line or move.line
                 for each in (a,) if move.action is None else move.action.together_with(a):
                     if self.orders is not None:
                         self.orders.refuse(each)
@@ -296,7 +296,7 @@ class Core(Readings):
         now = self.clock.now
         done = move.profile.cut(now - move.start_time)
         self.log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
-        if not ended and len(done.knots) > MOST_PIECES:
+        if not ended and len(done.knots) > MAX_PIECES:
             self.log.moves.split(move, done, now)
             move.profile = profile
             return

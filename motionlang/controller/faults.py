@@ -31,7 +31,7 @@ def names(bits: int) -> str:
     return ", ".join(name for k, name in enumerate(NAMES) if bits >> k & 1)
 
 
-class Refusal(Exception):
+class Rejected(Exception):
     """A command that the controller rejects; `code` is one of `errors.CODES`.
 
     The language decides how to handle it: Mint raises a run-time error, MCCL gives a `?` code, and both

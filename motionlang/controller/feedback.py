@@ -32,9 +32,9 @@ Invariants.
 - A future time is exact, or, if the block does not show it, the time at which to check again.
 
 Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are
-made up for. The first block after a change has `Ahead.short` samples and each further one four times as many,
-up to `LONG` seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback
-repeats at most the last block. A motor that has come to a standstill for good (`Stillness`) costs nothing
+made up for. The first block after a change has `SpeculativeServo.short` samples and each further one four times
+as many, up to `LONG` seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback
+repeats at most the last block. A motor that has come to a standstill for good (`StandstillDetector`) costs nothing
 until something is done to it.
 """
 
@@ -45,16 +45,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
+from motionlang.controller.faults import FOLLOWING_ERROR, Rejected
 from motionlang.controller.joined import Followed
 from motionlang.controller.triggers.watch import margin, place
 from motionlang.planners import hold
-from motionlang.servo.ahead import Ahead, seen_of
 from motionlang.servo.axis_loop import axis_loop
 from motionlang.servo.lookahead import (
     REST_ERROR,
     REST_TIME,
-    Sight,
+    SampleBlock,
     Window,
     crossing,
     next_other_side,
@@ -64,7 +63,8 @@ from motionlang.servo.lookahead import (
 )
 from motionlang.servo.replay import apply, run_to, sample_at, stands
 from motionlang.servo.settings import make_plant
-from motionlang.servo.standstill import Stillness, extent
+from motionlang.servo.speculative import SpeculativeServo, seen_of
+from motionlang.servo.standstill import StandstillDetector, extent
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -79,7 +79,7 @@ if TYPE_CHECKING:
     from motionlang.servo.replay import Change
 
     Section = Mapping[str, object]
-    Servos = Callable[..., Ahead]
+    Servos = Callable[..., SpeculativeServo]
 
 LONG = 0.5
 _NEVER = 1 << 62
@@ -127,7 +127,7 @@ class Feedback:
     def __init__(
         self, axis: Axis, clock: Clock, plant: Section, section: Section, servo: Servos | None = None
     ) -> None:
-        self._axis, self._clock, self._made_of = axis, clock, servo or Ahead
+        self._axis, self._clock, self._made_of = axis, clock, servo or SpeculativeServo
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
@@ -144,13 +144,13 @@ class Feedback:
             "program": Window(error=0.5, announced=False),
         }
         self._gains: Gains = {}
-        self._servo: Ahead | None = None
-        self._sight: Sight | None = None
+        self._servo: SpeculativeServo | None = None
+        self._sight: SampleBlock | None = None
         self._size = self._long = 0
         # The event of the next check, and its sample.
         self._event: Event | None = None
         self._due = _NEVER
-        self._stillness = Stillness()
+        self._stillness = StandstillDetector()
         # The last sample that was searched for events, which have all run.
         self.scanned = 0
 
@@ -220,7 +220,7 @@ class Feedback:
         k, sight = self._ahead()
         return self._sample_time(sight, k, next_other_side(sight.error[k:], error))
 
-    def _sample_time(self, sight: Sight, k: int, found: int | None) -> float:
+    def _sample_time(self, sight: SampleBlock, k: int, found: int | None) -> float:
         return self._horizon(sight) if found is None else (sight.first + k + found) / self._rate
 
     def settled_time(self, name: str = "rest") -> float:
@@ -252,22 +252,22 @@ class Feedback:
         return self.settled_time(name) <= self._clock.now
 
     @property
-    def calm(self) -> bool:
+    def at_standstill(self) -> bool:
         """True if the motor stays at standstill unless something is done to it."""
-        return self._stillness.calm
+        return self._stillness.at_standstill
 
     @property
     def resting(self) -> bool:
         """True if the motor is settled, at standstill elsewhere, or not under control."""
-        return self._servo is None or not self.closed or self.calm or self.is_settled()
+        return self._servo is None or not self.closed or self.at_standstill or self.is_settled()
 
-    def _horizon(self, sight: Sight) -> float:
-        return INFINITY if self.calm else max((sight.end - 1) / self._rate, self._clock.now)
+    def _horizon(self, sight: SampleBlock) -> float:
+        return INFINITY if self.at_standstill else max((sight.end - 1) / self._rate, self._clock.now)
 
     # -------------------------------------------------------------------------------------- commands
 
     def tune(self, gains: Gains) -> None:
-        """Set the program's gains; raise Refusal if they are invalid."""
+        """Set the program's gains; raise Rejected if they are invalid."""
         self._gains = dict(gains)
         if self._servo is None:
             return
@@ -279,7 +279,7 @@ class Feedback:
         try:
             self._do(chosen.loop)
         except ValueError as problem:
-            raise Refusal("range", f"axis {self._axis.index}: {problem}") from None
+            raise Rejected("range", f"axis {self._axis.index}: {problem}") from None
         self.chosen = chosen
 
     def open(self, volts: float) -> None:
@@ -309,7 +309,7 @@ class Feedback:
             if self._axis.profiles[-1].shape == "hold":
                 return
             self._wake()
-        meet = self.look_again if rests_as_seen(self._axis) else self._forget
+        meet = self.search_again if rests_as_seen(self._axis) else self._forget
         meet()
         for watch in self._axis.watches:
             self._take_side(watch)
@@ -322,20 +322,20 @@ class Feedback:
         self.windows["program"] = window
         if self._servo is not None:
             assert self._sight is not None
-            self.look_again()
+            self.search_again()
             self._sight.keep(self.scanned, self._sight.end)
 
     def set_error_limit(self, limit: float) -> None:
         """Set the following error, counts, at which the axis trips; inf for none."""
         self.error_limit = limit
-        self.look_again()
+        self.search_again()
 
     def set_warn_limit(self, limit: float) -> None:
         """Set the following error, counts, of a warning and arm it again; inf for none."""
         self.warn_limit, self.warning = limit, False
-        self.look_again()
+        self.search_again()
 
-    def look_again(self) -> None:
+    def search_again(self) -> None:
         """Search again after a change: another limit or watch, or a cleared fault."""
         if self._servo is None:
             return
@@ -350,7 +350,7 @@ class Feedback:
     def arm(self, watch: Watch) -> None:
         """Begin to watch a position."""
         self._take_side(watch)
-        self.look_again()
+        self.search_again()
 
     def _take_side(self, watch: Watch) -> None:
         off = self.position - place(self._axis, watch)
@@ -383,7 +383,7 @@ class Feedback:
         try:
             return axis_loop(self.section, self._gains, self.plant, self.model, self._axis.scale.counts)
         except ValueError as problem:
-            raise Refusal("range", f"the servo of axis {self._axis.index}: {problem}") from None
+            raise Rejected("range", f"the servo of axis {self._axis.index}: {problem}") from None
 
     def _wake(self) -> None:
         """Start the servo, as if run since power-up with the present gains."""
@@ -401,7 +401,7 @@ class Feedback:
         assert last is not None
         self._size = servo.short
         self._long = max(round(LONG * self._rate), self._size)
-        self._sight = Sight(servo.sample - len(last), seen_of(last))
+        self._sight = SampleBlock(servo.sample - len(last), seen_of(last))
         self._sight.keep(self._now, servo.sample)
         self.scanned = self._now
 
@@ -413,11 +413,11 @@ class Feedback:
             self._extend(now)
         return max(now - sight.first, 0)
 
-    def _ahead(self) -> tuple[int, Sight]:
+    def _ahead(self) -> tuple[int, SampleBlock]:
         """Return it with samples after it, unless the motor is at standstill for good."""
         assert self._sight is not None
         k, sight = self._here(), self._sight
-        if k + 1 >= len(sight) and not self.calm:
+        if k + 1 >= len(sight) and not self.at_standstill:
             self._extend(sight.first + k)
             k = self._here()
         return k, sight
@@ -433,27 +433,27 @@ class Feedback:
         for window in self.windows.values():
             window.pass_by(sight, self._target, first + 1)
         sight.keep(first, sight.end)
-        sight.extend(servo.look(self._size))
+        sight.extend(servo.run_block(self._size))
         if self._size == self._long:
-            self._judge(sight, now)
+            self._check_standstill(sight, now)
         self._size = min(4 * self._size, self._long)
 
-    def _judge(self, sight: Sight, now: int) -> None:
+    def _check_standstill(self, sight: SampleBlock, now: int) -> None:
         """Decide if the motor is at standstill for good.
 
         It is if its commanded position rests and the last block reached no new state.
         """
-        servo, was_calm = self._servo, self.calm
+        servo, was_calm = self._servo, self.at_standstill
         assert servo is not None
         new = None
         if stands(servo, self._long, servo.sample):
             new = extent(sight.encoder[-self._long :], sight.output[-self._long :])
-        self._stillness.judge(new, LONG)
-        if self.calm and now > servo.sample and servo.state == servo.began:
+        self._stillness.check(new, LONG)
+        if self.at_standstill and now > servo.sample and servo.state == servo.began:
             sight.keep(sight.end - 1, sight.end)
             sight.first = now - 1
             servo.skip(now - servo.sample)
-        if was_calm and not self.calm:
+        if was_calm and not self.at_standstill:
             self._await(now)
 
     def _forget(self) -> None:
@@ -467,7 +467,7 @@ class Feedback:
             servo.back(until)
             sight.keep(sight.first, until)
         self._size = servo.short
-        self.look_again()
+        self.search_again()
 
     # ------------------------------------------------------------------------------------------------- events
 
@@ -478,15 +478,15 @@ class Feedback:
                 return
             self._event.cancel()
         self._due = sample
-        self._event = self._clock.at(max(sample / self._rate, self._clock.now), self._look)
+        self._event = self._clock.at(max(sample / self._rate, self._clock.now), self._run_due)
 
-    def _look(self) -> None:
+    def _run_due(self) -> None:
         """Run what is due, and find the next event."""
         self._event, self._due = None, _NEVER
         while self._event is None:
             _, sight = self._ahead()
             sample = self._next(sight)
-            if sample is None and not self.calm:
+            if sample is None and not self.at_standstill:
                 self._await(sight.end - 1)
             if sample is None:
                 return
@@ -495,7 +495,7 @@ class Feedback:
             else:
                 self._happen(sample)
 
-    def _next(self, sight: Sight) -> int | None:
+    def _next(self, sight: SampleBlock) -> int | None:
         """Return the next sample with an event; None if none is seen."""
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
@@ -510,7 +510,7 @@ class Feedback:
                 found += [sample for sample, _ in onsets if self.scanned < sample < sight.end][:1]
         return min(found, default=None)
 
-    def _passes(self, sight: Sight) -> list[tuple[Watch, int | None, int]]:
+    def _passes(self, sight: SampleBlock) -> list[tuple[Watch, int | None, int]]:
         """Return when the motor next passes each watched position, and its side then."""
         assert self._servo is not None
         found = []

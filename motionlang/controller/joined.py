@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile
 
 # Packed profiles that are cached as objects once they have been read.
-_MOST_UNPACKED = 1024
+_MAX_UNPACKED = 1024
 
 
 class Joined:
@@ -55,7 +55,7 @@ class Joined:
             return older.start(index)
         found = self._unpacked.get(index)
         if found is None:
-            if len(self._unpacked) >= _MOST_UNPACKED:
+            if len(self._unpacked) >= _MAX_UNPACKED:
                 self._unpacked.clear()
             found = self._unpacked[index] = older.profile(index)
         return found
@@ -71,9 +71,9 @@ class Joined:
         if not column:
             return [*(row[0] for row in packed), *now]
         known = self._unpacked
-        if len(packed) > _MOST_UNPACKED:
+        if len(packed) > _MAX_UNPACKED:
             return [*(unpacked(row[1]) for row in packed), *now]
-        if len(known) + len(packed) > _MOST_UNPACKED:
+        if len(known) + len(packed) > _MAX_UNPACKED:
             known.clear()
         for number, row in enumerate(packed, first):
             if number not in known:

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 # Pieces of a profile after which the move continues as a new entry of the log.
-MOST_PIECES = 500
+MAX_PIECES = 500
 # The value of `ended` of the entry before.
 CONTINUED = "continued"
 

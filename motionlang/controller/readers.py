@@ -1,7 +1,7 @@
 """Readers and writers bound to an axis: made once per program, called repeatedly.
 
 A reader returns values in the unit that it was made for. One of a quantity that changes by itself takes a
-`Hearing`. While there is a subscriber, it is notified of each reading, with a function that gives the time at
+`Subscriber`. While there is a subscriber, it is notified of each reading, with a function that gives the time at
 which the quantity passes the level it is compared with.
 """
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     Level = float | tuple[float] | None
     Until = Callable[..., float]
 
-    class Asked(Protocol):
+    class DependencySink(Protocol):
         """A subscriber to readings; `notes` is None while there is none."""
 
         notes: list[Any] | None
@@ -38,18 +38,18 @@ if TYPE_CHECKING:
         def note(self, until: Until, *about: Any) -> None:
             """Record a reading that may change at `until(*about)`."""
 
-    class Hearing(Protocol):
+    class Subscriber(Protocol):
         """The subscriber to readings, and the wrap of positions by axis."""
 
         @property
-        def attention(self) -> Asked: ...
+        def dependencies(self) -> DependencySink: ...
 
         wraps: dict[int, float]
 
 
 INFINITY = float("inf")
 # The unit of a position on the axis, which counts from its zero.
-PLACE = "place"
+POSITION = "place"
 # Verbs that give the time at which a reading passes a level, in counts, or has an extremum if that is
 # infinite.
 _CROSSINGS = {
@@ -63,22 +63,24 @@ _CROSSINGS = {
 }
 
 
-class _Nobody:
+class _NoSubscriber:
     """No subscriber and no wrap."""
 
     notes: list[Any] | None = None
 
     def __init__(self) -> None:
-        self.attention, self.wraps = self, dict[int, float]()
+        self.dependencies, self.wraps = self, dict[int, float]()
 
     def note(self, until: Until, *about: Any) -> None:
         """Ignore the reading."""
 
 
-UNHEARD: Hearing = _Nobody()
+NO_SUBSCRIBER: Subscriber = _NoSubscriber()
 
 
-def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
+def reader(
+    controller: AxisVerbs, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER
+) -> Reader:
     """Return the reader of a setting of `SETTINGS` or of a verb with an axis.
 
     Raises KeyError for an axis that does not exist.
@@ -86,12 +88,12 @@ def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing:
     a = controller.axes[axis]
     if name in SETTINGS:
         return setting(attrgetter(name), a, unit)
-    until = passing(controller, name, a, unit, hearing.wraps)
+    until = passing(controller, name, a, unit, subscriber.wraps)
     written_out = _WRITTEN_OUT.get((name, unit))
     if written_out is not None:
-        return written_out(controller, a, hearing, until)
+        return written_out(controller, a, subscriber, until)
     verb = getattr(controller, name)
-    return converted(lambda: verb(axis), a.scale, unit, hearing, until)
+    return converted(lambda: verb(axis), a.scale, unit, subscriber, until)
 
 
 def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping[int, float]) -> Until:
@@ -104,14 +106,14 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
     crossing_time = getattr(controller, _CROSSINGS[name]) if name in _CROSSINGS else None
 
     def until(level: Level = None) -> float:
-        wrap = wraps.get(axis) if unit == PLACE else None
+        wrap = wraps.get(axis) if unit == POSITION else None
         if controller.is_still(axis):
             return clock.now if level == INFINITY else INFINITY
         if crossing_time is None or level is None or (wrap and level == INFINITY):
             return clock.now
         if isinstance(level, tuple):
             return min(until(level[0]), until(-level[0]))
-        if unit != PLACE:
+        if unit != POSITION:
             return float(crossing_time(axis, scale.to_counts(level, unit)))
         here = scale.position_to_user(getattr(controller, name)(axis)) if wrap else 0.0
         return passing_within(
@@ -148,13 +150,13 @@ def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
 
 
 def converted(
-    read: Callable[[], Any], scale: Scale, unit: str, hearing: Hearing, until: Until = float
+    read: Callable[[], Any], scale: Scale, unit: str, subscriber: Subscriber, until: Until = float
 ) -> Reader:
     """Return any reading in `unit`, if it has one."""
-    if not unit and hearing is UNHEARD:
+    if not unit and subscriber is NO_SUBSCRIBER:
         return read
     power, factors = POWERS.get(unit), scale.factors
-    asked, note = hearing.attention, hearing.attention.note
+    asked, note = subscriber.dependencies, subscriber.dependencies.note
 
     def heard(level: Level = None) -> Any:
         if asked.notes is not None:
@@ -194,14 +196,19 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
 
 
 def _position(
-    controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until, actual: bool = True
+    controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
 ) -> Reader:
     """Return the reader of the position.
 
     It caches the present piece of the profile, because polling loops read nothing else.
     """
     clock, scale = controller.clock, a.scale
-    asked, note, wraps, axis = hearing.attention, hearing.attention.note, hearing.wraps, a.index
+    asked, note, wraps, axis = (
+        subscriber.dependencies,
+        subscriber.dependencies.note,
+        subscriber.wraps,
+        a.index,
+    )
     begun = since = c0 = c1 = c2 = c3 = 0.0
     still, until = False, -1.0
     profile: Profile | None = None
@@ -235,11 +242,11 @@ def _position(
 
 
 def _velocity(
-    controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until, actual: bool = True
+    controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
 ) -> Reader:
     """Return the reader of the velocity, from the cached piece of the profile."""
     clock, factors = controller.clock, a.scale.factors
-    asked, note = hearing.attention, hearing.attention.note
+    asked, note = subscriber.dependencies, subscriber.dependencies.note
     begun = since = c1 = twice_c2 = thrice_c3 = 0.0
     until = -1.0
     profile: Profile | None = None
@@ -274,16 +281,18 @@ def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[flo
     return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))
 
 
-def _is_idle(controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until) -> Reader:
+def _is_idle(controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until) -> Reader:
     return a.idle_reader()
 
 
 _WRITTEN_OUT: dict[tuple[str, str], Callable[..., Reader]] = {
-    ("position", PLACE): _position,
-    ("demand", PLACE): lambda controller, a, hearing, until: _position(controller, a, hearing, until, False),
+    ("position", POSITION): _position,
+    ("demand", POSITION): lambda controller, a, subscriber, until: _position(
+        controller, a, subscriber, until, False
+    ),
     ("velocity", "uu/s"): _velocity,
-    ("demand_velocity", "uu/s"): lambda controller, a, hearing, until: _velocity(
-        controller, a, hearing, until, False
+    ("demand_velocity", "uu/s"): lambda controller, a, subscriber, until: _velocity(
+        controller, a, subscriber, until, False
     ),
     ("is_idle", ""): _is_idle,
 }

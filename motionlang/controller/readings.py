@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
     from motionlang.controller.accelerators import Accelerators
     from motionlang.controller.clock import Event
-    from motionlang.controller.faults import Refusal
+    from motionlang.controller.faults import Rejected
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
     from motionlang.controller.triggers.watch import Watch
+    from motionlang.log.expected_motion import ExpectedMotion
     from motionlang.log.log import Log
-    from motionlang.log.orders import Orders
 
 
 class Readings:
@@ -65,10 +65,10 @@ class Readings:
         # The conditions to be checked when all axes of a motion have it; None if they are checked at once.
         self.looks_later: list[Condition] | None = None
         # The record of a run that is to be proved.
-        self.orders: Orders | None = None
+        self.orders: ExpectedMotion | None = None
         # The handler of run-time faults while the program does something else; it returns true if it has
         # handled one.
-        self.handles_mishap: Callable[[Refusal], bool] | None = None
+        self.fault_handler: Callable[[Rejected], bool] | None = None
 
     def moving(self) -> list[int]:
         """Return the axes that are not idle; slaves only if they move."""
@@ -151,7 +151,7 @@ class Readings:
     def is_still(self, axis: int) -> bool:
         """True if the axis and its simulated motor, if any, are at standstill for good."""
         a = self.axes[axis]
-        return a.stands and (a.feedback is None or a.feedback.calm)
+        return a.stands and (a.feedback is None or a.feedback.at_standstill)
 
     def target(self, axis: int) -> float:
         return self.axes[axis].target
@@ -345,10 +345,10 @@ class Readings:
     def set_analogue_output(self, channel: int, value: float) -> None:
         self.analogue_outputs[channel] = value
 
-    def mishap(self, refusal: Refusal) -> None:
+    def run_time_fault(self, rejected: Rejected) -> None:
         """Raise a run-time fault outside a statement: the program handles it, or ends."""
-        if self.handles_mishap is None or not self.handles_mishap(refusal):
-            raise refusal
+        if self.fault_handler is None or not self.fault_handler(rejected):
+            raise rejected
 
     def tell(self, what: str, axis: int) -> None:
         """Notify the listeners; one may leave during its notification."""

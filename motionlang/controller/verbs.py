@@ -9,14 +9,14 @@ from motionlang.controller import readers
 from motionlang.controller.axis import Axis
 from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.clock import Clock
-from motionlang.controller.readers import UNHEARD
+from motionlang.controller.readers import NO_SUBSCRIBER
 from motionlang.controller.triggers.limit import Limit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from motionlang.controller.readers import Hearing, Loader, Reader, Writer
+    from motionlang.controller.readers import Loader, Reader, Subscriber, Writer
     from motionlang.controller.triggers.limit import Limit
 
 # Verb -> description. Every verb is a method of `Controller`; the dialects call no other.
@@ -32,7 +32,7 @@ VERBS: dict[str, str] = {
     "follow_profiles": "Be told of each profile that an axis begins.",
     "warn_of_error": "Be told when a following error has passed a limit.",
     "forget_history": "Drop what nobody will ask for.",
-    "take_mishaps": "Be told of what goes wrong between statements.",
+    "set_fault_handler": "Be told of what goes wrong between statements.",
     "set_servo_model": "Say whose gains those of a servo loop are.",
     "restore": "Give all settings of an axis their values at power-up.",
     "setting": "Read a setting back.",
@@ -156,7 +156,7 @@ VERBS: dict[str, str] = {
     "settling": "The axes whose motors have not come to rest.",
     "rest_time": "The time at which a motor will be at rest, or can be looked at again.",
     "tell": "Tell the listeners what has happened to an axis.",
-    "mishap": "Tell what went wrong while the program did something else.",
+    "run_time_fault": "Tell what went wrong while the program did something else.",
 }
 
 
@@ -192,15 +192,15 @@ class Recorder:
         """Return a limit that is never passed."""
         return Limit(self, axis, sign, bit, action, physical)  # type: ignore[arg-type]
 
-    def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
+    def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
         """Return a reader that records every reading."""
         a = self.axes[axis]
         if name in SETTINGS:
             return readers.setting(lambda _: self.setting(axis, name), a, unit)
-        if unit == readers.PLACE:
+        if unit == readers.POSITION:
             return lambda *level: a.scale.position_to_user(getattr(self, name)(axis))
-        until = readers.passing(self, name, a, unit, hearing.wraps)  # type: ignore[arg-type]
-        return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, hearing, until)
+        until = readers.passing(self, name, a, unit, subscriber.wraps)  # type: ignore[arg-type]
+        return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, subscriber, until)
 
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
         """Return a writer that records every setting, in counts."""

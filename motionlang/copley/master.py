@@ -103,8 +103,8 @@ class Master:
             return self._stream(points, way)
         except canopen.SdoCommunicationError:
             raise StreamError(f"node {self.node_id} does not answer") from None
-        except canopen.SdoAbortedError as refusal:
-            raise StreamError(f"the drive rejected a message: {refusal}") from None
+        except canopen.SdoAbortedError as rejected:
+            raise StreamError(f"the drive rejected a message: {rejected}") from None
         except can.CanError as problem:
             raise StreamError(f"the bus failed: {problem}") from None
 
@@ -299,8 +299,8 @@ class Master:
     def _write(self, index: int, sub: int, value: int) -> None:
         try:
             self._variable(index, sub).raw = value
-        except canopen.SdoAbortedError as refusal:
-            raise StreamError(f"the drive rejected object {index:#06x}:{sub}: {refusal}") from None
+        except canopen.SdoAbortedError as rejected:
+            raise StreamError(f"the drive rejected object {index:#06x}:{sub}: {rejected}") from None
 
     def _read(self, index: int, sub: int = 0) -> int:
         return int(self._variable(index, sub).raw)

@@ -60,8 +60,8 @@ class DriveNode(LocalNode):
             return bytes(super().get_data(index, subindex, check_readable=check_readable))
         try:
             value = self.objects.read(index, subindex)
-        except Abort as refusal:
-            raise SdoAbortedError(refusal.code) from None
+        except Abort as rejected:
+            raise SdoAbortedError(rejected.code) from None
         return value.to_bytes(_size(entry), "little", signed=entry.kind[0] == "i")
 
     def set_data(self, index: int, subindex: int, data: bytes, check_writable: bool = False) -> None:
@@ -74,8 +74,8 @@ class DriveNode(LocalNode):
             return
         try:
             self._write(entry, bytes(data))
-        except Abort as refusal:
-            raise SdoAbortedError(refusal.code) from None
+        except Abort as rejected:
+            raise SdoAbortedError(rejected.code) from None
 
     def send_status(self) -> None:
         """Transmit every event-driven PDO that carries object 0x2012."""

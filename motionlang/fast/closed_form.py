@@ -1,7 +1,7 @@
 """The closed form of a linear servo: samples along a cubic in one expression.
 
-Replaces: the plain steps of `Ahead` (servo/ahead.py). A linear loop goes from one cubic of its command to the
-next by its closed form. Plain steps do the samples between cubics and around the limits, and everything
+Replaces: the plain steps of `SpeculativeServo` (servo/speculative.py). A linear loop goes from one cubic of its
+command to the next by its closed form. Plain steps do the samples between cubics and around the limits, and everything
 nonlinear.
 
 Hook: `Accelerators.servo`; `Feedback` makes its servo of it.
@@ -29,10 +29,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.servo.ahead import SEEN, SHORT, Ahead
 from motionlang.servo.cubics import cubic_behind, moved, value
 from motionlang.servo.discrete import discretise
-from motionlang.servo.linear import Probe, kept_places
+from motionlang.servo.linear import Probe, remembered_states
+from motionlang.servo.speculative import SEEN, SHORT, SpeculativeServo
 from motionlang.servo.steps import MEMORY
 
 if TYPE_CHECKING:
@@ -45,9 +45,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-LONGEST = 512
+MAX_TABLE = 512
 """The longest table, in samples."""
-_MOST_UNIT = 64
+_MAX_UNIT = 64
 _OUTPUT = SEEN.index("output")
 # A motion smaller than this, in any unit, is zero.
 _NOTHING = 1e-30
@@ -59,7 +59,7 @@ _SHORT = 256
 # Samples of a cubic from which the closed form is quicker than plain steps.
 _WORTHWHILE = 48
 # Samples of plain steps after one that exceeds a limit; each premature retry doubles them, up to the maximum.
-_PATIENCE, _MOST_PATIENCE = 32, 1024
+_PATIENCE, _MAX_PATIENCE = 32, 1024
 # Samples of plain steps at the start of a new loop: its table takes as long to make as some thousands of
 # them.
 _TRIAL = 256
@@ -72,7 +72,7 @@ def closed_form(loop: Loop, plant: Motor | Drive) -> ClosedForm | None:
     None if more than their state decides which terms act.
     """
     unit = lcm(loop.ratio, loop.derivative_every if loop.derivative else 1)
-    if not (loop.is_linear and plant.is_linear) or unit > _MOST_UNIT:
+    if not (loop.is_linear and plant.is_linear) or unit > _MAX_UNIT:
         return None
     if loop.accel_ff != loop.decel_ff or (loop.has_integral and loop.integral_mode != "always"):
         return None
@@ -89,7 +89,7 @@ class ClosedForm:
     def __init__(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
         made = discretise(plant, loop.period)
         self.ratio, self.unit, self.every = loop.ratio, unit, loop.derivative_every if loop.derivative else 1
-        self._kept = kept_places(loop, made.names)
+        self._kept = remembered_states(loop, made.names)
         memory = len(made.names) + MEMORY.index("last_position")
         self._width = len(self._kept) + 6
         self._places = [i for i, place in enumerate(self._kept) if place in (0, memory)]
@@ -99,7 +99,7 @@ class ClosedForm:
         # A loop that overflows within a stretch exceeds its limits before that.
         with np.errstate(all="ignore"):
             self._begin(loop, plant, unit)
-            while self.longest < LONGEST:
+            while self.longest < MAX_TABLE:
                 self._double()
         self._has = [
             bool(rows.any() or states.any()) for rows, states in zip(self._rows, self._states, strict=True)
@@ -245,7 +245,7 @@ def _product(a: Array, b: Array) -> Array:
     return made
 
 
-class ClosedFormServo(Ahead):
+class ClosedFormServo(SpeculativeServo):
     """One axis under servo, simulated ahead of time by its closed form."""
 
     _form_of: tuple[Loop, ClosedForm | None] | None = None
@@ -258,12 +258,12 @@ class ClosedFormServo(Ahead):
         """Samples of the first block after a change that another may follow."""
         return SHORT if self._form(self._sample + _SHORT) is None else _SHORT
 
-    def look(self, count: int) -> Array:
+    def run_block(self, count: int) -> Array:
         """Run `count` samples and return a row for each of `SEEN`, in motor coordinates."""
         first, until = self._sample, self._sample + count
         form = self._form(until)
         if form is None:
-            return super().look(count)
+            return super().run_block(count)
         self._marks, self._stepped, made = [self._mark()], None, np.empty((len(SEEN), count))
         if first < self._stays:
             self._step(self._stays, made)
@@ -318,7 +318,7 @@ class ClosedFormServo(Ahead):
             if good < count:
                 stop = first + -(-(done + patience) // unit) * unit
                 self._step(min(stop, until), out[:, done:])
-                patience = min(2 * patience, _MOST_PATIENCE)
+                patience = min(2 * patience, _MAX_PATIENCE)
 
     def _form(self, until: int) -> ClosedForm | None:
         """The closed form of the loop in control; None if none applies before `until`.

@@ -171,7 +171,7 @@ class FastAxis(Axis):
             self.in_motion = False
         self.writing = None
 
-    def keep_whole(self, now: float) -> None:
+    def finish_updates(self, now: float) -> None:
         """After an interrupt, complete partial writes and roll back an unlogged move."""
         if self.writing is not None:
             self._go_on_writing()
@@ -293,7 +293,7 @@ class FastAxis(Axis):
             target += self.target - base
         watches = self.watches
         if watches.all or self.limits:
-            low, high = watches.free or triggers.next_watches.free_way(self, start)
+            low, high = watches.free or triggers.next_watches.free_interval(self, start)
             if not (low < start < high and low < target < high):
                 return False
         way = target - start

@@ -16,7 +16,7 @@ A joint state is everything that decides the next actions of the tasks:
 * the variables that tasks share, and the counters of their other actions (`Shared.state`),
 * the task of the next time slice, and the events so far.
 
-Readings are included by their dependencies. `Attention.read` collects those of all tasks since the first
+Readings are included by their dependencies. `Dependencies.read` collects those of all tasks since the first
 state was stored. The period repeats until the first time at which one of them may change, an event happens,
 or a wait outside the period ends. So a state that recurs proves a period, whatever the tasks are doing.
 
@@ -26,7 +26,7 @@ are replaced by numbers, and a task that has not run since keeps its number.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.statement_time import UNITS, StatementTime, units
 from motionlang.lang.task import CLOSE, INFINITY, WATCH, Delay
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.controller.controller import Controller
-    from motionlang.lang.attention import Note
+    from motionlang.lang.dependencies import Note
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Shared, Task, Wait
 
@@ -72,7 +72,7 @@ class Recurrence:
     def forget(self) -> None:
         """Drop all states, because a task did more than poll and wait."""
         if self._shared is not None:
-            self._shared.attention.read = None
+            self._shared.dependencies.read = None
             self._since = self._shared = None
 
     def has_run(self, task: Task) -> None:
@@ -92,7 +92,7 @@ class Recurrence:
         *acts, contents = shared.state(self._alive)
         since = self._clock.fired, acts
         full = len(self._met) > MAX_STATES or self._bytes > MAX_BYTES
-        if since != self._since or full or shared.attention.read is not self._read:
+        if since != self._since or full or shared.dependencies.read is not self._read:
             self._begin(since, shared)
         state = [turn, self._number(contents)]
         for task in tasks:
@@ -117,7 +117,7 @@ class Recurrence:
     def _begin(self, since: object, shared: Shared) -> None:
         """Drop all states from before now."""
         self._since, self._shared = since, shared
-        self._read = shared.attention.read = set()
+        self._read = shared.dependencies.read = set()
         self._met, self._numbers, self._bytes = {}, {}, 0
         self._states, self._alive = {}, {}
 
@@ -148,7 +148,7 @@ class Recurrence:
             return False
         shared = self._shared
         assert shared is not None
-        level = shared.attention.until(before[0] - CLOSE, self._read) - CLOSE
+        level = shared.dependencies.until(before[0] - CLOSE, self._read) - CLOSE
         if level <= now:  # a reading has changed, and the next period may differ
             self._begin(self._since, shared)
             return False
@@ -160,7 +160,7 @@ class Recurrence:
                 if task.in_vain is None and task.look and task.look[1] and _lasts(task.wait) <= WATCH:
                     task.in_vain = now
         if limit == until == INFINITY:
-            raise Refusal("never", "the loops look for something that can no longer happen", "")
+            raise Rejected("never", "the loops look for something that can no longer happen", "")
         times = int((min(limit, until) - CLOSE - now) / (now - before[0]))
         if times <= 0:
             return False

@@ -2,12 +2,12 @@
 
 Replaces: the round of `Scheduler` in which every task is checked for the end of its wait. `idle_round`
 resumes tasks that wait for a time or for motion to end one after the other, each found in one pass over the
-ends of the waits. `passes_in_turn` lets a wait pass without a switch if its task is the next to continue
+ends of the waits. `passes_among_others` lets a wait pass without a switch if its task is the next to continue
 anyway. All other cases (two tasks at one time, an event in between, a wait for a condition) are left to the
 scheduler.
 
 Hook: `Accelerators.scheduler`. The run loop of `Scheduler` calls `idle_round` while all tasks may be waiting;
-a WAIT or PAUSE of Mint calls `passes_in_turn`. After each time slice `slice_over` calls `recurrence.py`.
+a WAIT or PAUSE of Mint calls `passes_among_others`. After each time slice `slice_over` calls `recurrence.py`.
 
 Gain: four tasks 1.8 to 2.0 times (`shift_four_tasks` of benchmarks/shift.py).
 
@@ -174,9 +174,9 @@ class TimeSlices(Scheduler):
             recurrence.forget()  # tasks may have run since the last call
         recurrence.leap(self.tasks, self._turn, self.until)
 
-    def stir(self) -> None:
+    def invalidate_waits(self) -> None:
         """Invalidate the known ends of the waits."""
-        super().stir()
+        super().invalidate_waits()
         self.next_turn, self._known = -INFINITY, []
 
     def _horizon(self, task: Task, now: float, due: float) -> float:
@@ -191,7 +191,7 @@ class TimeSlices(Scheduler):
             horizon = event
         return due if due < horizon else horizon
 
-    def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
+    def passes_among_others(self, since: float, end: float, by_bell: bool) -> float:
         """Let a wait of one of several tasks pass, if they wake in turn.
 
         Returns how far it may then run, 0.0 if it yields. With `by_bell` its end is an event that wakes no

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.lang.listing import Listing
+    from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
@@ -181,7 +181,7 @@ class Dialect:
         """
         return bool(line.strip())
 
-    def asked(self, source: Source) -> Callable[[int], Asked | None]:
+    def asked(self, source: Source) -> Callable[[int], LoopDependencies | None]:
         """Return a function for the readings of a loop or conditional wait at an offset.
 
         The function returns None if they are not known.

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.asked import Read
     from motionlang.lang.dialect import Dialect
+    from motionlang.lang.loop_dependencies import Read
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task, Wait
     from motionlang.source import Source

@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 # Quantities of MCCL without a command of their own: the integral's mode, and the rate, for which there are
 # three.
-BESIDE = {"IO": "integral_mode", "RATE": "rate"}
+FURTHER = {"IO": "integral_mode", "RATE": "rate"}
 
 
 def gain_words(language: str, rows: Iterable[Keyword]) -> dict[str, str]:
     """Return the quantity of the loop that each gain of a language sets, by keyword."""
-    return {row.name: row.tunes for row in rows if row.tunes} | (BESIDE if language == "mccl" else {})
+    return {row.name: row.tunes for row in rows if row.tunes} | (FURTHER if language == "mccl" else {})
 
 
 def written(words: Mapping[str, str], values: Mapping[str, float]) -> Gains:

@@ -28,7 +28,7 @@ _lock = allocate_lock()
 _limits: list[int] = []
 
 
-class Room:
+class StackSpace:
     """A block in which Python may nest enough calls for any program.
 
     Blocks of several threads may overlap. The limit belongs to all threads, so it is restored when the last

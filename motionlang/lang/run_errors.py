@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError
 
 TYPE_CHECKING = False
@@ -39,7 +39,7 @@ def explain(dialect: Dialect, source: Source, task: Task | None, error: Exceptio
     """Return the diagnostic for an error of a run; None if it is an internal error."""
     if isinstance(error, ProgramError):
         return error.diagnostics[0]
-    if isinstance(error, Refusal):
+    if isinstance(error, Rejected):
         code, message, hint = error.code, error.message, error.hint
     elif isinstance(error, NotSimulated):
         code, message, hint = "not-simulated", error.message, error.hint
@@ -52,7 +52,7 @@ def explain(dialect: Dialect, source: Source, task: Task | None, error: Exceptio
 
 
 def _where(dialect: Dialect, source: Source, task: Task | None, error: Exception) -> tuple[int, int, int]:
-    if isinstance(error, Refusal) and error.line:
+    if isinstance(error, Rejected) and error.line:
         text = source.line(error.line)
         indent = len(text) - len(text.lstrip())
         return error.line, indent + 1, max(1, len(text.strip()))

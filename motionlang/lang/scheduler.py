@@ -149,17 +149,17 @@ class Scheduler:
 
     def start(self, task: Task) -> None:
         """Start a further task now."""
-        self.stir()
+        self.invalidate_waits()
         self.tasks.append(task)
 
     def end(self, task: Task) -> None:
         """Stop a task that the running one ends."""
-        self.stir()
+        self.invalidate_waits()
         self._forget(task)
 
     def interrupt(self, task: Task) -> None:
         """Run a task to its end before any other continues."""
-        self.stir()
+        self.invalidate_waits()
         self.machine.log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
@@ -214,7 +214,7 @@ class Scheduler:
     def slice_over(self, task: Task) -> None:
         """Handle the end of a task's time slice."""
 
-    def stir(self) -> None:
+    def invalidate_waits(self) -> None:
         """Invalidate the known ends of waits: the running task changed a wait or a task."""
         self._statements.share()
 
@@ -237,7 +237,7 @@ class Scheduler:
             clock.advance(time)
         return False
 
-    def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
+    def passes_among_others(self, since: float, end: float, by_bell: bool) -> float:
         """Let a wait of one of several tasks pass, like `passes`.
 
         Returns how far it may then run, 0.0 if it yields.

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
-    from motionlang.lang.attention import Attention
+    from motionlang.lang.dependencies import Dependencies
     from motionlang.lang.machine.machine import Machine
 
     class Shared(Protocol):
         """The state shared by the tasks of a program."""
 
-        attention: Attention
+        dependencies: Dependencies
 
         def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
             """Return two counters of actions that cannot be compared, and the variables."""

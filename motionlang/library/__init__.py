@@ -98,7 +98,7 @@ def check(
     choices, for another model or language.
     """
     from motionlang.errors import ProgramError
-    from motionlang.execution import checked_settings, dialect_for, settings_beside
+    from motionlang.execution import checked_settings, dialect_for, settings_next_to
     from motionlang.lang.dialect import unknown_model
     from motionlang.lang.foreign import one_sentence
     from motionlang.lang.machine.axes import missing_axes
@@ -111,7 +111,7 @@ def check(
     program = _checked(program)
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
-    settings = settings_beside(program) if machine is None else checked_settings(machine)
+    settings = settings_next_to(program) if machine is None else checked_settings(machine)
     axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
     wrong = missing_axes(settings, axes, language.first_axis)
     if wrong:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 # Samples beyond which a motor's history is not stored in one object: twenty minutes at 4 kHz.
-MOST_SAMPLES = 5_000_000
+MAX_SAMPLES = 5_000_000
 # The motor quantities of a trace, and their columns of a `ServoTrace`.
 COLUMNS = {
     "actual": "measured",
@@ -131,7 +131,7 @@ def servo_trace(a: Axis, until: float) -> ServoTrace | None:
     feedback = a.feedback
     if feedback is None or feedback.first_loop is None:
         return None
-    if until * feedback.first_loop.servo_rate > MOST_SAMPLES:
+    if until * feedback.first_loop.servo_rate > MAX_SAMPLES:
         return None
     return whole(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
 

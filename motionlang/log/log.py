@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 # Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
 # those of each axis that are never packed.
-MOST_PROFILES, MOST_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
+MAX_PROFILES, MAX_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
 # The number of profiles after which a loop that starts motion after motion is detected: more than one in half
 # a millisecond, from no more than a few lines.
-FIRST_LOOK, HURRY, FEW_LINES = 1024, 5e-4, 4
+FIRST_CHECK, HURRY, FEW_LINES = 1024, 5e-4, 4
 
 
 def _most(axes: Collection[Axis]) -> int:
-    return MOST_PROFILES if all(a.feedback is None for a in axes) else MOST_FOLLOWED
+    return MAX_PROFILES if all(a.feedback is None for a in axes) else MAX_FOLLOWED
 
 
 def nowhere() -> int:
@@ -79,7 +79,7 @@ class Log:
         self.where: Callable[[], int] = nowhere
         self.others: list[Stream[Any]] = []
         # How many profiles may be made before some are packed.
-        self.room = FIRST_LOOK
+        self.room = FIRST_CHECK
         self._looked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
@@ -117,9 +117,9 @@ class Log:
 
     def make_room(self, axes: Collection[Axis]) -> None:
         """Pack profiles; the first time only check how they follow each other."""
-        self._look()
+        self._check_hurry()
         if not self._looked:
-            self._looked, self.room = True, _most(axes) - FIRST_LOOK
+            self._looked, self.room = True, _most(axes) - FIRST_CHECK
             return
         self.pack(axes)
 
@@ -140,10 +140,10 @@ class Log:
             assert a.older is not None
             count -= a.older.take_from(a, count)
 
-    def _look(self) -> None:
+    def _check_hurry(self) -> None:
         """Report a loop that starts motion after motion without time to execute them."""
-        last = self.moves[-min(len(self.moves), FIRST_LOOK) :]
-        if len(last) < FIRST_LOOK // 2 or self.hurried is None:
+        last = self.moves[-min(len(self.moves), FIRST_CHECK) :]
+        if len(last) < FIRST_CHECK // 2 or self.hurried is None:
             return
         span = last[-1].start_time - last[0].start_time
         if span < HURRY * len(last) and len({move.line for move in last}) <= FEW_LINES:
@@ -159,10 +159,10 @@ class Log:
             if a.older is not None and self.moves:
                 a.older.forget_before(self.moves[self.moves.first].start_time)
 
-    def keep_whole(self, axes: Iterable[Axis]) -> None:
+    def finish_updates(self, axes: Iterable[Axis]) -> None:
         """Complete partial packing after an interrupt."""
         for stream in self._streams():
-            stream.keep_whole()
+            stream.finish_updates()
         for a in axes:
             if a.older is not None:
                 a.older.complete(a)

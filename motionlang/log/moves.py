@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from motionlang.log.log import Log
     from motionlang.log.older_profiles import Profiles
     from motionlang.log.plain_moves import Row
-    from motionlang.log.stream import Place, Store
+    from motionlang.log.stream import ChunkLocation, Store
     from motionlang.planners import Profile
 
 # Pieces of continued entries that may wait to be packed.
-MOST_WAITING = 16_000
+MAX_WAITING = 16_000
 
 
 class Moves(Stream[Move]):
@@ -39,7 +39,7 @@ class Moves(Stream[Move]):
         self._store = store
         # Moves in progress while their neighbours were packed, and their positions if they have been packed
         # since.
-        self._left_out: dict[int, Move | Place] = {}
+        self._left_out: dict[int, Move | ChunkLocation] = {}
         self._waiting = 0  # pieces of continued entries that are not packed
         # The axes of the moves; none before power-up.
         self.axes: Mapping[int, Axis] = {}
@@ -74,10 +74,10 @@ class Moves(Stream[Move]):
             return self.packed + place
         return next(number for number, each in self._left_out.items() if each is move)
 
-    def as_kept(self) -> Iterator[Move | Row]:
+    def as_stored(self) -> Iterator[Move | Row]:
         """Yield all moves, plain ones that are not packed as rows."""
         self._live()
-        return super().as_kept()
+        return super().as_stored()
 
     def moved(self) -> set[int]:
         """Return the axes that have moved."""
@@ -107,7 +107,7 @@ class Moves(Stream[Move]):
         move.start_time, move.offset = now, 0.0
         self.add(move)
         self._waiting += len(done.knots)
-        if self._waiting >= MOST_WAITING:
+        if self._waiting >= MAX_WAITING:
             self.pack(len(self) - self.packed)
             self._waiting = 0
 
@@ -139,7 +139,7 @@ class Moves(Stream[Move]):
             for number, row in enumerate(rows, first)
         ]
 
-    def _late(self, left_out: Move | Place) -> Move:
+    def _late(self, left_out: Move | ChunkLocation) -> Move:
         if isinstance(left_out, Move):
             return left_out
         return record.move_rows.move_of(loads(self._store.get(left_out)), self.axes)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.log import stream
-from motionlang.log.stream import Parts
+from motionlang.log.stream import Chunks
 from motionlang.planners.packed import packed, unpacked
 
 TYPE_CHECKING = False
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile
 
 
-class Profiles(Parts):
+class Profiles(Chunks):
     """The older profiles of an axis, packed: `count` of them, with start times."""
 
     __slots__ = ("_begins",)
@@ -38,7 +38,7 @@ class Profiles(Parts):
 
     def complete(self, a: Axis) -> None:
         """Complete partial packing of an axis's track after an interrupt."""
-        self.keep_whole(a.starts, a.profiles)
+        self.finish_updates(a.starts, a.profiles)
         del self._begins[len(self) :]
         if len(self._begins) < len(self):
             self._begins.append(self.start(self.firsts[-1]))

@@ -12,7 +12,7 @@ file. Reading a packed record brings back its whole chunk.
                 ├─ chunk ──┼─ chunk ──┼─ … ──────────────┼────── tail ───────┤
                   memory     memory     file               list of up to 24 576
 
-Data. `Store` has the bytes of all streams of a log. `Parts` has the chunks of one stream: the number of the
+Data. `Store` has the bytes of all streams of a log. `Chunks` has the chunks of one stream: the number of the
 first record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written
 as a plain tuple and read as the named tuple of its kind (`records.py`). A subclass whose records are objects,
 such as moves, defines in `_rows` and `_records` how they become tuples and objects again.
@@ -21,8 +21,8 @@ Invariants.
 - Records are only appended, and packed ones never change. A record keeps its number when it is packed, and
   when older ones are dropped (`forget`); `first` is then the oldest that is left.
 - Packed records read the same as others, but an object is created again when its chunk is unpacked again.
-- An interrupt at any time leaves the stream consistent. `Parts.pack` sets `_total` while a chunk replaces
-  records of the tail, and `keep_whole` completes that step or drops the chunk.
+- An interrupt at any time leaves the stream consistent. `Chunks.pack` sets `_total` while a chunk replaces
+  records of the tail, and `finish_updates` completes that step or drops the chunk.
 - The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes
   or cannot be written, the run ends with a diagnostic.
 
@@ -37,7 +37,7 @@ from bisect import bisect_right
 from itertools import chain
 from marshal import dumps, loads
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,13 +46,13 @@ if TYPE_CHECKING:
 
     T = TypeVar("T")
     # The location of a packed chunk: its bytes, or offset and length in the file.
-    Place = bytes | tuple[int, int]
+    ChunkLocation = bytes | tuple[int, int]
 
     class _Of(Generic[T]):
         """A generic base."""
 else:
     # Importing typing takes longer than a short run.
-    T = Place = None
+    T = ChunkLocation = None
 
     class _Of:
         """A generic base."""
@@ -68,7 +68,7 @@ MEMORY = 16_000_000
 # Default bytes that a log may have on the disk before the run ends.
 DISK = 8_000_000_000
 # Unpacked records of a stream, before and after packing.
-MOST, LEFT = 24_576, 8_192
+MAX_TAIL, LEFT = 24_576, 8_192
 # Records of a packed chunk.
 PART = 2048
 
@@ -76,7 +76,7 @@ PART = 2048
 class Store:
     """Packed chunks of a log: up to `memory` bytes in memory, then in an unnamed file.
 
-    The file is gone when the process ends, however that happens. Raises Refusal beyond `disk` bytes in it,
+    The file is gone when the process ends, however that happens. Raises Rejected beyond `disk` bytes in it,
     and if it cannot be written.
     """
 
@@ -96,7 +96,7 @@ class Store:
         """Packed bytes, in memory and on the disk."""
         return self.held + self._written
 
-    def put(self, part: bytes) -> Place:
+    def put(self, part: bytes) -> ChunkLocation:
         """Store a chunk and return its location."""
         size = len(part)
         if self.held + size <= self.memory:
@@ -104,14 +104,14 @@ class Store:
             return part
         if self._written + size > self.disk:
             words = f"the log of the run has reached {self.disk / 1000000000.0:g} GB"
-            raise Refusal("limit", words, "shorten the run with --until")
+            raise Rejected("limit", words, "shorten the run with --until")
         try:
             self._append(part)
         except OSError as problem:
             from motionlang.files import reason
 
             words = f"the log of the run cannot be written: {reason(problem)}"
-            raise Refusal("limit", words, "shorten the run with --until, or free disk space") from None
+            raise Rejected("limit", words, "shorten the run with --until, or free disk space") from None
         place = self._written, size
         self._written += size
         return place
@@ -124,7 +124,7 @@ class Store:
         self._file.seek(self._written)
         self._file.write(part)
 
-    def get(self, place: Place) -> bytes:
+    def get(self, place: ChunkLocation) -> bytes:
         """Return a chunk."""
         if isinstance(place, bytes):
             return place
@@ -132,13 +132,13 @@ class Store:
         self._file.seek(place[0])
         return self._file.read(place[1])
 
-    def drop(self, place: Place) -> None:
+    def drop(self, place: ChunkLocation) -> None:
         """Drop a chunk; its space on the disk stays in use."""
         if isinstance(place, bytes):
             self.held -= len(place)
 
 
-class Parts:
+class Chunks:
     """Packed records, in chunks; `count` is the number after the last record."""
 
     __slots__ = ("_cached", "_places", "_read", "_store", "_total", "count", "firsts")
@@ -150,7 +150,7 @@ class Parts:
         """
         self._store, self._read = store, read
         self.firsts: list[int] = []
-        self._places: list[Place] = []
+        self._places: list[ChunkLocation] = []
         self.count = 0
         self._total = 0  # packed records plus those of a tail, while a chunk replaces some
         self._cached: tuple[int, list[Any]] = (-1, [])
@@ -164,7 +164,7 @@ class Parts:
         return self.firsts[0] if self.firsts else self.count
 
     def pack(self, rows: list[Any], *tails: list[Any]) -> None:
-        """Pack a chunk in place of the oldest records of each tail; Refusal without space."""
+        """Pack a chunk in place of the oldest records of each tail; Rejected without space."""
         place, count = self._store.put(dumps(rows)), len(rows)
         self._total = self.count + len(tails[0])
         self._places.append(place)
@@ -174,7 +174,7 @@ class Parts:
             del tail[:count]
         self._total = 0
 
-    def keep_whole(self, *tails: list[Any]) -> None:
+    def finish_updates(self, *tails: list[Any]) -> None:
         """Complete partial packing after an interrupt, or drop the chunk."""
         while self.firsts and self.firsts[-1] >= self.count:
             del self.firsts[-1]
@@ -227,7 +227,7 @@ class Stream(_Of[T]):
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
-        self._parts = Parts(store, self._records)
+        self._parts = Chunks(store, self._records)
         # The newest records, which are not packed.
         self.tail: list[T] = []
         # Appends a record without a check for packing, for callers that do the check.
@@ -237,12 +237,12 @@ class Stream(_Of[T]):
         """Append a record."""
         tail = self.tail
         tail.append(record)  # type: ignore[arg-type]
-        if len(tail) >= MOST:
-            self.pack(MOST - LEFT)
+        if len(tail) >= MAX_TAIL:
+            self.pack(MAX_TAIL - LEFT)
 
     def trim(self) -> None:
         """Pack some records if there are many, for callers of `append`."""
-        if len(self.tail) >= MOST:
+        if len(self.tail) >= MAX_TAIL:
             self.pack(len(self.tail) - LEFT)
 
     @property
@@ -266,7 +266,7 @@ class Stream(_Of[T]):
             yield from self._parts.part(number)
         yield from self._typed(self.tail)
 
-    def as_kept(self) -> Iterator[Any]:
+    def as_stored(self) -> Iterator[Any]:
         """Yield all records, those that are not packed as the plain tuples written."""
         parts = map(self._parts.part, range(len(self._parts)))
         return chain(chain.from_iterable(parts), self.tail)
@@ -312,9 +312,9 @@ class Stream(_Of[T]):
             self._parts.pack(self._rows(part, self._parts.count), self.tail)
             count -= len(part)
 
-    def keep_whole(self) -> None:
+    def finish_updates(self) -> None:
         """Complete partial packing after an interrupt, or drop the chunk."""
-        self._parts.keep_whole(self.tail)
+        self._parts.finish_updates(self.tail)
 
     # ------------------------------------------------------------------------------- overridden by a subclass
 

@@ -45,7 +45,7 @@ MOTOR: dict[str, tuple[str, str]] = {
 }
 # Rows of one chunk: a few hundred kilobytes per column, which stay in the cache while they are written out.
 ROWS = 65_536
-MOST_ROWS = 200_000_000
+MAX_ROWS = 200_000_000
 # Packed profiles that are unpacked at a time, unless there are more between two rows; and the seconds on each
 # side.
 PROFILES, MARGIN = 4096, 0.001
@@ -220,7 +220,7 @@ class Trace:
         Raises ValueError above 200 million rows: use `chunks`.
         """
         count = self.rows(rate, until)
-        if count > MOST_ROWS:
+        if count > MAX_ROWS:
             raise ValueError(f"{count} rows are too many to hold at once")
         columns = self.columns(axes, quantities)
         data = tuple(np.empty(count) for _ in columns)

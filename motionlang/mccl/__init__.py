@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.lang.listing import Listing
+    from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
@@ -106,13 +106,13 @@ class Mccl(Dialect):
 
         return locate(source, at)
 
-    def asked(self, source: Source) -> Callable[[int], Asked | None]:
-        from motionlang.mccl.resolve.asked import asked
+    def asked(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+        from motionlang.mccl.resolve.loop_dependencies import asked
 
         return asked(source)
 
     def world_reads(self, source: Source) -> list[WorldRead]:
-        from motionlang.mccl.resolve.asked import world_reads
+        from motionlang.mccl.resolve.loop_dependencies import world_reads
 
         return world_reads(source)
 

@@ -9,10 +9,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.asked import Asked, WorldRead
     from motionlang.lang.dialect import Interactive, Ranges
     from motionlang.lang.keyword import Table
     from motionlang.lang.listing import Listing
+    from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
@@ -103,7 +103,7 @@ class Mint(Dialect):
         return switches()
 
     def world_reads(self, source: Source) -> list[WorldRead]:
-        from motionlang.mint.resolve.asked import world_reads
+        from motionlang.mint.resolve.loop_dependencies import world_reads
 
         return world_reads(source)
 
@@ -133,8 +133,8 @@ class Mint(Dialect):
 
         return blocks(source)
 
-    def asked(self, source: Source) -> Callable[[int], Asked | None]:
-        from motionlang.mint.resolve.asked import asked
+    def asked(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+        from motionlang.mint.resolve.loop_dependencies import asked
 
         return asked(source)
 

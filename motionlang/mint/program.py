@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 # The maximum number of programs with other values that are cached for further runs.
-MOST_KEPT = 64
+MAX_STORED = 64
 # Larger numbers are written into the program, because the code assumes that given values are finite.
 LARGEST = 1e300
 
@@ -116,7 +116,7 @@ class MintProgram(Program):
         key = tuple(sorted(values.items()))
         found = self._others.get(key)
         if found is None:
-            if len(self._others) >= MOST_KEPT:
+            if len(self._others) >= MAX_STORED:
                 self._others.clear()
             found = compile_source(self._source, self.settings, values, self.given, ranges)
             self._others[key] = found

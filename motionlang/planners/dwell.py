@@ -10,7 +10,7 @@ def rest(shape: str, position: float, duration: float) -> Profile:
     return relabelled(hold(position).cut(duration), shape)
 
 
-def halted(profile: Profile, shape: str) -> Profile:
+def with_rest(profile: Profile, shape: str) -> Profile:
     """Return a profile that comes to rest, followed by a rest without end.
 
     `shape` names its cause.

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.planners.reparametrised import AT_END, Composed
-from motionlang.planners.sequence import Chain
-from motionlang.planners.superposition import Sum
+from motionlang.planners.reparametrised import AT_END, Reparametrised
+from motionlang.planners.sequence import ProfileSequence
+from motionlang.planners.superposition import Superposed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -82,11 +82,11 @@ def _outside(profile: Profile, times: Array, order: int) -> Array:
 
 
 def _inside(profile: Profile, times: Array, order: int) -> Array:
-    if isinstance(profile, Composed):
+    if isinstance(profile, Reparametrised):
         return _composed(profile, times, order)
-    if isinstance(profile, Sum):
+    if isinstance(profile, Superposed):
         return evaluate(profile.first, times, order) + evaluate(profile.second, times, order)
-    if isinstance(profile, Chain):
+    if isinstance(profile, ProfileSequence):
         return _chain(profile, times, order)
     return _pieces(profile, times, order)
 
@@ -113,7 +113,7 @@ def piece_values(columns: Array, x: Array, order: int) -> Array:
     return np.asarray(cubic + wave, dtype=np.float64)
 
 
-def _composed(profile: Composed, times: Array, order: int) -> Array:
+def _composed(profile: Reparametrised, times: Array, order: int) -> Array:
     """Apply the chain rule, up to the third derivative."""
     s = evaluate(profile.along, times, 0)
     if order == 0:
@@ -146,7 +146,7 @@ def _curve(path: Profile, places: Array, order: int) -> Array:
     return out
 
 
-def _chain(profile: Chain, times: Array, order: int) -> Array:
+def _chain(profile: ProfileSequence, times: Array, order: int) -> Array:
     out = np.empty_like(times)
     owner = np.searchsorted(np.array(profile.begins), times, "right") - 1
     for i in np.unique(owner).tolist():

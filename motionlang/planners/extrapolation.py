@@ -8,7 +8,7 @@ from motionlang.planners.curve import Profile, State
 from motionlang.planners.formula import Formula
 
 
-class Ahead(Formula):
+class Extrapolated(Formula):
     """Position plus `lead` seconds of velocity: p(t) + lead v(t).
 
     A switch with that delay acts on time when it is driven by this. At constant velocity this is the position

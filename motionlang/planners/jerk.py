@@ -25,11 +25,11 @@ The cases, in the order in which they are tried:
 2. In motion with an acceleration, target ahead (`_directly`). If it speeds up, it is the middle of a ramp that began
    earlier at a lower speed, and case 1 holds from there. If it slows down, it is taken back first.
 3. Away from the target, or too fast to stop there (`_back`): stop, then move back from rest.
-4. Anything else, such as a start above the set speed: `approach`, or `bent_approach` if there is an acceleration. They
-   use the same ramps and search for the top speed where no closed form exists.
+4. Anything else, such as a start above the set speed: `approach`, or `jerk_limited_approach` if there is an
+   acceleration. They use the same ramps and search for the top speed where no closed form exists.
 
 Data. The result is a `Profile` with a recipe (`ramps.py`): speeds joined by ramps, each with its duration and the
-fraction of it in which the acceleration rises. A move that begins with an acceleration is a `Bent`: sections of
+fraction of it in which the acceleration rises. A move that begins with an acceleration is a `JerkLimited`: sections of
 constant jerk, then a recipe. Both become polynomials only when the curve is read. `u` and `b` are velocity and
 acceleration in the direction of motion.
 
@@ -50,7 +50,7 @@ from math import cbrt, inf, sqrt
 
 from motionlang.planners.curve import Profile
 from motionlang.planners.feasibility import Ramps, approach, is_rounding
-from motionlang.planners.jerk_limited import Bent, bent_approach
+from motionlang.planners.jerk_limited import JerkLimited, jerk_limited_approach
 from motionlang.planners.limits import LARGEST, SMALLEST, STILL, check_finite, check_positive, too_large
 from motionlang.planners.pieces import position_in
 from motionlang.planners.ramps import FALLING, ramp_distance
@@ -86,7 +86,7 @@ def plan_jerk(
     Ramp to V: V/A + A/J if V >= A^2/J, else 2 sqrt(V/J); distance V T/2 (own arithmetic, from AN00118's
     definition of the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An
     initial acceleration `a0` continues where it serves the move, and is ramped down where it does not
-    (`fade`). Raises ValueError like `plan_trapezoid`.
+    (`initial_steps`). Raises ValueError like `plan_trapezoid`.
     """
     smooth = SMALLEST <= accel_jerk <= LARGEST and SMALLEST <= decel_jerk <= LARGEST
     steady = speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST
@@ -150,7 +150,7 @@ def _in_motion(
     def straight(here: float, velocity: float) -> Profile:
         return plan_jerk(here, target, speed, *rates, velocity)
 
-    made = bent_approach(ramps, start, target, speed, v0, a0, straight)
+    made = jerk_limited_approach(ramps, start, target, speed, v0, a0, straight)
     if made is not None and not (far_apart and _is_astray(made)):
         return made
     eased = ease(start, v0, a0, rates[2] if a0 * v0 >= 0.0 else rates[3])
@@ -173,7 +173,7 @@ def _directly(
     Planning in motion nearly always does. If the target lies ahead, an acceleration that speeds up is the
     middle of a ramp that began earlier, and one that slows down is ramped down before a ramp up begins. If it
     does not, the move stops first and starts again (`_back`). None if it is another case, which the search of
-    `bent_approach` decides.
+    `jerk_limited_approach` decides.
     """
     accel, decel, accel_jerk, decel_jerk = rates
     sign = 1.0 if v0 > 0.0 or (v0 == 0.0 and a0 > 0.0) else -1.0
@@ -225,11 +225,11 @@ def _directly(
             (-accel_jerk, peak / accel_jerk),
         )
         duration = steps[0][1] + steps[1][1] + steps[2][1] + (slew + last)
-        return Bent(start, target, duration, (u, b, steps, sign), (v, slew, 0.0, v, last, ratio, 0.0))
+        return JerkLimited(start, target, duration, (u, b, steps, sign), (v, slew, 0.0, v, last, ratio, 0.0))
     up = rise / first if first and gain >= accel * rise else 0.5
     head = (u, b, ((decel_jerk, time),), sign)
     tail = (rest * sign, first, up, v, slew, 0.0, v, last, ratio, 0.0)
-    return Bent(start, target, time + (first + slew + last), head, tail)
+    return JerkLimited(start, target, time + (first + slew + last), head, tail)
 
 
 def _back(
@@ -291,7 +291,7 @@ def _back(
         return None
     if not steps:
         return Profile("scurve", start, target, duration, recipe)
-    return Bent(start, target, duration, (u, b, steps, sign), recipe, "" if after else "stop")
+    return JerkLimited(start, target, duration, (u, b, steps, sign), recipe, "" if after else "stop")
 
 
 def _is_astray(made: Profile) -> bool:

@@ -10,7 +10,7 @@ from motionlang.planners.limits import too_large
 from motionlang.planners.ramps import ramp_distance
 from motionlang.planners.segment_speed import between
 from motionlang.planners.total import total
-from motionlang.planners.transition import eased_speed, fade, fade_distance, faded
+from motionlang.planners.transition import distance_of_steps, eased_speed, initial_steps, profile_of_steps
 
 # How far from its target a plan may end, as a fraction of the distance, before its figures count as too far
 # apart.
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     Head = tuple[float, float, Steps, float]
 
 
-class Bent(Profile):
+class JerkLimited(Profile):
     """Sections of constant jerk from v0 and a0, then the ramps of a recipe to `end`.
 
     The pieces are made on first use, as those of a recipe are, because of most plans only the end is read.
@@ -57,7 +57,7 @@ class Bent(Profile):
             return self._curve
         except AttributeError:
             v0, a0, steps, sign = self._head
-            head = faded(self.start, v0, a0, steps, sign * self._tail[0], sign)
+            head = profile_of_steps(self.start, v0, a0, steps, sign * self._tail[0], sign)
             if self._name:
                 head = relabelled(head, "scurve", self._name)
             time = total(self._tail[1::3])
@@ -69,7 +69,7 @@ class Bent(Profile):
             return self._curve
 
 
-def bent_approach(
+def jerk_limited_approach(
     ramps: Ramps,
     start: float,
     target: float,
@@ -87,8 +87,8 @@ def bent_approach(
     assert ramps.bounds is not None
     sign = copysign(1.0, v0 or a0)
     u, b = sign * v0, sign * a0
-    steps, after = fade(ramps.bounds, u, b, 0.0)
-    ahead, way = sign * (target - start), fade_distance(u, b, steps)
+    steps, after = initial_steps(ramps.bounds, u, b, 0.0)
+    ahead, way = sign * (target - start), distance_of_steps(u, b, steps)
     time, kind = ramps.down(after, 0.0) if after >= 0.0 else (0.0, 0.0)
     stopping = way + ramp_distance(after, time, kind, 0.0)
     rounding = is_rounding(stopping - ahead, stopping, start, target)
@@ -103,7 +103,7 @@ def bent_approach(
     duration = _time(steps) + rest.duration
     if not duration < inf:
         raise too_large()
-    return Bent(start, target, duration, head, rest._recipe, "" if after else "stop")
+    return JerkLimited(start, target, duration, head, rest._recipe, "" if after else "stop")
 
 
 def _ahead(
@@ -116,13 +116,13 @@ def _ahead(
     if top is None or speed <= eased_speed(ramps.bounds, u, b):
         steps, rows = between(ramps, size, speed, u, b, 0.0)
         recipe = [value if i else value * sign for row in rows for i, value in enumerate(row[:3])]
-        way = fade_distance(u, b, steps)
+        way = distance_of_steps(u, b, steps)
         return _arriving(start, target, (u, b, steps, sign), way, (*recipe, 0.0))
     top = min(top, speed)
-    steps, after = fade(ramps.bounds, u, b, top)
+    steps, after = initial_steps(ramps.bounds, u, b, top)
     first, kind = ramps.up(after, top)
     last, last_kind = ramps.down(top, 0.0)
-    way = fade_distance(u, b, steps)
+    way = distance_of_steps(u, b, steps)
     left = size - way - ramp_distance(after, first, kind, top) - ramp_distance(top, last, last_kind, 0.0)
     slew = left / top if top == speed and left > 0.0 else 0.0
     v = sign * top
@@ -171,4 +171,4 @@ def _arriving(start: float, target: float, head: Head, way: float, recipe: Recip
     ways = [ramp_distance(*recipe[i : i + 4]) for i in range(0, len(recipe) - 1, 3)]
     if abs(total(ways) - far) > _ASTRAY * max(abs(target), abs(start), abs(far), *map(abs, ways)):
         return None
-    return Bent(start, target, _time(head[2]) + time, head, recipe)
+    return JerkLimited(start, target, _time(head[2]) + time, head, recipe)

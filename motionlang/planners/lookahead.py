@@ -16,7 +16,7 @@ from motionlang.planners.limits import check_finite, check_positive, too_large
 from motionlang.planners.segment_speed import between, entry_speed, exit_speed, reaches
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.total import total
-from motionlang.planners.transition import faded
+from motionlang.planners.transition import profile_of_steps
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -206,7 +206,7 @@ def _joined(
         if rows and _goes_on(rows[-1], ramp):
             ramp = (rows[-1][0], rows.pop()[1] + ramp[1], 0.0, ramp[3])
         rows.append(ramp)
-    bent = faded(start, v0, a0, steps, rows[0][0] if rows else 0.0)
+    bent = profile_of_steps(start, v0, a0, steps, rows[0][0] if rows else 0.0)
     recipe = (*(value for row in rows for value in row[:3]), rows[-1][3]) if rows else (0.0, 0.0, 0.0, 0.0)
     duration = total(row[1] for row in rows)
     if not duration + bent.duration < inf:

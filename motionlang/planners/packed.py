@@ -55,11 +55,11 @@ def unpacked(row: Packed) -> Profile:
 _FOREVER = float("inf")
 # The attributes of each formula, in the order of its arguments.
 _PARTS = {
-    "Ahead": ("profile", "lead"),
-    "Chain": ("shape", "parts", "name"),
-    "Composed": ("along", "path", "shape"),
+    "Extrapolated": ("profile", "lead"),
+    "ProfileSequence": ("shape", "parts", "name"),
+    "Reparametrised": ("along", "path", "shape"),
     "Rate": ("profile",),
-    "Sum": ("first", "second", "shape"),
+    "Superposed": ("first", "second", "shape"),
 }
 
 
@@ -79,13 +79,17 @@ def _unpacked_part(part: object) -> object:
 
 
 def _formula(name: str, parts: tuple[object, ...]) -> Profile:
-    from motionlang.planners.extrapolation import Ahead
+    from motionlang.planners.extrapolation import Extrapolated
     from motionlang.planners.rate import Rate
-    from motionlang.planners.reparametrised import Composed
-    from motionlang.planners.sequence import Chain
-    from motionlang.planners.superposition import Sum
+    from motionlang.planners.reparametrised import Reparametrised
+    from motionlang.planners.sequence import ProfileSequence
+    from motionlang.planners.superposition import Superposed
 
-    made: Profile = {"Ahead": Ahead, "Chain": Chain, "Composed": Composed, "Rate": Rate, "Sum": Sum}[name](
-        *parts
-    )
+    made: Profile = {
+        "Extrapolated": Extrapolated,
+        "ProfileSequence": ProfileSequence,
+        "Reparametrised": Reparametrised,
+        "Rate": Rate,
+        "Superposed": Superposed,
+    }[name](*parts)
     return made

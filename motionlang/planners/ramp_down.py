@@ -26,7 +26,7 @@ def shaped(shape: str, accel_jerk: float) -> bool:
     return shape == "sinusoidal" or (shape == "scurve" and accel_jerk == inf)
 
 
-def relief(profile: Profile, time: float) -> Profile | None:
+def residual_ramp_down(profile: Profile, time: float) -> Profile | None:
     """Return the ramp-down from the state at `time` to zero acceleration.
 
     None if there is no acceleration, or no flank that reduces it.
@@ -57,7 +57,7 @@ def onset(
     The ramp-down is that of a shaped acceleration.
     """
     if shaped(shape, accel_jerk):
-        eased = relief(profile, time)
+        eased = residual_ramp_down(profile, time)
         if eased is not None:
             return eased, eased.end, eased.end_velocity, 0.0
     state = profile.at(time)
@@ -73,7 +73,7 @@ def admitted(acceleration: float, velocity: float, accel: float, decel: float) -
     return max(-most, min(acceleration, most))
 
 
-def stop_under_way(
+def stop_in_motion(
     profile: Profile,
     time: float,
     shape: str,
@@ -95,7 +95,7 @@ def stop_under_way(
         if accel is not None:
             bent = admitted(bent, state.velocity, accel, decel)
         return plan_stop(shape, state.position, state.velocity, decel, ramp, decel_jerk, bent, accel_jerk)
-    eased = relief(profile, time) if shaped(shape, decel_jerk) else None
+    eased = residual_ramp_down(profile, time) if shaped(shape, decel_jerk) else None
     if eased is None:
         made = plan_stop(shape, state.position, state.velocity, decel, ramp)
     else:

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
-_MOST_CROSSINGS = 10_000
+_MAX_CROSSINGS = 10_000
 
 AT_END = 1e-9
 """Fraction of a curve by which rounding may exceed its end.
@@ -25,7 +25,7 @@ The curvature of the curve applies that far.
 """
 
 
-class Composed(Formula):
+class Reparametrised(Formula):
     """`curve` travelled with the motion `along`; linear beyond its ends.
 
     At an end itself, where rounding decides on which side a distance is, the curve has the curvature inside
@@ -135,16 +135,16 @@ class Composed(Formula):
 
     def cut(self, time: float) -> Profile:
         """Return the first `time` seconds, exactly."""
-        return Composed(self.along.cut(time), self.path, self.shape) if time < self.duration else self
+        return Reparametrised(self.along.cut(time), self.path, self.shape) if time < self.duration else self
 
     def after(self, time: float) -> Profile:
         """Return the rest after `time` seconds, with its clock starting at 0."""
-        return Composed(self.along.after(time), self.path, self.shape) if time > 0.0 else self
+        return Reparametrised(self.along.after(time), self.path, self.shape) if time > 0.0 else self
 
     def scaled(self, start: float, factor: float) -> Profile:
         """Return the same motion from `start`, with every distance times `factor`."""
         begin = start + (self.path.start - self.start) * factor
-        return Composed(self.along, self.path.scaled(begin, factor), self.shape)
+        return Reparametrised(self.along, self.path.scaled(begin, factor), self.shape)
 
     def _travelled_part(self, low: float, high: float) -> Profile | None:
         """Return the curve between two distances; None if nothing is between them."""
@@ -186,7 +186,7 @@ def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
             if any(piece[2:5]):
                 break
             return _straight(along, piece, begin, shape)
-    return Composed(along, path, shape)
+    return Reparametrised(along, path, shape)
 
 
 def _uniform_speed(along: Profile) -> float | None:
@@ -218,7 +218,7 @@ def crossings(profile: Profile, position: float) -> list[float]:
     found: list[float] = []
     after = 0.0
     nearness = 1e-7 * (1.0 + min(profile.duration, 1e6))
-    while len(found) < _MOST_CROSSINGS:
+    while len(found) < _MAX_CROSSINGS:
         time = profile.crossing(position, after)
         if time is None or time > profile.duration or time == inf:
             break

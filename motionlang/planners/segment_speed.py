@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import copysign, sqrt
 
 from motionlang.planners.ramps import ramp_distance
-from motionlang.planners.transition import eased_speed, fade, fade_distance
+from motionlang.planners.transition import distance_of_steps, eased_speed, initial_steps
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -104,9 +104,9 @@ def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, f
     """
     if not a0 or ramps.bounds is None:
         return (), v0, _ramp_length(ramps, v0, v)
-    steps, after = fade(ramps.bounds, v0, a0, v)
+    steps, after = initial_steps(ramps.bounds, v0, a0, v)
     rest = _ramp_length(ramps, after, v) if after != v else 0.0
-    return steps, after, fade_distance(v0, a0, steps) + rest
+    return steps, after, distance_of_steps(v0, a0, steps) + rest
 
 
 def _lead_length(ramps: Ramps, v0: float, a0: float, v: float) -> float:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 _BOUND = itemgetter(0)
 
 
-class Chain(Formula):
+class ProfileSequence(Formula):
     """A sequence of profiles, each beginning at the end of the one before.
 
     `name` makes one phase of the sequence.
@@ -117,7 +117,7 @@ class Chain(Formula):
         i = self._part(max(time, 0.0))
         last = self.parts[i].cut(time - self.begins[i])
         kept = self.parts[:i] if last.duration == 0.0 and i else (*self.parts[:i], last)
-        return kept[0] if len(kept) == 1 and not self.name else Chain(self.shape, kept, self.name)
+        return kept[0] if len(kept) == 1 and not self.name else ProfileSequence(self.shape, kept, self.name)
 
     def after(self, time: float) -> Profile:
         """Return the rest after `time` seconds, with its clock starting at 0."""
@@ -127,7 +127,7 @@ class Chain(Formula):
             return self.parts[-1].after(time - self.begins[-1])
         i = self._part(time)
         rest = (self.parts[i].after(time - self.begins[i]), *self.parts[i + 1 :])
-        return rest[0] if len(rest) == 1 and not self.name else Chain(self.shape, rest, self.name)
+        return rest[0] if len(rest) == 1 and not self.name else ProfileSequence(self.shape, rest, self.name)
 
     def scaled(self, start: float, factor: float) -> Profile:
         """Return the same motion from `start`, with every distance times `factor`."""
@@ -135,7 +135,7 @@ class Chain(Formula):
         for part in self.parts:
             made.append(part.scaled(start, factor))
             start = made[-1].end
-        return Chain(self.shape, made, self.name)
+        return ProfileSequence(self.shape, made, self.name)
 
     def _part(self, time: float) -> int:
         return max(0, bisect_right(self.begins, time) - 1)
@@ -149,7 +149,7 @@ def chained(first: Profile, second: Profile) -> Profile:
         return second
     if second.duration == 0.0:
         return first
-    name = first.name if isinstance(first, Chain) else ""
-    parts = [*(first.parts if isinstance(first, Chain) else (first,))]
-    parts += second.parts if isinstance(second, Chain) and not second.name else (second,)
-    return Chain(first.shape, parts, name)
+    name = first.name if isinstance(first, ProfileSequence) else ""
+    parts = [*(first.parts if isinstance(first, ProfileSequence) else (first,))]
+    parts += second.parts if isinstance(second, ProfileSequence) and not second.name else (second,)
+    return ProfileSequence(first.shape, parts, name)

@@ -11,7 +11,7 @@ from motionlang.planners.limits import STILL, check_finite, check_positive, chec
 from motionlang.planners.parabolic import parabolic_ramps
 from motionlang.planners.ramps import SINE, ramp_distance
 from motionlang.planners.total import total
-from motionlang.planners.transition import fade, faded
+from motionlang.planners.transition import initial_steps, profile_of_steps
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -65,8 +65,8 @@ def plan_velocity(
     ramps = ramps_of(shape, accel, decel, ramp, accel_jerk, decel_jerk)
     if a0 and ramps.bounds is not None:
         sign = copysign(1.0, v0 or a0)
-        steps, after = fade(ramps.bounds, sign * v0, sign * a0, max(0.0, sign * v1))
-        bent = faded(start, sign * v0, sign * a0, steps, after, sign)
+        steps, after = initial_steps(ramps.bounds, sign * v0, sign * a0, max(0.0, sign * v1))
+        bent = profile_of_steps(start, sign * v0, sign * a0, steps, after, sign)
         return relabelled(bent.then(_run(bent.end, ramps, sign * after, v1)), "jog")
     return _run(start, ramps, v0, v1)
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
 
-class Sum(Formula):
+class Superposed(Formula):
     """The sum of two profiles; the shorter one continues as it ended."""
 
     __slots__ = ("first", "second")
@@ -52,7 +52,7 @@ class Sum(Formula):
         """Return the first `time` seconds, exactly."""
         if time >= self.duration:
             return self
-        return Sum(self.first.cut(time), self.second.cut(time), self.shape)
+        return Superposed(self.first.cut(time), self.second.cut(time), self.shape)
 
     def after(self, time: float) -> Profile:
         """Return the rest after `time` seconds, with its clock starting at 0."""
@@ -63,19 +63,19 @@ class Sum(Formula):
     def scaled(self, start: float, factor: float) -> Profile:
         """Return the same motion from `start`, with every distance times `factor`."""
         first = self.first.scaled(start - self.second.start * factor, factor)
-        return Sum(first, self.second.scaled(self.second.start * factor, factor), self.shape)
+        return Superposed(first, self.second.scaled(self.second.start * factor, factor), self.shape)
 
 
 def added(first: Profile, second: Profile, shape: str) -> Profile:
     """Return the sum of two profiles.
 
-    It is made of pieces if both are and no two waves overlap; if not, it is a `Sum`.
+    It is made of pieces if both are and no two waves overlap; if not, it is a `Superposed`.
     """
     if first.pieced and second.pieced:
         made = _in_pieces(first, second, shape)
         if made is not None:
             return made
-    return Sum(first, second, shape)
+    return Superposed(first, second, shape)
 
 
 def _in_pieces(first: Profile, second: Profile, shape: str) -> Profile | None:

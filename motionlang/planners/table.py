@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-FEW = 24
+MIN_PROFILES = 24
 """Below this many profiles the arrays cost more than they save."""
 
 
@@ -36,7 +36,7 @@ def piece_columns(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple
         return np.empty(0), np.empty((7, 0))
     following = np.append(np.asarray(starts[1:], dtype=np.float64), np.inf)
     with_recipe = [i for i, profile in enumerate(profiles) if len(profile._recipe) > 2]
-    if len(with_recipe) < FEW:
+    if len(with_recipe) < MIN_PROFILES:
         with_recipe = []
     without = sorted(set(range(len(profiles))) - set(with_recipe))
     parts = [

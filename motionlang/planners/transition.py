@@ -36,7 +36,7 @@ class Bounds:
     decel_jerk: float
 
 
-def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
+def initial_steps(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
     """The first steps from v0 >= 0 and a0 towards v1 >= 0, and their final speed.
 
     If that is not v1, an ordinary ramp has to follow. It is negative if the acceleration cannot be ramped
@@ -62,7 +62,7 @@ def eased_speed(bounds: Bounds, v0: float, a0: float) -> float:
     return v0 + 0.5 * a0 * abs(a0) / (bounds.accel_jerk if a0 > 0.0 else bounds.decel_jerk)
 
 
-def fade_distance(v0: float, a0: float, steps: Steps) -> float:
+def distance_of_steps(v0: float, a0: float, steps: Steps) -> float:
     """Return the distance covered by steps."""
     distance, v, a = 0.0, v0, a0
     for jerk, time in steps:
@@ -72,7 +72,9 @@ def fade_distance(v0: float, a0: float, steps: Steps) -> float:
     return distance
 
 
-def faded(start: float, v0: float, a0: float, steps: Steps, v1: float, sign: float = 1.0) -> Profile:
+def profile_of_steps(
+    start: float, v0: float, a0: float, steps: Steps, v1: float, sign: float = 1.0
+) -> Profile:
     """Return the profile of steps that end at velocity v1; `sign` -1 reverses them."""
     knots, p, v, a = [0.0], start, v0 * sign, a0 * sign
     pieces: list[Piece] = []

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from traceback import walk_tb
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import ONE_SHIFT
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.ends import what_ends
 from motionlang.lang.machine.machine import Machine
-from motionlang.lang.nesting import Room
+from motionlang.lang.nesting import StackSpace
 from motionlang.lang.run_errors import explain
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait, wait_idle, wait_until
@@ -96,7 +96,7 @@ class Runner:
         def run() -> bool:
             while not scheduler.run_program(min(clock.now + SLICE, end)):
                 if clock.now >= end:
-                    raise Refusal("limit", "the command has been running for eight hours of machine time")
+                    raise Rejected("limit", "the command has been running for eight hours of machine time")
                 self._poll(clock.now)
             return True
 
@@ -120,7 +120,7 @@ class Runner:
         """Do `work`; report any error and keep the machine running."""
         try:
             try:
-                with Room():
+                with StackSpace():
                     return work()
             finally:
                 self._pass_on(source)

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from motionlang.serve.outside import Outside
 
 # Bytes of the header, and the bounds of the length that it states: at least a unit and a function.
-HEADER, SHORTEST, LONGEST = 6, 2, 254
+HEADER, MIN_FRAME, MAX_FRAME = 6, 2, 254
 # Seconds of real time for the server's thread to start and to end, and for a client to take its answer at the
 # end.
 PATIENCE, FAREWELL = 10.0, 0.5
@@ -173,7 +173,7 @@ class ModbusServer:
     async def _answer_next(self, reader: StreamReader, connection: Connection) -> bool:
         """Answer the next request of a client; return False if no other can be found."""
         transaction, protocol, length = unpack(">HHH", await reader.readexactly(HEADER))
-        if not SHORTEST <= length <= LONGEST:
+        if not MIN_FRAME <= length <= MAX_FRAME:
             return False
         unit, *_ = request = await reader.readexactly(length)
         connection.heard = monotonic()

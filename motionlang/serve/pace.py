@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
-SLICE, SHORTEST = 2e-3, 2e-5
+SLICE, MIN_SLICE = 2e-3, 2e-5
 # Machine seconds by which an answer may be early: a command takes machine time, and its host would wait in
 # real time.
 LEAD = 2e-3
@@ -101,7 +101,7 @@ class RealTime:
         go(min(until, max(console.next_time(), console.now) + self._slice))
         took = self._wall() - began
         if took > BUDGET:
-            self._slice = max(SHORTEST, 0.25 * self._slice)
+            self._slice = max(MIN_SLICE, 0.25 * self._slice)
         elif took < 0.25 * BUDGET:
             self._slice = min(SLICE, 2.0 * self._slice)
 

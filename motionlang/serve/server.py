@@ -36,7 +36,7 @@ NO_ROOM = b"?3\n"
 FAREWELL = 0.5
 INFINITY = float("inf")
 # The number of different internal errors that are reported.
-MOST_KNOWN = 100
+MAX_KNOWN = 100
 
 
 class Server:
@@ -302,6 +302,6 @@ class Server:
         *_, (last, line) = frame
         place = f"{last.f_code.co_filename.rpartition('motionlang')[2].lstrip('/')}:{line}"
         text = f"internal error, please report it: {type(error).__name__}: {error} ({place})"
-        if text not in self._known and len(self._known) < MOST_KNOWN:
+        if text not in self._known and len(self._known) < MAX_KNOWN:
             self._known.add(text)
             self._complain(text)

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 # Characters of an unfinished line after which it is written.
-LONGEST = 200
+MAX_LINE = 200
 
 
 class Spy:
@@ -40,7 +40,7 @@ class Spy:
         line = self._open.setdefault(key, bytearray())
         for code in data:
             line.append(code)
-            if code in (10, 13, 27) or len(line) >= LONGEST:
+            if code in (10, 13, 27) or len(line) >= MAX_LINE:
                 self._end(key)
         if mark == ">" and line == b">":
             self._end(key)

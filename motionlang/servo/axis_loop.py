@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.servo.gains import Gains
     from motionlang.servo.plant import Drive, Motor
 
-_LEAST_BANDWIDTH = 0.1
+_MIN_BANDWIDTH = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,5 +104,5 @@ def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
             bandwidth /= 2.0
             while bandwidth > error.best > 0.0:
                 bandwidth /= 2.0
-            if bandwidth < _LEAST_BANDWIDTH:
+            if bandwidth < _MIN_BANDWIDTH:
                 raise

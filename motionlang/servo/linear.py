@@ -35,7 +35,7 @@ class Probe:
     def __init__(self, loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> None:
         run = stepper(loop, plant, columns, limited=False)
         names = discretise(plant, loop.period).names
-        kept, size = kept_places(loop, names), len(names) + len(MEMORY)
+        kept, size = remembered_states(loop, names), len(names) + len(MEMORY)
         wait = size - len(MEMORY) + MEMORY.index("derivative_wait")
 
         def tried(values: Array, held: bool) -> tuple[Array, Array]:
@@ -60,7 +60,7 @@ def _affine(tried: object, nz: int, held: bool) -> tuple[Array, Array]:
     return after, outputs
 
 
-def kept_places(loop: Loop, names: tuple[str, ...]) -> list[int]:
+def remembered_states(loop: Loop, names: tuple[str, ...]) -> list[int]:
     """Return the indices of the states that the linear system remembers."""
     memory = {
         "total": loop.has_integral,

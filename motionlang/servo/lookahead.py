@@ -26,7 +26,7 @@ REST_ERROR, REST_TIME = 1.0, 0.02
 
 
 def seen(plant: Motor | Drive) -> tuple[str, ...]:
-    """Return the columns of a servo run that `Sight` consists of."""
+    """Return the columns of a servo run that `SampleBlock` consists of."""
     twists = getattr(plant, "resonance", 0.0) > 0.0
     return tuple(name for name in RUN if name != "integral" and (twists or name != "twist"))
 
@@ -46,7 +46,7 @@ def rests_as_seen(track: Demanded) -> bool:
     )
 
 
-class Sight:
+class SampleBlock:
     """Consecutive samples from number `first` on, with a row for each of `SEEN`.
 
     `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error
@@ -132,7 +132,7 @@ class Window:
         names = ("error", "speed", "hold", "at_target")
         return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
 
-    def inside(self, sight: Sight, target: float) -> NDArray[np.bool_]:
+    def inside(self, sight: SampleBlock, target: float) -> NDArray[np.bool_]:
         """Return for every sample if it is inside; `target` is in motor coordinates."""
         off = target - sight.encoder if self.at_target else sight.error
         made = np.abs(off) <= self.error
@@ -140,7 +140,7 @@ class Window:
             made &= np.abs(sight.velocity) <= self.speed
         return made
 
-    def pass_by(self, sight: Sight, target: float, until: int) -> None:
+    def pass_by(self, sight: SampleBlock, target: float, until: int) -> None:
         """Advance `since` over the samples before number `until`."""
         inside = self.inside(sight, target)[: until - sight.first]
         outside = np.flatnonzero(~inside)
@@ -151,7 +151,7 @@ class Window:
         elif self.since == inf:
             self.since = float(sight.first)
 
-    def settled(self, sight: Sight, target: float, now: int, rate: float) -> float:
+    def settled(self, sight: SampleBlock, target: float, now: int, rate: float) -> float:
         """The first sample from `now` on at which the motor is settled; inf if none.
 
         If the samples end inside the window, return the sample at which the time will be reached.
@@ -161,7 +161,7 @@ class Window:
                 return float(max(onset, now))
         return inf
 
-    def onsets(self, sight: Sight, target: float, rate: float) -> list[tuple[int, int]]:
+    def onsets(self, sight: SampleBlock, target: float, rate: float) -> list[tuple[int, int]]:
         """For each time inside the sample at which it is settled, and the first outside."""
         found = []
         for begin, end in _runs(self.inside(sight, target)):

@@ -22,13 +22,13 @@ def extent(place: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
     return -float(place.min()), float(place.max()), -float(output.min()), float(output.max())
 
 
-class Stillness:
-    """`calm` while the motor is at standstill undisturbed, also before any command."""
+class StandstillDetector:
+    """`at_standstill` while the motor is at standstill undisturbed, also before any command."""
 
-    __slots__ = ("_before", "_rested", "_widest", "calm")
+    __slots__ = ("_before", "_rested", "_widest", "at_standstill")
 
     def __init__(self) -> None:
-        self.calm = True
+        self.at_standstill = True
         # The range of the motor in the last block of rest, in all of them, and their duration in seconds.
         self._before: Extent | None = None
         self._widest: Extent | None = None
@@ -36,16 +36,16 @@ class Stillness:
 
     def disturb(self) -> None:
         """Discard the history after a disturbance."""
-        self.calm, self._before, self._widest, self._rested = False, None, None, 0.0
+        self.at_standstill, self._before, self._widest, self._rested = False, None, None, 0.0
 
-    def judge(self, extent: Extent | None, seconds: float) -> None:
+    def check(self, extent: Extent | None, seconds: float) -> None:
         """Add a block with its range of position and output; None if the command moved."""
         before, widest = self._before, self._widest if extent is not None else None
         self._before = extent
         self._rested = self._rested + seconds if extent is not None else 0.0
         self._widest = extent if widest is None or extent is None else tuple(map(max, widest, extent))
         hunting = self._rested > HUNTING and not _grown(widest, extent)
-        self.calm = hunting or not _grown(before, extent)
+        self.at_standstill = hunting or not _grown(before, extent)
 
 
 def _grown(before: Extent | None, after: Extent | None) -> bool:

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     Row = dict[str, Any]
 
-# At most this many moves are shown with their phases; of more than `MOST`, only the worst are shown.
-WITH_PHASES, MOST = 6, 40
+# At most this many moves are shown with their phases; of more than `MAX_MOVES`, only the worst are shown.
+WITH_PHASES, MAX_MOVES = 6, 40
 
 _SIGNALS = (
     Column("signal", align="<", style="word"),
@@ -107,8 +107,8 @@ def _lag(seconds: float | None) -> str:
 
 def _moves(rows: Sequence[Row], width: int, colour: bool, everything: bool) -> list[str]:
     shown = list(rows)
-    if len(rows) > MOST and not everything:
-        worst = sorted(rows, key=lambda row: (-abs(row["peak"] or 0.0), row["start_time"]))[:MOST]
+    if len(rows) > MAX_MOVES and not everything:
+        worst = sorted(rows, key=lambda row: (-abs(row["peak"] or 0.0), row["start_time"]))[:MAX_MOVES]
         shown = sorted(worst, key=lambda row: row["start_time"])
     texts, styles = [], []
     for row in shown:

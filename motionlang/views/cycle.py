@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from motionlang.analysis.cycle.profile import Share, TimeProfile
 
 # The largest number of lines in the table, and of lines in a full program listing.
-MOST_LINES, MOST_LISTED = 20, 60
-LONGEST = 40
+MAX_LINES, MAX_LISTED = 20, 60
+MAX_NAME = 40
 
 _KINDS = (
     Column("cause", align="<", style="word"),
@@ -112,7 +112,7 @@ def _slack(axis: int, other: int, seconds: float) -> str:
 
 def _lines(made: TimeProfile, whole: float, width: int, colour: bool, everything: bool) -> list[str]:
     shares = [share for share in made.lines() if share.line]
-    shown = shares if everything else shares[:MOST_LINES]
+    shown = shares if everything else shares[:MAX_LINES]
     lines = grid(_LINES, [_line(made, share, whole) for share in shown], width=width, colour=colour)
     if len(shown) < len(shares):
         rest = fsum(share.seconds for share in shares[len(shown) :])
@@ -150,7 +150,7 @@ def _held(
             _awaited(share.causes),
             _source(made, share.line),
         ]
-        for share in (shares if everything else shares[:MOST_LINES])
+        for share in (shares if everything else shares[:MAX_LINES])
     ]
     return grid(_HELD, rows, width=width, colour=colour)
 
@@ -166,7 +166,7 @@ def _awaited(causes: Mapping[str, float]) -> str:
 
 def _source(made: TimeProfile, line: int) -> str:
     source = made.run.source.line(line).strip()
-    return printable(source if len(source) <= LONGEST else f"{source[: LONGEST - 1]}…")
+    return printable(source if len(source) <= MAX_NAME else f"{source[: MAX_NAME - 1]}…")
 
 
 def _sum(causes: Mapping[str, float], names: Sequence[str]) -> str:

@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 TAB = 4
 # A message quotes the user's text, which may be a megabyte without a space.
-LONGEST_MESSAGE = 500
+MAX_MESSAGE = 500
 # The largest number of diagnostics shown for one file.
-MOST = 100
+MAX_SHOWN = 100
 
 
 def render(
@@ -73,9 +73,9 @@ def render_all(
     Of very many only the first are shown, with the number of others.
     """
     found = list(diagnostics)
-    texts = [render(each, source, name=name, colour=colour, width=width) for each in found[:MOST]]
-    if len(found) > MOST:
-        texts.append(f"and {tally(found[MOST:])} more in the JSON report\n")
+    texts = [render(each, source, name=name, colour=colour, width=width) for each in found[:MAX_SHOWN]]
+    if len(found) > MAX_SHOWN:
+        texts.append(f"and {tally(found[MAX_SHOWN:])} more in the JSON report\n")
     return "\n".join(texts)
 
 
@@ -101,7 +101,7 @@ def _place(diagnostic: Diagnostic, name: str) -> str:
 
 def _short(text: str) -> str:
     text = printable(text)
-    return text if len(text) <= LONGEST_MESSAGE else text[: LONGEST_MESSAGE - 1] + "…"
+    return text if len(text) <= MAX_MESSAGE else text[: MAX_MESSAGE - 1] + "…"
 
 
 def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width: int) -> list[str]:

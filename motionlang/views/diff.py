@@ -24,7 +24,7 @@ UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
 MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
 # The largest number of entries of a kind that are listed, and of lines that a time difference is attributed
 # to.
-MOST, MOST_CHARGED = 12, 4
+MAX_LINES, MAX_CHARGED = 12, 4
 
 
 def diff_lines(
@@ -33,7 +33,7 @@ def diff_lines(
     charges: Sequence[Charge] = (),
     *,
     colour: bool = False,
-    most: int = MOST,
+    most: int = MAX_LINES,
 ) -> list[str]:
     """Return the difference as lines of text; none if there is no difference.
 
@@ -47,7 +47,7 @@ def diff_lines(
         part = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
         out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{part})", "bold", colour))
         if charges:
-            out.append(f"by line: {_charged(charges, MOST_CHARGED if most == MOST else most)}")
+            out.append(f"by line: {_charged(charges, MAX_CHARGED if most == MAX_LINES else most)}")
     out += _first([_line(*each) for each in _together(found.lines)], most, "lines")
     out += _first([f"missing: {_move(each)}" for each in found.gone], most, "missing moves")
     out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
@@ -165,9 +165,9 @@ def change_lines(found: Difference, change: Change) -> list[str]:
             move = next(gone if i is not None else new)
             if number == what:
                 told.append(f"{'new' if i is None else 'missing'}: {_move(move)}")
-        return _first(told, MOST, "moves of this kind")
+        return _first(told, MAX_LINES, "moves of this kind")
     if kind == "field":
-        return _first(found.fields[what], MOST, "others")
+        return _first(found.fields[what], MAX_LINES, "others")
     if kind == "end":
         return [_tail(found.tail)]
     if kind == "print":

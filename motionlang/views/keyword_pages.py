@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 # The largest number of output lines shown for an example.
-MOST = 12
+MAX_EXAMPLES = 12
 # Titles of groups whose names are not titles.
 TITLES = {
     "io": "Inputs and outputs",
@@ -85,8 +85,8 @@ def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]
     if row.example:
         lines += ["", f"```{dialect}", *row.example.splitlines(), "```"]
         output = [line.translate(SIGNS) for line in shown(row)]
-        if len(output) > MOST:
-            output = [*output[:MOST], "…"]
+        if len(output) > MAX_EXAMPLES:
+            output = [*output[:MAX_EXAMPLES], "…"]
         lines += ["", "shows", "", "```text", *output, "```"] if output else []
     return lines + _open(row, dialect)
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 WIDTH = 110
 # The largest number of output lines; of more, the first and the last half of these are shown.
-MOST_LINES = 200
+MAX_LINES = 200
 # The largest number of moves in a table, and of points on the curve of one.
 MOST_MOVES, POINTS = 50, 300
 TITLES = {
@@ -34,8 +34,8 @@ TITLES = {
 def html(run: Run) -> str:
     """Return the run as HTML, with all text of the program escaped."""
     lines = run.output
-    if len(lines) > MOST_LINES:
-        half = MOST_LINES // 2
+    if len(lines) > MAX_LINES:
+        half = MAX_LINES // 2
         lines = [*lines[:half], f"… {len(lines) - 2 * half} lines …", *lines[-half:]]
     parts = ["\n".join(map(printable, lines))]
     if run.diagnostics:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 # The number of points along the path, and the largest number of lines labelled.
-POINTS, MOST_NAMED = 6000, 40
+POINTS, MAX_NAMED = 6000, 40
 SIZE = 9.0
 
 
@@ -110,7 +110,7 @@ def _name_lines(axes: Axes, run: Run, of: tuple[int, ...], span: tuple[float, fl
     named: set[int] = set()
     for row in rows:
         middle = row["start_time"] + 0.5 * row["duration"]
-        if row["line"] in named or not span[0] <= middle <= span[1] or len(named) >= MOST_NAMED:
+        if row["line"] in named or not span[0] <= middle <= span[1] or len(named) >= MAX_NAMED:
             continue
         named.add(row["line"])
         at = [float(_along(run.trace, axis, "position", np.array([middle, middle]))[0]) for axis in of]

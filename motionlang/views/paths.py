@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from motionlang.log.paths import PathRow
 
-MOST = 60
+MAX_ROWS = 60
 # Smaller angles, in degrees, are not corners.
 SMOOTH = 0.05
 _COLUMNS = (
@@ -37,7 +37,7 @@ def render_paths(
     """The table as text that ends with a newline."""
     if not rows:
         return "no path was run: no axes begin and end together on one line\n"
-    shown = rows if everything else rows[:MOST]
+    shown = rows if everything else rows[:MAX_ROWS]
     time = decimals_of([row.duration for row in shown], 6)
     length = decimals_of([row.length for row in shown])
     texts = [

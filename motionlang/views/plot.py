@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from motionlang.servo.trace import ServoTrace
     from motionlang.views.window import Window
 
-MOST_AXES, MOST_LANES, MOST_ANALOGUE = 8, 24, 4
+MAX_AXES, MAX_LANES, MAX_ANALOGUE = 8, 24, 4
 # In inches: the width of the picture; the heights of a panel of one axis, of several axes and of a lane; the
 # margins above and below, and the gap between groups of panels.
 WIDTH, DPI = 11.0, 120
@@ -109,13 +109,13 @@ class _Picture:
         rows = [
             row for row in moves if row["start_time"] <= end and row["start_time"] + row["duration"] >= begin
         ]
-        self.axes = chosen[:MOST_AXES]
+        self.axes = chosen[:MAX_AXES]
         happened: list[dict[str, Any]] = list(events_of(run))
         self.events = [row for row in happened if row["kind"] in GRAVE and begin <= row["time"] <= end]
         self.moves = {axis: [row for row in rows if row["axis"] == axis] for axis in self.axes}
         self.panels = {axis: panels(trace, axis, servos.get(axis), self.span) for axis in self.axes}
-        self.digital = [lane for lane in channels if lane.is_digital][:MOST_LANES]
-        self.analogue = [lane for lane in channels if not lane.is_digital][:MOST_ANALOGUE]
+        self.digital = [lane for lane in channels if lane.is_digital][:MAX_LANES]
+        self.analogue = [lane for lane in channels if not lane.is_digital][:MAX_ANALOGUE]
         self.hidden_axes = len(chosen) - len(self.axes)
         self.hidden_channels = len(channels) - len(self.digital) - len(self.analogue)
 

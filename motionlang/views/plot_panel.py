@@ -30,7 +30,7 @@ PHASES = {
 }
 ON, EVENT = "#3f6d9e", "#b3261e"
 # With more than these, shading is noise and labels overlap.
-MOST_SHADED, MOST_NAMED, MOST_EVENTS = 60, 40, 12
+MAX_SHADED, MAX_NAMED, MAX_EVENTS = 60, 40, 12
 # The width of a letter of a label and half a gap between two labels, as fractions of the picture's width.
 LETTER, GAP = 0.0072, 0.004
 POINTS_PER_INCH = 72.0
@@ -43,7 +43,7 @@ def draw_panel(axes: Axes, panel: Panel, rows: Rows, span: tuple[float, float], 
     """
     if is_shaded(rows):
         _shade(axes, rows, pixel_of(axes, span), second)
-    dense = len(rows) > MOST_SHADED
+    dense = len(rows) > MAX_SHADED
     for curve in panel.curves:
         axes.plot(
             curve.times / second,
@@ -108,14 +108,14 @@ def draw_lanes(axes: Axes, lanes: Sequence[Lane], span: tuple[float, float], sec
 
 def is_shaded(rows: Rows) -> bool:
     """True if the phases of these moves are distinguishable."""
-    return 0 < sum(len(row["phases"]) for row in rows) <= MOST_SHADED
+    return 0 < sum(len(row["phases"]) for row in rows) <= MAX_SHADED
 
 
 def name_moves(axes: Axes, rows: Rows, span: tuple[float, float], second: float) -> None:
     """Label the moves above a panel with their program lines, where there is room."""
     begin, end = span
     length = end - begin
-    if len(rows) > MOST_NAMED or not length:
+    if len(rows) > MAX_NAMED or not length:
         return
     free = 0.0
     for row in rows:
@@ -135,7 +135,7 @@ def mark_events(group: Sequence[Axes], rows: Rows, span: tuple[float, float], se
     The first panel has the labels.
     """
     named: dict[float, list[str]] = {}
-    for row in rows[:MOST_EVENTS]:
+    for row in rows[:MAX_EVENTS]:
         named.setdefault(row["time"], []).append(row["kind"])
     for time in named:
         for axes in group:

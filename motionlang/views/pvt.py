@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from motionlang.planners.pvt.points import Knot
 
 WIDTH = 120
-MOST_ROWS = 40
-MOST_COLUMNS = 12
+MAX_ROWS = 40
+MAX_COLUMNS = 12
 NOISE = 1e-12
 """Largest jump, relative to the accelerations around it, that is a rounding error."""
 
@@ -49,9 +49,9 @@ def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
         for i, part in enumerate(parts)
     ]
     shown = _figures(cells)
-    lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MOST_ROWS])], width=width)
-    if len(shown) > MOST_ROWS:
-        lines.append(f"… and {len(shown) - MOST_ROWS} more segments")
+    lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MAX_ROWS])], width=width)
+    if len(shown) > MAX_ROWS:
+        lines.append(f"… and {len(shown) - MAX_ROWS} more segments")
     lines += ["", _summary(profile, marks, scale)]
     return lines
 
@@ -76,7 +76,7 @@ def comparison_lines(
     scale = max(map(abs, accelerations), default=0.0)
     inner = len(rows[0][1]) - 2
     columns = [Column("velocities", align="<"), Column("largest jump", "counts/s²")]
-    count = inner if inner <= MOST_COLUMNS else 0
+    count = inner if inner <= MAX_COLUMNS else 0
     columns += [Column(f"v{n}", "counts/s", drop=n) for n in range(1, count + 1)]
     jumps = _column([quiet(jump, scale) for _, _, jump in rows], 1)
     speeds = [_column([v[n] for _, v, _ in rows], 2) for n in range(1, count + 1)]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 QUANTITIES = (("Position", "counts"), ("Velocity", "counts/s"), ("Acceleration", "counts/s²"))
 LINE, MARK, GRID = "#1f5fae", "#d01c1f", "#d9dfe5"
-MOST_MARKS = 400
+MAX_MARKS = 400
 POINTS = 2000
 SIZE, NARROW, DPI = (8.0, 7.5), 4.2, 120
 
@@ -66,7 +66,7 @@ def _draw(panels: list[Axes], profile: Profile, title: str, *, leftmost: bool) -
     for order, (axes, (name, unit)) in enumerate(zip(panels, QUANTITIES, strict=True)):
         x, y = _curve(profile, order)
         axes.plot(x, y, color=LINE, linewidth=1.4)
-        if order < 2 and len(marks) <= MOST_MARKS:
+        if order < 2 and len(marks) <= MAX_MARKS:
             axes.plot(times, given[order], "*", color=MARK, markersize=9, clip_on=False, zorder=3)
         axes.grid(True, color=GRID, linewidth=0.6)
         axes.set_axisbelow(True)

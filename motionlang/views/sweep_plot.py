@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT, PANEL = 9.0, 5.0, 2.2
 # The largest number of lines in one panel; more are indistinguishable.
-MOST_LINES = 8
+MAX_LINES = 8
 # The largest number of points of a line with markers.
-MOST_MARKED = 60
+MAX_MARKED = 60
 
 
 def plot_lines(
@@ -39,7 +39,7 @@ def plot_lines(
                 xs, ys = [p[0] for p in points], [p[1] for p in points]
                 panel.plot(
                     xs, ys, color=COLOURS[n % len(COLOURS)], linewidth=1.4, label=label or None,
-                    linestyle="-" if n < len(COLOURS) else "--", marker="o" if len(xs) <= MOST_MARKED else None,
+                    linestyle="-" if n < len(COLOURS) else "--", marker="o" if len(xs) <= MAX_MARKED else None,
                     markersize=3,
                 )  # fmt: skip
             if best and name in best:

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 # The largest number of characters of a text in a cell.
-MOST_LETTERS = 40
+MAX_LETTERS = 40
 
 
 def sweep_table(
@@ -45,7 +45,7 @@ def cell(value: object) -> str:
         return f"{value:.6g}"
     lines = str(value).split("\n")
     text = printable(" · ".join(lines))
-    return text if len(text) <= MOST_LETTERS else text[: MOST_LETTERS - 1] + "…"
+    return text if len(text) <= MAX_LETTERS else text[: MAX_LETTERS - 1] + "…"
 
 
 def heading(text: str, colour: bool) -> str:

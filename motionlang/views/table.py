@@ -29,14 +29,14 @@ if TYPE_CHECKING:
 
     Row = dict[str, Any]
 
-# At most `WITH_PHASES` moves are shown with their phases. Of more than `MOST_ROWS`, only `SHOWN` are shown,
+# At most `WITH_PHASES` moves are shown with their phases. Of more than `MAX_ROWS`, only `SHOWN` are shown,
 # with the totals.
-WITH_PHASES, MOST_ROWS, SHOWN = 10, 40, 10
-MOST_TOTALS = 30
+WITH_PHASES, MAX_ROWS, SHOWN = 10, 40, 10
+MAX_TOTALS = 30
 # More figures of a line than this are reduced to a few with the same sum.
-MOST_TERMS = 4096
+MAX_TERMS = 4096
 # A chart of more moves than this is a solid block.
-MOST_CHARTED, MOST_CHARTS = 200, 4
+MAX_CHARTED, MAX_CHARTS = 200, 4
 
 _MOVES = (
     Column("axis"),
@@ -102,11 +102,11 @@ def render(
 
     `charts` adds the velocity of the axes that moved; `everything` leaves no move, phase or line out.
     """
-    moves = _Gathered(moves_of(run, None if everything else MOST_ROWS), everything)
+    moves = _Gathered(moves_of(run, None if everything else MAX_ROWS), everything)
     parts = [_head(run, moves.count, colour)]
     if moves.count:
         parts.append(_moves(moves, width, colour, everything))
-    if moves.count > MOST_ROWS:
+    if moves.count > MAX_ROWS:
         parts.append(_totals(moves, run.time, width, colour, everything))
     events = _Events(events_of(run), everything)
     if events.count:
@@ -138,7 +138,7 @@ class _Total:
         self.durations.append(row["duration"])
         self.distances.append(abs(row["distance"]))
         self.peak = max(self.peak, row["peak_speed"])
-        if len(self.durations) >= MOST_TERMS:
+        if len(self.durations) >= MAX_TERMS:
             self.durations = array("d", exact_terms(self.durations))
             self.distances = array("d", exact_terms(self.distances))
 
@@ -154,7 +154,7 @@ class _Gathered:
         self.motors: list[Row] = []
         self.totals: dict[tuple[int, str, int], _Total] = {}
         for number, row in enumerate(rows):
-            if everything or number < MOST_ROWS:
+            if everything or number < MAX_ROWS:
                 self.shown.append(row)
             if "motor" in row:
                 self.motors.append(row)
@@ -168,7 +168,7 @@ class _Gathered:
         for (_, _, axis), total in self.totals.items():
             self.count += total.count
             self.by_axis[axis] = self.by_axis.get(axis, 0) + total.count
-        if not everything and self.count > MOST_ROWS:
+        if not everything and self.count > MAX_ROWS:
             del self.shown[SHOWN:]
 
 
@@ -221,11 +221,11 @@ class _Events:
         for row in rows:
             self.count += 1
             self.counts[row["kind"]] = self.counts.get(row["kind"], 0) + 1
-            if everything or len(first) < MOST_ROWS:
+            if everything or len(first) < MAX_ROWS:
                 first.append(row)
             if row["kind"] not in _USUAL and len(serious) < SHOWN:
                 serious.append(row)
-        whole = everything or self.count <= MOST_ROWS
+        whole = everything or self.count <= MAX_ROWS
         self.shown = first if whole else serious or first[:SHOWN]
 
 
@@ -291,7 +291,7 @@ class _Form:
 def _totals(moves: _Gathered, time: float, width: int, colour: bool, everything: bool) -> list[str]:
     """Return the total motion of each program line, the busiest first."""
     busiest = sorted(moves.totals.items(), key=lambda item: (-fsum(item[1].durations), item[0]))
-    most = len(busiest) if everything else MOST_TOTALS
+    most = len(busiest) if everything else MAX_TOTALS
     texts = [_total(key, group, time) for key, group in busiest[:most]]
     lines = grid(_TOTALS, texts, width=width, colour=colour)
     if len(busiest) > most:
@@ -316,7 +316,7 @@ def _total(key: tuple[int, str, int], group: _Total, time: float) -> list[str]:
 
 
 def _charts(run: Run, moves: _Gathered, width: int, colour: bool) -> list[list[str]]:
-    charted = [axis for axis, count in sorted(moves.by_axis.items()) if count <= MOST_CHARTED][:MOST_CHARTS]
+    charted = [axis for axis, count in sorted(moves.by_axis.items()) if count <= MAX_CHARTED][:MAX_CHARTS]
     parts = []
     for axis in charted:
         height = 6 if len(charted) == 1 else 4
@@ -332,7 +332,7 @@ def _motors(rows: list[Row], width: int, colour: bool, everything: bool) -> list
     Of many moves, those with the largest errors are shown.
     """
     worst = sorted(rows, key=lambda row: -row["motor"]["peak_following_error"])
-    shown = rows if everything or len(rows) <= MOST_ROWS else worst[:SHOWN]
+    shown = rows if everything or len(rows) <= MAX_ROWS else worst[:SHOWN]
     error = decimals_of([row["motor"]["peak_following_error"] for row in shown])
     texts = [
         [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.lang.nesting import Room
+from motionlang.lang.nesting import StackSpace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ _INDENT = "  "
 
 def render_tree(tree: object) -> str:
     """Return the tree with a node a line, each node below the field that has it."""
-    with Room():
+    with StackSpace():
         return "".join(f"{line}\n" for line in _node(tree, "", ""))
 
 

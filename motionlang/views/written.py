@@ -16,16 +16,16 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 # More rows than this are only in the JSON report.
-MOST = 40
+MAX_ROWS = 40
 _COLUMNS = (Column("written to", align="<", style="word"), Column("", align="<"), Column("value"))
 
 
 def written(rows: Sequence[Row], width: int, colour: bool) -> list[str]:
     """Return the lines of the table."""
-    texts = [[_device(row), _place(row), _value(row["value"])] for row in rows[:MOST]]
+    texts = [[_device(row), _place(row), _value(row["value"])] for row in rows[:MAX_ROWS]]
     lines = grid(_COLUMNS, texts, width=width, colour=colour)
-    if len(rows) > MOST:
-        lines.append(styled(f"… and {len(rows) - MOST} more: --report json has all", "dim", colour))
+    if len(rows) > MAX_ROWS:
+        lines.append(styled(f"… and {len(rows) - MAX_ROWS} more: --report json has all", "dim", colour))
     return lines
 
 

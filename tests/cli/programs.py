@@ -12,7 +12,7 @@ from motionlang.cli import main
 BALLSCREW = "1US1200\n1MN,1PM,1PT\n1SV250,1SA1250,1DS1250\n1MR200,1WS0\n1TP\n"
 WRONG = "1MN\n1XX3\n2MR10\n"
 # Seconds of real time for a process to end: a loaded machine may stall, and normally no test waits.
-LONGEST = 300
+MAX_SECONDS = 300
 JOG = "1MN,1VM,1SV100,1GO\n"
 
 

@@ -170,7 +170,7 @@ def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
 
 
 def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, value in (("MOST", 60), ("LEFT", 30), ("PART", 20)):
+    for name, value in (("MAX_TAIL", 60), ("LEFT", 30), ("PART", 20)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     cell.write("a.mnt", "Loop\nOUT(0) = 1 - OUT(0)\nEnd Loop\n")

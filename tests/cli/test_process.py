@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.programs import BALLSCREW, LONGEST, Cell
+from tests.cli.programs import BALLSCREW, MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
 
@@ -98,7 +98,7 @@ def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
         assert process.stdout is not None
         assert process.stdout.readline() == "01 0\n"
         process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=LONGEST)
+        out, err = process.communicate(timeout=MAX_SECONDS)
     assert process.returncode == 130
     assert " · interrupted at " in out
     assert err.startswith("error[interrupted]: the run was ended from the keyboard\n")
@@ -119,7 +119,7 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
             shown += os.read(main, 4096)
-        process.communicate(timeout=LONGEST)
+        process.communicate(timeout=MAX_SECONDS)
     os.close(main)
     assert process.returncode == 130
 
@@ -141,7 +141,7 @@ def test_a_loop_that_never_waits_is_told_while_it_runs(tmp_path: Path) -> None:
         assert early[3] == "4 |   JOG(0) = k\n"
         assert process.poll() is None
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=LONGEST)
+        _, err = process.communicate(timeout=MAX_SECONDS)
     assert process.returncode == 130
     assert TOLD not in err
     assert "the run was ended from the keyboard" in err
@@ -162,7 +162,7 @@ def test_on_a_terminal_it_stands_above_the_line_of_progress(tmp_path: Path) -> N
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
             shown += os.read(main, 4096)
-        process.communicate(timeout=LONGEST)
+        process.communicate(timeout=MAX_SECONDS)
     os.close(main)
     assert shown.count(TOLD.encode()) == 1
 

@@ -427,12 +427,12 @@ def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
 
 
 def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("motionlang.views.scope.MOST", 1)
+    monkeypatch.setattr("motionlang.views.scope.MAX_RECORDS", 1)
     ran = cell("run", "ballscrew.mcl", "--plot", "a.html")
     assert ran.status == 1
     assert "a.html was not written: the run has 2 records, but a page holds at most 1; " in ran.err
     assert not (cell.folder / "a.html").exists()
-    monkeypatch.setattr("motionlang.log.orders.MOST", 0)
+    monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", 0)
     ran = cell("run", "ballscrew.mcl", "--prove", "--report", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)

@@ -21,7 +21,7 @@ from motionlang.errors import Terminated
 from motionlang.execution import dialect
 from motionlang.lang.scheduler import Scheduler
 from motionlang.views import export
-from tests.cli.programs import LONGEST, Cell
+from tests.cli.programs import MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
 MOVE = "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
@@ -181,7 +181,7 @@ def test_a_process_that_is_told_to_end(number: int, who: str, status: int, tmp_p
         assert process.stdout is not None
         assert process.stdout.readline() == "10.0000\n"
         process.send_signal(number)
-        out, err = process.communicate(timeout=LONGEST)
+        out, err = process.communicate(timeout=MAX_SECONDS)
     assert (process.returncode, " · interrupted at " in out) == (status, True)
     assert err.startswith(f"error[interrupted]: the run was ended {who}\n")
     assert "Traceback" not in err

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.programs import LONGEST
+from tests.cli.programs import MAX_SECONDS
 
 JOBS = 2
 # The command line, in which each new process reports on standard error. Workers inherit that, so its end is
@@ -57,7 +57,7 @@ def started(script: str, verb: str, folder: Path) -> subprocess.Popen[str]:
 def told_until_all_have_ended(process: subprocess.Popen[str]) -> str:
     """Return standard error until the command and every worker have closed it."""
     try:
-        return process.communicate(timeout=LONGEST)[1]
+        return process.communicate(timeout=MAX_SECONDS)[1]
     finally:
         try:
             os.killpg(process.pid, signal.SIGKILL)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.programs import LONGEST, Cell
+from tests.cli.programs import MAX_SECONDS, Cell
 
 SPOOL = """\
 INPUT "Turns ", turns
@@ -135,6 +135,6 @@ def test_a_person_is_asked_at_once(tmp_path: Path) -> None:
             while wanted not in shown:
                 shown += os.read(ours, 1024)
             os.write(ours, typed)
-        assert process.wait(LONGEST) == 0
+        assert process.wait(MAX_SECONDS) == 0
     os.close(ours)
     assert shown.split(b"\r\n")[:3] == [b"Turns 4", b"? 5", b"sum 9.0000"]

@@ -1,4 +1,4 @@
-"""Any verbs in any order: no jump of position; time advances; only Refusal rises."""
+"""Any verbs in any order: no jump of position; time advances; only Rejected rises."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from tests.controller.machines import machine, until
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def run_on(c: Controller, time: float) -> None:
     while c.clock.now < time:
         try:
             until(c, time)
-        except Refusal:
+        except Rejected:
             pass
 
 
@@ -107,7 +107,7 @@ def test_positions_never_jump(seed: int) -> None:
     for step in steps_of(r, 40):
         try:
             perform(c, step)
-        except Refusal:
+        except Rejected:
             pass
     run_on(c, c.clock.now + 3.0)
     for axis in c.axes:
@@ -129,7 +129,7 @@ def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
     for step in steps_of(r, 20):
         try:
             perform(c, step)
-        except Refusal:
+        except Rejected:
             pass
     run_on(c, c.clock.now + 2.0)
     samples = c.trace.sample(97.0, axes=[0, 1, 2])

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.controller.controller import SETTINGS, Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.verbs import VERBS, Recorder
 
 PACKAGE = Path(__file__).parents[2] / "motionlang"
@@ -128,7 +128,7 @@ def test_a_full_buffer_refuses_the_next_move() -> None:
     c.load_by(0, 1.0)
     c.load_by(0, 1.0)
     assert c.room(0) == 0
-    with pytest.raises(Refusal, match="full"):
+    with pytest.raises(Rejected, match="full"):
         c.load_by(0, 1.0)
 
 
@@ -228,9 +228,9 @@ def test_crossing_time_is_exact() -> None:
 def test_an_axis_that_is_off_refuses_to_move() -> None:
     c = machine()
     c.disable(0)
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(Rejected) as rejected:
         c.move_to(0, 1.0)
-    assert refusal.value.code == "disabled-axis"
+    assert rejected.value.code == "disabled-axis"
 
 
 @pytest.mark.parametrize(
@@ -241,9 +241,9 @@ def test_a_move_with_a_zero_is_refused_with_its_name(name: str, code: str) -> No
     c = machine()
     c.configure(0, name, 0.0)
     c.load_by(0, 12.0, "MOVER", 7)
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(Rejected) as rejected:
         c.go([0])
-    assert (refusal.value.code, refusal.value.line) == (code, 7)
+    assert (rejected.value.code, rejected.value.line) == (code, 7)
 
 
 def test_rates_by_time_follow_the_speed() -> None:

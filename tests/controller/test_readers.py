@@ -8,7 +8,7 @@ from math import inf
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.readers import PLACE
+from motionlang.controller.readers import POSITION
 from motionlang.controller.verbs import Recorder
 
 
@@ -26,7 +26,7 @@ def test_a_bound_reading_is_the_reading(shape: str) -> None:
     controller = scaled()
     controller.configure(0, "shape", shape)
     scale = controller.axes[0].scale
-    place, speed = controller.reader("position", 0, PLACE), controller.reader("velocity", 0, "uu/s")
+    place, speed = controller.reader("position", 0, POSITION), controller.reader("velocity", 0, "uu/s")
     counts, left = controller.reader("demand", 0), controller.reader("remaining", 0, "uu")
     controller.load_to(0, 40.0)
     controller.load_by(0, -7.0)
@@ -45,7 +45,7 @@ def test_a_bound_reading_is_the_reading(shape: str) -> None:
 
 def test_a_bound_reading_is_right_at_a_past_moment_and_between_the_moves() -> None:
     controller = scaled()
-    place = controller.reader("position", 0, PLACE)
+    place = controller.reader("position", 0, POSITION)
     controller.move_to(0, 8.0)
     controller.clock.advance(1.0)
     assert place() == pytest.approx(0.6)  # half a second of ramp, 2 counts; half a second at 8 counts/s
@@ -83,11 +83,11 @@ def test_a_rate_that_is_written_ends_the_time_for_it_and_acts_on_a_move() -> Non
     assert controller.velocity(0) == 4.0
 
 
-class Hearing:
+class Subscriber:
     """A subscriber to readings by `note` while `notes` is not None."""
 
     def __init__(self) -> None:
-        self.attention, self.wraps = self, dict[int, float]()
+        self.dependencies, self.wraps = self, dict[int, float]()
         self.notes: list[object] | None = None
         self.heard: list[tuple[Callable[..., float], object]] = []
 
@@ -96,17 +96,17 @@ class Hearing:
 
 
 def test_who_asks_hears_of_readings_and_of_what_they_are_compared_with() -> None:
-    controller, hearing = scaled(), Hearing()
-    place = controller.reader("position", 0, PLACE, hearing)
-    speed = controller.reader("velocity", 0, "uu/s", hearing)
+    controller, subscriber = scaled(), Subscriber()
+    place = controller.reader("position", 0, POSITION, subscriber)
+    speed = controller.reader("velocity", 0, "uu/s", subscriber)
     controller.define_position(0, 70.0)
     assert place() == 7.0
-    assert hearing.heard == []
-    hearing.notes = []
-    hearing.wraps[0] = 5.0
+    assert subscriber.heard == []
+    subscriber.notes = []
+    subscriber.wraps[0] = 5.0
     assert place(6.5) == 2.0
     assert speed() == 0.0
-    assert [level for _, level in hearing.heard] == [6.5, None]
+    assert [level for _, level in subscriber.heard] == [6.5, None]
 
 
 def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
@@ -114,11 +114,11 @@ def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
 
     It covers 2 counts in half a second, 16 in two, and 2 in the last half.
     """
-    controller, hearing = scaled(), Hearing()
-    hearing.notes = []
-    controller.reader("position", 0, PLACE, hearing)()
-    controller.reader("velocity", 0, "uu/s", hearing)()
-    place, speed = (until for until, _ in hearing.heard)
+    controller, subscriber = scaled(), Subscriber()
+    subscriber.notes = []
+    controller.reader("position", 0, POSITION, subscriber)()
+    controller.reader("velocity", 0, "uu/s", subscriber)()
+    place, speed = (until for until, _ in subscriber.heard)
     assert place(0.5) == place() == inf
     assert place(inf) == 0.0  # at rest it is no new maximum
     controller.move_by(0, 20.0)
@@ -128,7 +128,7 @@ def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
     assert speed(0.4) == pytest.approx(0.25)
     controller.clock.advance(0.6)
     assert place(inf) == pytest.approx(3.0)  # it reverses, or is at rest
-    hearing.wraps[0] = 0.4
+    subscriber.wraps[0] = 0.4
     assert place(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
     assert place(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps
     assert place(inf) == 0.6
@@ -137,7 +137,7 @@ def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
 def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:
     recorder = Recorder(2, answers={"position": 30.0, "setting": 20.0})
     recorder.set_scale(1, 10.0)
-    assert recorder.reader("position", 1, PLACE)() == 3.0
+    assert recorder.reader("position", 1, POSITION)() == 3.0
     assert recorder.reader("speed", 1, "uu/s")() == 2.0
     recorder.writer("speed", 1, "uu/s")(4.0)
     assert recorder.calls[1:] == [("position", 1), ("setting", 1, "speed"), ("configure", 1, "speed", 40.0)]

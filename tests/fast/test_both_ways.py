@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 import motionlang
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
+from motionlang.controller.faults import FOLLOWING_ERROR, Rejected
 from motionlang.controller.feedback import Feedback
 from motionlang.fast.closed_form import ClosedFormServo
-from motionlang.servo.ahead import Ahead
+from motionlang.servo.speculative import SpeculativeServo
 from motionlang.source import Source
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def told(
     section: dict[str, object],
     limit: float,
     acts: list[tuple[str, float]],
-    servo: Callable[..., Ahead],
+    servo: Callable[..., SpeculativeServo],
 ) -> tuple[list[Reading], list[float]]:
     """Return the readings after each pause, and the times of error limit violations."""
     controller, trips = Controller(1), list[float]()
@@ -82,7 +82,7 @@ def told(
     for name, pause in acts:
         try:
             ACTS[name](controller)
-        except Refusal:
+        except Rejected:
             pass  # a jog of a disabled axis
         clock.advance(clock.now + pause)
         seen.append((controller.position(0), controller.velocity(0), feedback.error, feedback.output))
@@ -101,7 +101,7 @@ def test_readings_are_the_same_and_trips_come_at_the_same_sample(
 ) -> None:
     """They agree to a ten-millionth of a count, and of counts/s and volts."""
     seen, trips = told(plant, section, limit, acts, ClosedFormServo)
-    stepped, plain_trips = told(plant, section, limit, acts, Ahead)
+    stepped, plain_trips = told(plant, section, limit, acts, SpeculativeServo)
     for one, other in zip(seen, stepped, strict=True):
         assert one == pytest.approx(other, rel=1e-7, abs=1e-7)
     assert trips == plain_trips

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from motionlang.fast.closed_form import ClosedFormServo, closed_form
 from motionlang.planners import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
-from motionlang.servo import Drive, Loop, Motor, Track, ahead
-from motionlang.servo.ahead import SEEN, Ahead
+from motionlang.servo import Drive, Loop, Motor, Track, speculative
+from motionlang.servo.speculative import SEEN, SpeculativeServo
 from tests.cases import cases
 from tests.servo.plain import run_plain
 from tests.servo.test_oracle import LOOPS, PID, PLANTS, points_of
@@ -46,9 +46,9 @@ def track() -> Track:
     )
 
 
-def looked(servo: Ahead, blocks: list[int]) -> dict[str, Array]:
+def looked(servo: SpeculativeServo, blocks: list[int]) -> dict[str, Array]:
     """Return the samples of a servo, block by block."""
-    rows = np.concatenate([servo.look(count) for count in blocks], axis=1)
+    rows = np.concatenate([servo.run_block(count) for count in blocks], axis=1)
     return dict(zip(SEEN, rows, strict=True))
 
 
@@ -150,10 +150,10 @@ def test_a_constant_torque_is_a_parabola() -> None:
 def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, name: str) -> None:
     """A motor that is taken over is exactly where it was read: samples repeat exactly."""
     servo, twin = (ClosedFormServo(FORMS[name], LINEAR["gravity"], track()) for _ in range(2))
-    servo.look(150)
-    twin.look(150)
-    there = servo.look(3000)
-    assert twin.look(count).tolist() == there[:, :count].tolist()
+    servo.run_block(150)
+    twin.run_block(150)
+    there = servo.run_block(3000)
+    assert twin.run_block(count).tolist() == there[:, :count].tolist()
     servo.back(150 + count)
     assert (servo.state, servo.sample, servo.error) == (twin.state, twin.sample, twin.error)
 
@@ -167,7 +167,7 @@ def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
         growing = Track([0.0], [hold(0.0)])
         servo = ClosedFormServo(FORMS[name], Motor(), growing)
         servo.open(2.0)
-        servo.look(200)
+        servo.run_block(200)
         now = (servo.sample - 0.5) / FORMS[name].servo_rate
         growing.starts.append(now)
         growing.profiles.append(hold(servo.position))
@@ -186,7 +186,7 @@ def test_a_motor_comes_to_rest_to_the_last_bit() -> None:
         state = servo.state
         assert set(looked(servo, [2000])["encoder"]) == {2500.0}
         assert servo.state == state
-    assert not free.look(10)[1:].any()
+    assert not free.run_block(10)[1:].any()
     assert held.output * Motor().amplifier_gain * 0.05 == pytest.approx(0.01)  # gain u/R k = load torque
 
 
@@ -194,15 +194,15 @@ def test_around_a_limit_there_are_plain_steps_and_elsewhere_there_are_none(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     stepped: list[int] = []
-    step = Ahead._step
+    step = SpeculativeServo._step
 
-    def counted(servo: Ahead, until: int, out: Array) -> None:
+    def counted(servo: SpeculativeServo, until: int, out: Array) -> None:
         stepped.append(until - servo.sample)
         step(servo, until, out)
 
-    monkeypatch.setattr(Ahead, "_step", counted)
+    monkeypatch.setattr(SpeculativeServo, "_step", counted)
     quick = plan_trapezoid(0.0, 4000.0, 12_000.0, 90_000.0, 140_000.0)
-    ClosedFormServo(PID, Motor(), Track([0.0], [quick])).look(3000)
+    ClosedFormServo(PID, Motor(), Track([0.0], [quick])).run_block(3000)
     assert stepped == []
     seen = looked(ClosedFormServo(LOOPS["tight output limit"], Motor(), Track([0.0], [quick])), [3000])
     assert 0 < sum(stepped) < 1500
@@ -235,4 +235,4 @@ def test_what_has_no_closed_form_is_run_by_steps(loop: Loop, plant: Motor) -> No
     stepped = ClosedFormServo(loop, plant, track()).run(900)
     seen = looked(ClosedFormServo(loop, plant, track()), [900])
     assert all(seen[name].tolist() == stepped[name].tolist() for name in ("velocity", "error", "output"))
-    assert ahead.seen_of(stepped)[0].tolist() == seen["encoder"].tolist()
+    assert speculative.seen_of(stepped)[0].tolist() == seen["encoder"].tolist()

@@ -154,14 +154,14 @@ def test_a_way_that_comes_back_is_planned_with_the_rates_of_then(
 
 def test_an_axis_that_goes_there_and_back_has_one_recipe_for_each_way() -> None:
     text = "".join(f"MOVEA(0) = {5 * (n % 2)} : GO(0)\nPAUSE IDLE(0)\n" for n in range(1, 9))
-    log: list[Any] = list(run(Source("a.mnt", text), cache=False).controller.log.moves.as_kept())
+    log: list[Any] = list(run(Source("a.mnt", text), cache=False).controller.log.moves.as_stored())
     recipes = [row[5] for row in log]
     assert len({id(recipe) for recipe in recipes}) == 2
     assert recipes[0] != recipes[1]
 
 
 def kept(result: Run) -> list[type]:
-    return [type(each) for each in result.controller.log.moves.as_kept()]
+    return [type(each) for each in result.controller.log.moves.as_stored()]
 
 
 def test_a_move_that_nobody_looks_at_stays_a_row() -> None:

@@ -123,7 +123,7 @@ def both(source: Source, machine: dict[str, object], until: float | None = None)
 def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """Return the ends of the waits that pass without a switch."""
     ends: list[float] = []
-    passes = TimeSlices.passes_in_turn
+    passes = TimeSlices.passes_among_others
 
     def counted(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:
         reach = passes(scheduler, since, end, by_bell)
@@ -131,7 +131,7 @@ def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
             ends.append(end)
         return reach
 
-    monkeypatch.setattr(TimeSlices, "passes_in_turn", counted)
+    monkeypatch.setattr(TimeSlices, "passes_among_others", counted)
     return ends
 
 
@@ -184,7 +184,7 @@ def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> N
 
 def interrupting(after: int) -> Callable[[TimeSlices, float, float, bool], float]:
     """Return a replacement that interrupts a run at a wait without a switch."""
-    passes, left = TimeSlices.passes_in_turn, after
+    passes, left = TimeSlices.passes_among_others, after
 
     def ends(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:
         nonlocal left
@@ -201,7 +201,7 @@ def test_a_signal_in_such_a_wait_leaves_a_whole_log(after: int, monkeypatch: pyt
     program, machine = MEETS["nothing"]
     source = Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n")
     whole = execution.run(source, machine=machine, cache=False)
-    monkeypatch.setattr(TimeSlices, "passes_in_turn", interrupting(after))
+    monkeypatch.setattr(TimeSlices, "passes_among_others", interrupting(after))
     ended = execution.run(source, machine=machine, cache=False)
     assert ended.status == "interrupted"
     waits = list(ended.machine.log.waits)

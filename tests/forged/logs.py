@@ -35,7 +35,7 @@ class Log(list[Move]):
 
     packed = 0
 
-    def as_kept(self) -> Iterator[Move]:
+    def as_stored(self) -> Iterator[Move]:
         return iter(self)
 
     def moved(self) -> set[int]:

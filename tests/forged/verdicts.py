@@ -21,7 +21,7 @@ MOMENTS, ALIKE = 101, 1e-5
 # Verdicts; the last one applies to several programs; one rejection decides.
 RANKS = ("same", "failed", "slower", "passed")
 # Seconds after which an endless forged planner is abandoned.
-LONGEST = 5.0
+MAX_SECONDS = 5.0
 
 
 class Entry(NamedTuple):
@@ -192,7 +192,7 @@ def _limited() -> Iterator[None]:
         raise Endless
 
     before: Callable[[int, FrameType | None], object] | int | None = signal.signal(signal.SIGALRM, give_up)
-    signal.setitimer(signal.ITIMER_REAL, LONGEST)
+    signal.setitimer(signal.ITIMER_REAL, MAX_SECONDS)
     try:
         yield
     finally:

@@ -15,7 +15,7 @@ from motionlang.source import Source
 from tests.fuzz.inputs import SUFFIX
 
 # Machine time of a run, and the limit of this process's seconds for such an input.
-UNTIL, LONGEST = 0.5, 20.0
+UNTIL, MAX_SECONDS = 0.5, 20.0
 
 
 class TooLong(Exception):
@@ -46,7 +46,7 @@ def trouble(name: str, text: str) -> str:
     """Return the end of the traceback of a program's check or run; "" for none."""
     source = Source(f"fuzz{SUFFIX[name]}", text)
     try:
-        with bounded(LONGEST):
+        with bounded(MAX_SECONDS):
             try:
                 dialect(name).check(source, {})
             except ProgramError:

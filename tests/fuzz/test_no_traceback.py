@@ -70,7 +70,7 @@ def test_every_word_has_its_forms() -> None:
 
 
 def test_what_takes_too_long_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tests.fuzz.guard.LONGEST", 0.05)
+    monkeypatch.setattr("tests.fuzz.guard.MAX_SECONDS", 0.05)
 
     def endless(*_: object, **__: object) -> None:
         while True:

@@ -31,7 +31,7 @@ def _checked(seeds: range, family: str) -> list[tuple[int, list[str]]]:
     return [(seed, findings(generate(seed, family))) for seed in seeds]
 
 
-def tell_words(seeds: range, family: str) -> int:
+def report_keywords_without_effect(seeds: range, family: str) -> int:
     """Print how many programs have each simulated keyword; 1 if one is missing.
 
     A given reason excuses it.
@@ -68,7 +68,7 @@ def main(arguments: list[str]) -> int:
         print(program.text, program.machine_file, sep="")
         return 0
     if given.words:
-        return tell_words(range(given.seed, given.seed + given.count), given.family)
+        return report_keywords_without_effect(range(given.seed, given.seed + given.count), given.family)
     end, bad = given.seed + given.count, Counter[str]()
     batches = [range(first, min(first + BATCH, end)) for first in range(given.seed, end, BATCH)]
     with ProcessPoolExecutor(given.jobs) as pool:

@@ -28,13 +28,13 @@ from tests.generated.motion import UNTIL, Generated
 from tests.generated.prefix import differences
 
 # Processor seconds that one program may take.
-LONGEST = 10.0
+MAX_SECONDS = 10.0
 
 
 def findings(program: Generated) -> list[str]:
     """Return the violations in the runs of a program; empty if there are none."""
     try:
-        with bounded(LONGEST):
+        with bounded(MAX_SECONDS):
             return list(_findings(program))
     except ProgramError as error:
         return [f"grammar: {each.line}: {each.message}" for each in error.diagnostics]

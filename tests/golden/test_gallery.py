@@ -13,7 +13,7 @@ from motionlang import run
 from motionlang.analysis.scenarios import scenario_files
 from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.program_files import programs
-from motionlang.cli.verify_besides import besides, sweep_golden
+from motionlang.cli.verify_further import further_checks, sweep_golden
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
@@ -30,7 +30,7 @@ def test_program(program: Path, request: pytest.FixtureRequest) -> None:
 
 def test_scenarios_and_sweeps_are_as_expected(request: pytest.FixtureRequest) -> None:
     for rewrite in (True, False) if request.config.getoption("--update") else (False,):
-        found = [each for program in PROGRAMS for each in besides(str(program), rewrite)]
+        found = [each for program in PROGRAMS for each in further_checks(str(program), rewrite)]
         assert [each.lines + each.diagnostics for each in found if each.failed] == []
     kinds = [each.kind for each in found]
     assert kinds.count("scenario") >= 4

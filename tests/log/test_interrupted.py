@@ -180,7 +180,7 @@ def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: p
     The run up to then is complete, with no duplicates. Each line is taken at its first and last execution,
     and 60 of the others; all of them with `long`.
     """
-    for name, most in {"FIRST_LOOK": 1, "HURRY": 0.0, "MOST_PROFILES": 6, "LEFT_PROFILES": 2}.items():
+    for name, most in {"FIRST_CHECK": 1, "HURRY": 0.0, "MAX_PROFILES": 6, "LEFT_PROFILES": 2}.items():
         monkeypatch.setattr(f"motionlang.log.log.{name}", most)
     source = Source("a.mnt", PLAIN)
     for _ in range(2):

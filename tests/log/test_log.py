@@ -14,7 +14,7 @@ import pytest
 
 from motionlang import report
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.joined import Followed
 from motionlang.controller.move import Move
 from motionlang.execution import run
@@ -48,13 +48,13 @@ Print "done"
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make a log pack at once, with almost everything on the disk."""
-    for name, value in (("MOST", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
+    for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
-    monkeypatch.setattr(log_module, "FIRST_LOOK", 1)
+    monkeypatch.setattr(log_module, "FIRST_CHECK", 1)
     monkeypatch.setattr(log_module, "HURRY", 0.0)
-    monkeypatch.setattr(log_module, "MOST_PROFILES", 16)
-    monkeypatch.setattr(log_module, "MOST_FOLLOWED", 16)
+    monkeypatch.setattr(log_module, "MAX_PROFILES", 16)
+    monkeypatch.setattr(log_module, "MAX_FOLLOWED", 16)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
 
 
@@ -119,7 +119,7 @@ def test_packed_or_not_a_run_reads_the_same(request: pytest.FixtureRequest) -> N
 
 
 def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(log_module, "MOST_PROFILES", 500)
+    monkeypatch.setattr(log_module, "MAX_PROFILES", 500)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)
     monkeypatch.setattr(stream, "PART", 200)
     result = run(Source("shuttle.mnt", SHUTTLE), cache=False)
@@ -251,7 +251,7 @@ def test_a_log_that_is_full_ends_the_run_and_keeps_what_is_there(small: None) ->
         for k in range(10_000):
             controller.set_output(0, k % 2 + 1)
 
-    with pytest.raises(Refusal, match="the log of the run has reached"):
+    with pytest.raises(Rejected, match="the log of the run has reached"):
         toggle()
     assert 50 < len(controller.log.outputs) < 10_000
     assert [change.value for change in controller.log.outputs][:2] == [1, 2]
@@ -313,7 +313,7 @@ def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytes
     count = len(Followed(a).starts)
     one_by_one = [(start, repr(Followed(a).profiles[k])) for k, start in enumerate(Followed(a).starts)]
     for most in 1024, 7, 3:
-        monkeypatch.setattr("motionlang.controller.joined._MOST_UNPACKED", most)
+        monkeypatch.setattr("motionlang.controller.joined._MAX_UNPACKED", most)
         track = Followed(a)
         for first in range(0, count + 1, 7):
             for past in (first, first + 1, first + 5, a.older.count, a.older.count + 1, count):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.mint.runtime import functions
 from motionlang.mint.runtime.printing import show_float, show_integer
 from motionlang.mint.syntax import nodes
@@ -38,8 +38,8 @@ class Reference:
         self.fuel = 20_000
         try:
             self.block(module.body)
-        except (Refusal, ZeroDivisionError, OverflowError) as error:
-            self.trouble = error.code if isinstance(error, Refusal) else type(error).__name__
+        except (Rejected, ZeroDivisionError, OverflowError) as error:
+            self.trouble = error.code if isinstance(error, Rejected) else type(error).__name__
 
     # --------------------------------------------------------------------------------------- statements
 
@@ -47,7 +47,7 @@ class Reference:
         for node in body:
             self.fuel -= 1
             if self.fuel < 0:
-                raise Refusal("limit", "out of fuel")
+                raise Rejected("limit", "out of fuel")
             getattr(self, "do_" + type(node).__name__.lower())(node)
 
     def do_dim(self, node: nodes.Dim) -> None:

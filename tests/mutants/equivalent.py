@@ -18,17 +18,17 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/log/log.py: Log: _pack_profiles: 0 -> 1 #2": (
         "one profile more stays as it is until the next are packed"
     ),
-    "motionlang/analysis/proof/axes.py: judge_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
+    "motionlang/analysis/proof/axes.py: check_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
         "an endless jerk adds nothing"
     ),
     "motionlang/analysis/proof/paths.py: _ends: True -> False": ("a path starts and ends on as many axes"),
-    "motionlang/analysis/proof/paths.py: _judge_along: span.length <= late -> span.length < late": (
+    "motionlang/analysis/proof/paths.py: _check_along: span.length <= late -> span.length < late": (
         "just as long as the rounding of its time either is right"
     ),
     "motionlang/analysis/proof/outputs.py: 40 -> 41": (
         "how many rows are looked at, of as many as there are"
     ),
-    "motionlang/log/orders.py: _path: 0.0 -> 1.0 #2": ("nothing asks a straight path for its angle"),
+    "motionlang/log/expected_motion.py: _path: 0.0 -> 1.0 #2": ("nothing asks a straight path for its angle"),
     "motionlang/analysis/proof/prove.py: _bend: speed < SLACK -> speed <= SLACK": (
         "just at the size of rounding either is right"
     ),
@@ -50,7 +50,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/servo/tuning.py: _least: low + edge -> low - edge": (
         "how soon the chords come near, from this side or from that"
     ),
-    "motionlang/controller/triggers/next_watches.py: free_way: at < here -> at <= here": (
+    "motionlang/controller/triggers/next_watches.py: free_interval: at < here -> at <= here": (
         "on a watch neither side is free: the move is planned the long way"
     ),
     "motionlang/mccl/keywords/registers.py: wrapped: value + 2147483648 -> value - 2147483648": (
@@ -80,7 +80,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/feasibility.py: _travel: v >= speed -> v > speed": (
         "a peak that is just the speed leaves nothing to slew but rounding"
     ),
-    "motionlang/planners/jerk_limited.py: Bent: curve: self.duration > knots[-2] -> self.duration >= knots[-2]": (
+    "motionlang/planners/jerk_limited.py: JerkLimited: curve: self.duration > knots[-2] -> "
+    "self.duration >= knots[-2]": (
         "where both are the same the last piece has no time in which anyone is on it"
     ),
     "motionlang/planners/segment_speed.py: _farthest: 0.5 -> 1.5 #3": (

@@ -56,7 +56,7 @@ KILLED, LIVED = 1, 0
 NONE = 1 << 30
 # A mutant that only this many tests reach may be in code whose result is cached: then all tests that reach
 # its file run.
-FEW = 5
+MIN_TESTS = 5
 
 
 def recorded(worker: int) -> Path:
@@ -152,7 +152,7 @@ class Forks:
             return {"number": number, "alone": True}
         near = [name for name in self.durations if file in tests[name]["files"]]
         names = [name for name in self.durations if number in tests[name]["mutants"]]
-        names = within_budget(names if len(names) >= FEW else near, self.durations)
+        names = within_budget(names if len(names) >= MIN_TESTS else near, self.durations)
         while by := self._fork([items[name] for name in names if name in items], number):
             if by not in self.durations or by in self.sound or not self._fork([items[by]], NONE):
                 self.sound.add(by)

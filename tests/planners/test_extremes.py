@@ -42,8 +42,8 @@ def test_any_figures_are_planned_or_refused(shape: str) -> None:
         try:
             assert arrives(plan(name, 0.0, target, speed, accel, decel, v0, 0.2, *jerks, a0))
             planned += 1
-        except ValueError as refusal:
-            refusals.append(str(refusal))
+        except ValueError as rejected:
+            refusals.append(str(rejected))
         for stops in (True, False):
             try:
                 made = (
@@ -52,8 +52,8 @@ def test_any_figures_are_planned_or_refused(shape: str) -> None:
                     else plan_velocity(name, 0.0, v0, speed, accel, decel, 0.2, *jerks, a0)
                 )
                 assert all(a <= b for a, b in zip(made.knots, made.knots[1:], strict=False))
-            except ValueError as refusal:
-                refusals.append(str(refusal))
+            except ValueError as rejected:
+                refusals.append(str(rejected))
     assert planned > 100
     assert all("must" in each or "too large" in each for each in refusals)
 

@@ -18,10 +18,10 @@ from motionlang.planners import Profile, plan, plan_trapezoid, plan_velocity
 from motionlang.planners.arc import arc_over, line_over, rotated
 from motionlang.planners.curve import from_curve
 from motionlang.planners.evaluate import evaluate
-from motionlang.planners.reparametrised import Composed, crossings, travelled
+from motionlang.planners.reparametrised import Reparametrised, crossings, travelled
 from motionlang.planners.sample import sample_profile, sample_track
-from motionlang.planners.sequence import Chain
-from motionlang.planners.superposition import Sum, added
+from motionlang.planners.sequence import ProfileSequence
+from motionlang.planners.superposition import Superposed, added
 from motionlang.planners.table_motion import table_curve
 from tests.planners.cases import Move, moves, quick
 
@@ -38,7 +38,7 @@ def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trap
     length = 10.0 * abs(sweep)
     along = plan(shape, 0.0, length, 20.0, 50.0, 50.0, ramp=0.2)
     end = 10.0 * (math.cos(sweep) if cosine else math.sin(sweep))
-    return Composed(along, arc_over(length, 0.0, 10.0, 0.0, sweep, end, cosine))
+    return Reparametrised(along, arc_over(length, 0.0, 10.0, 0.0, sweep, end, cosine))
 
 
 def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
@@ -49,13 +49,13 @@ def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
     Its second derivative is 6 * 10/4² at its ends. A cam that is driven at 20 so has peaks of 75 and 1500. Up
     to the first 1 it reaches a slope of 45/16, and beyond its end it continues straight.
     """
-    monkeypatch.setattr(Composed, "state", None)
+    monkeypatch.setattr(Reparametrised, "state", None)
     curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
-    whole = Composed(plan_velocity("trapezoid", -5.0, 20.0, 20.0, 50.0, 50.0), curve)
+    whole = Reparametrised(plan_velocity("trapezoid", -5.0, 20.0, 20.0, 50.0, 50.0), curve)
     assert (whole.peak_speed, whole.peak_acceleration) == pytest.approx((75.0, 1500.0))
-    back = Composed(plan_velocity("trapezoid", 1.0, -20.0, -20.0, 50.0, 50.0), curve)
+    back = Reparametrised(plan_velocity("trapezoid", 1.0, -20.0, -20.0, 50.0, 50.0), curve)
     assert (back.peak_speed, back.peak_acceleration) == pytest.approx((20.0 * 45.0 / 16.0, 1500.0))
-    beside = Composed(plan_velocity("trapezoid", 5.0, 20.0, 20.0, 50.0, 50.0), curve)
+    beside = Reparametrised(plan_velocity("trapezoid", 5.0, 20.0, 20.0, 50.0, 50.0), curve)
     assert (beside.peak_speed, beside.peak_acceleration) == (0.0, 0.0)
 
 
@@ -71,16 +71,16 @@ def test_the_peak_of_many_cycles_is_looked_for_where_the_master_is_fastest(
     cycles = []
     for k in range(25):
         begin, end = math.sqrt(4.0 * k), math.sqrt(4.0 * k + 4.0)
-        cycles.append(Composed(ramp.cut(end).after(begin).shifted(-4.0 * k), curve.shifted(10.0 * k)))
+        cycles.append(Reparametrised(ramp.cut(end).after(begin).shifted(-4.0 * k), curve.shifted(10.0 * k)))
     alone = [cycle.peak_speed for cycle in cycles]
-    search, searched = Composed._peak_of, []
+    search, searched = Reparametrised._peak_of, []
 
-    def noted(cycle: Composed, value: Callable[[float], float]) -> float:
+    def noted(cycle: Reparametrised, value: Callable[[float], float]) -> float:
         searched.append(cycle)
         return search(cycle, value)
 
-    monkeypatch.setattr(Composed, "_peak_of", noted)
-    assert Chain("cam", cycles).peak_speed == max(alone) == alone[-1]
+    monkeypatch.setattr(Reparametrised, "_peak_of", noted)
+    assert ProfileSequence("cam", cycles).peak_speed == max(alone) == alone[-1]
     assert 1 <= len(searched) <= 3
 
 
@@ -144,7 +144,9 @@ def test_velocity_and_acceleration_are_the_derivatives(move: Move, turns: float,
     if length == 0.0:
         return
     sweep = 2.0 * math.pi * turns
-    made = Composed(along, arc_over(length, 5.0, 3.0, 1.0, sweep, 5.0 + 3.0 * math.cos(1.0 + sweep), True))
+    made = Reparametrised(
+        along, arc_over(length, 5.0, 3.0, 1.0, sweep, 5.0 + 3.0 * math.cos(1.0 + sweep), True)
+    )
     t = share * along.duration
     h = 1e-5 * along.duration
     if any(abs(knot - t) < 2.0 * h for knot in along.knots) or not 2.0 * h < t < along.duration - 2.0 * h:
@@ -162,10 +164,10 @@ def all_kinds() -> list[Profile]:
     jog = plan_velocity("trapezoid", 0.0, 0.0, 5.0, 20.0, 20.0)
     return [
         arc,
-        Sum(arc, wave, "sum"),
+        Superposed(arc, wave, "sum"),
         arc.then(tail),
-        tail.then(Sum(arc, wave, "sum").shifted(-7.0)),
-        Sum(circle(False), jog, "sum"),
+        tail.then(Superposed(arc, wave, "sum").shifted(-7.0)),
+        Superposed(circle(False), jog, "sum"),
         added(wave, plan("sinusoidal", 0.0, 9.0, 10.0, 50.0, 50.0), "sum"),
     ]
 
@@ -246,7 +248,7 @@ def test_what_is_straight_stays_in_pieces() -> None:
     assert type(made) is Profile
     assert (made.start, made.end, made.peak_speed) == (10.0, 40.0, 60.0)
     assert isinstance(
-        travelled(along, arc_over(50.0, 0.0, 50.0, 0.0, 1.0, 50.0 * math.cos(1.0), True)), Composed
+        travelled(along, arc_over(50.0, 0.0, 50.0, 0.0, 1.0, 50.0 * math.cos(1.0), True)), Reparametrised
     )
 
 
@@ -269,13 +271,13 @@ def test_a_chain_keeps_its_phases_or_has_one_of_its_own() -> None:
     arc = circle()
     row = arc.then(plan_trapezoid(10.0, 0.0, 10.0, 50.0, 50.0))
     assert [phase.name for phase in row.phases] == ["accel", "slew", "decel"] * 2
-    (whole,) = Chain("follow", [arc, arc], "follow").phases
+    (whole,) = ProfileSequence("follow", [arc, arc], "follow").phases
     assert (whole.name, whole.duration, whole.distance) == ("follow", 2.0 * arc.duration, 0.0)
 
 
 def test_a_velocity_is_found_in_whichever_part_of_a_chain_runs_at_it_first() -> None:
     out, back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0), plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
-    row = Chain("follow", [out, back], "follow")
+    row = ProfileSequence("follow", [out, back], "follow")
     assert row.velocity_crossing(5.0) == pytest.approx(0.05)
     assert row.velocity_crossing(5.0, after=0.06) == pytest.approx(1.05)
     assert row.velocity_crossing(-5.0) == pytest.approx(1.1 + 0.05)
@@ -286,7 +288,7 @@ def test_a_velocity_is_found_in_whichever_part_of_a_chain_runs_at_it_first() -> 
 
 def test_a_velocity_at_the_end_of_a_part_is_found_although_the_next_part_begins_otherwise() -> None:
     out = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0)
-    row = Chain("pvt", [out.cut(0.1), out.cut(0.05).shifted(0.5)], "pvt")
+    row = ProfileSequence("pvt", [out.cut(0.1), out.cut(0.05).shifted(0.5)], "pvt")
     assert row.velocity_crossing(10.0) == pytest.approx(0.1)
 
 
@@ -315,7 +317,7 @@ def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else
     rises = [0.0, 10.0, 40.0, 80.0, 100.0, 80.0, 40.0, 10.0]
     places = [45.0 * n for n in range(9)]
     cam = table_curve(places, [datum + sum(rises[:n]) for n in range(9)])
-    drawn = Composed(plan_trapezoid(0.0, 360.0, 1000.0, 360.0, 360.0), cam)
+    drawn = Reparametrised(plan_trapezoid(0.0, 360.0, 1000.0, 360.0, 360.0), cam)
     knots, pieces, _ = drawn.curve
     for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
         steepest = 360.0 * 100.0 / 45.0
@@ -341,13 +343,13 @@ def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side
         3.0,
         7.0,
     )
-    made = Composed(along, curve)
+    made = Reparametrised(along, curve)
     assert made.at(0.0).acceleration == pytest.approx(9.8)
     assert made.at(0.0).velocity == pytest.approx(6.0)
     assert evaluate(made, np.array([0.0]), 2)[0] == pytest.approx(9.8)
     assert made.at(0.5).acceleration == pytest.approx(8.0)
     assert evaluate(made, np.array([0.5]), 2)[0] == pytest.approx(8.0)
     # The beginning: curved by 0.2 on either side of it, and straight, with a slope of 0, farther out.
-    back = Composed(along.shifted(-10.0), curve)
+    back = Reparametrised(along.shifted(-10.0), curve)
     assert back.at(0.0).acceleration == pytest.approx(1.8)
     assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)

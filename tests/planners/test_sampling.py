@@ -94,7 +94,7 @@ def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> 
     profiles = [move.planned() for move in many]
     starts = [3.0 * i for i in range(len(profiles))]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(table, "FEW", math.inf)
+        patch.setattr(table, "MIN_PROFILES", math.inf)
         one_by_one = PieceTable(starts, profiles)
     at_once = PieceTable(starts, profiles)
     n = 700

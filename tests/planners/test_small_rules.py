@@ -10,10 +10,10 @@ from motionlang.notes import tn1069
 from motionlang.planners import Profile, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
-from motionlang.planners.extrapolation import Ahead
+from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.feasibility import finish
 from motionlang.planners.jerk import jerk_ramps
-from motionlang.planners.jerk_limited import bent_approach
+from motionlang.planners.jerk_limited import jerk_limited_approach
 from motionlang.planners.limits import LARGEST
 from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.pieces import position_in
@@ -83,7 +83,7 @@ def test_the_search_comes_to_the_plan_of_the_closed_form(v0: float, a0: float, w
     def straight(here: float, velocity: float) -> Profile:
         return plan_jerk(here, target, 200.0, *rates, velocity)
 
-    searched = bent_approach(jerk_ramps(*rates), 0.0, target, 200.0, v0, a0, straight)
+    searched = jerk_limited_approach(jerk_ramps(*rates), 0.0, target, 200.0, v0, a0, straight)
     closed = plan_jerk(0.0, target, 200.0, *rates, v0, a0)
     assert searched is not None
     assert (searched.duration, searched.end_velocity) == pytest.approx((closed.duration, 0.0))
@@ -137,14 +137,14 @@ def test_each_cubic_of_a_table_ends_where_the_next_one_begins() -> None:
 
 
 def test_a_position_with_a_lead_is_that_of_later_at_constant_velocity() -> None:
-    ahead = Ahead(MOVE, 0.1)
+    ahead = Extrapolated(MOVE, 0.1)
     middle = 0.5 * MOVE.duration
     assert ahead.at(middle).position == pytest.approx(MOVE.position(middle) + 20.0)
     assert ahead.position(0.2) == pytest.approx(200.0 * 0.2 * 0.2 + 0.1 * 80.0)
 
 
 def test_the_peaks_of_a_formula_that_runs_on_are_of_their_own_kind() -> None:
-    ahead = Ahead(plan_velocity("trapezoid", 0.0, 0.0, 100.0, 10.0, 10.0), 0.1)
+    ahead = Extrapolated(plan_velocity("trapezoid", 0.0, 0.0, 100.0, 10.0, 10.0), 0.1)
     assert ahead.peak_acceleration == pytest.approx(10.0)
     assert ahead.peak_speed >= 100.0
 

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.planners import Profile, plan, plan_stop, plan_velocity
 from motionlang.planners.lookahead import Pace, plan_course
-from motionlang.planners.ramp_down import stop_under_way
+from motionlang.planners.ramp_down import stop_in_motion
 
 
 def judge(
@@ -143,7 +143,7 @@ def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, ramp: float) -> N
     planned = plan(shape, 0.0, 500.0, 80.0, 400.0, 250.0, ramp=ramp)
     for k in range(1, 200):
         time = planned.duration * k / 200.0
-        made = stop_under_way(planned, time, shape, 250.0, ramp)
+        made = stop_in_motion(planned, time, shape, 250.0, ramp)
         here = planned.at(time)
         assert made.at(0.0).velocity == pytest.approx(here.velocity, rel=1e-9)
         assert made.at(0.0).acceleration == pytest.approx(here.acceleration, rel=1e-9, abs=1e-6)
@@ -161,7 +161,7 @@ def test_a_stop_late_in_the_last_ramp_changes_nothing() -> None:
         ("scurve", 0.0, 3000.0),
     ):
         planned = plan(shape, 0.0, 500.0, 80.0, 400.0, 250.0, 0.0, ramp, jerk, jerk)
-        made = stop_under_way(planned, planned.duration - 0.1, shape, 250.0, ramp, jerk, jerk)
+        made = stop_in_motion(planned, planned.duration - 0.1, shape, 250.0, ramp, jerk, jerk)
         assert made.end == pytest.approx(500.0, abs=1e-9)
         assert made.duration == pytest.approx(0.1, abs=1e-9)
 

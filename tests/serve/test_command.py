@@ -16,7 +16,7 @@ import pytest
 from motionlang.cli import main
 from motionlang.cli.output_queue import CAPACITY
 from motionlang.client import Client
-from tests.cli.programs import LONGEST
+from tests.cli.programs import MAX_SECONDS
 
 COMMAND = [sys.executable, "-m", "motionlang", "serve"]
 
@@ -68,12 +68,12 @@ def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
     """
     logged = 2 * (CAPACITY + 65536)
     with running("--tcp", "0", "--log", "--clock", "lockstep") as process:
-        with Client.open(line_with(process, "listening on "), timeout=LONGEST) as board:
+        with Client.open(line_with(process, "listening on "), timeout=MAX_SECONDS) as board:
             for _ in range(logged // 250):
                 board.send(";" + "x" * 249)
             assert board.send("1TP") == ["01 0"]
         process.send_signal(signal.SIGTERM)
-        out, _ = process.communicate(timeout=LONGEST)
+        out, _ = process.communicate(timeout=MAX_SECONDS)
     assert process.returncode == 0
     found = re.search(r"^served 1 hosts; .*; (\d+) lines of standard error dropped$", out, re.MULTILINE)
     assert found, out

@@ -25,7 +25,7 @@ from motionlang.cli.output_queue import CAPACITY
 from motionlang.execution import run
 from motionlang.serve.outside import LockStep, Outside, RealTime
 from motionlang.source import Source
-from tests.cli.programs import LONGEST
+from tests.cli.programs import MAX_SECONDS
 
 pytest.importorskip("pymodbus")
 from pymodbus.client import ModbusTcpClient
@@ -201,7 +201,7 @@ def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
                 if (low + (high << 16)) * 100 > 2 * (CAPACITY + 65536):
                     break
         process.send_signal(signal.SIGTERM)
-        status = process.wait(LONGEST)
+        status = process.wait(MAX_SECONDS)
         _, err = process.communicate()
     assert status == 0
     assert re.search(r"; \d+ lines of standard output dropped\n$", err), err

@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.planners import hold
-from motionlang.servo import Loop, Motor, Track, ahead, simulate, stretch
-from motionlang.servo.ahead import Ahead
+from motionlang.servo import Loop, Motor, Track, simulate, speculative, stretch
 from motionlang.servo.discrete import discretise
-from motionlang.servo.foreseen import Foreseen
+from motionlang.servo.speculative import SpeculativeServo
+from motionlang.servo.speculative_points import SpeculativeGenerator
 from motionlang.servo.steps import COLUMNS, initial_state
 from motionlang.servo.stretch import MARKED, run_steps
 from tests.cases import cases
@@ -48,7 +48,7 @@ def renamed() -> Track:
 def test_points_are_those_that_are_made_one_by_one(
     first: int, count: int, known: list[float], rate: float
 ) -> None:
-    made = Foreseen(renamed(), 1.0 / rate)
+    made = SpeculativeGenerator(renamed(), 1.0 / rate)
     one_by_one = [made.point(cycle) for cycle in range(first, first + count)]
     assert np.asarray(made.points(first, count, known)).tolist() == [*known, *one_by_one]
 
@@ -59,7 +59,7 @@ def test_points_are_those_that_are_made_one_by_one(
 )
 def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, part: int) -> None:
     loop = replace(ALL[name], servo_rate=1000.0 * ratio, trajectory_rate=1000.0)
-    points = Foreseen(renamed(), 1e-3).points(700, 400)
+    points = SpeculativeGenerator(renamed(), 1e-3).points(700, 400)
     state = initial_state(discretise(ROUGH, loop.period), float(points[1]))
     along = run_steps(loop, ROUGH, COLUMNS, np.asarray(points), part, 390 * ratio, state)
     assert isinstance(points, np.ndarray)
@@ -82,29 +82,29 @@ def test_what_is_run_again_is_what_was_seen(seen: int, count: int, name: str, pl
     """Plain steps are included, for a loop with a closed form and a nonlinear plant."""
     if PLANTS[plant].is_linear and ALL[name].is_linear:
         plant = "encoder"
-    servo, twin = (Ahead(ALL[name], PLANTS[plant], renamed()) for _ in range(2))
-    servo.look(seen)
-    twin.look(seen)
-    there = servo.look(2000)
-    assert twin.look(count).tolist() == there[:, :count].tolist()
+    servo, twin = (SpeculativeServo(ALL[name], PLANTS[plant], renamed()) for _ in range(2))
+    servo.run_block(seen)
+    twin.run_block(seen)
+    there = servo.run_block(2000)
+    assert twin.run_block(count).tolist() == there[:, :count].tolist()
     servo.back(seen + count)
     assert (servo.state, servo.sample, servo.error) == (twin.state, twin.sample, twin.error)
-    assert servo.look(90).tolist() == twin.look(90).tolist()
+    assert servo.run_block(90).tolist() == twin.run_block(90).tolist()
 
 
 @pytest.mark.parametrize("sample", [1, MARKED, MARKED + 1, 5 * MARKED, 499, 500])
 def test_taken_back_it_runs_a_few_steps_again_and_not_the_block(
     sample: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    servo = Ahead(Loop(0.04, 2e-5, 0.9, servo_rate=1000.0), Motor(quantised=True), track())
-    servo.look(500)
+    servo = SpeculativeServo(Loop(0.04, 2e-5, 0.9, servo_rate=1000.0), Motor(quantised=True), track())
+    servo.run_block(500)
     again: list[int] = []
 
     def counted(*given: object) -> object:
         again.append(given[5])  # type: ignore[arg-type]
         return run_steps(*given)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(ahead, "run_steps", counted)
+    monkeypatch.setattr(speculative, "run_steps", counted)
     servo.back(sample)
     assert servo.sample == sample
     assert again == [(sample - 1) % MARKED + 1]

@@ -17,7 +17,7 @@ from motionlang.controller.feedback import Feedback
 from motionlang.log.history import servo_trace
 from motionlang.result import Run
 from motionlang.servo import Drive, Motor, Servo, lookahead, simulate
-from motionlang.servo.ahead import Ahead
+from motionlang.servo.speculative import SpeculativeServo
 from motionlang.source import Source
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
@@ -303,13 +303,13 @@ def test_the_rest_behind_a_move_is_what_was_seen_of_it(
         + 'PAUSE IDLE(0)\nPRINT TIME, " ", POS(0), " ", VEL(0)\nWAIT = 30 * n\nPRINT POS(0), " ", FOLERROR(0)\nNext\n'
     )
     thrown: list[float] = []
-    back = Ahead.back
+    back = SpeculativeServo.back
 
-    def counted(servo: Ahead, sample: int) -> None:
+    def counted(servo: SpeculativeServo, sample: int) -> None:
         thrown.append(servo.time)
         back(servo, sample)
 
-    monkeypatch.setattr(Ahead, "back", counted)
+    monkeypatch.setattr(SpeculativeServo, "back", counted)
     seen, few = printed(text, plant, servo=GAINS), len(thrown)
     monkeypatch.setattr(feedback, "rests_as_seen", lambda track: False)
     assert printed(text, plant, servo=GAINS) == seen
@@ -472,12 +472,12 @@ def test_a_motor_that_no_longer_stands_is_watched_again() -> None:
     feedback.tripped = trip
     feedback.set_error_limit(1.0)
     controller.move_to(0, 1e-7)
-    calm, error = [], []
+    at_standstill, error = [], []
     for k in range(1, 101):  # each reading computes half a second more
         controller.clock.advance(0.5 * k)
         error.append(abs(feedback.error))
-        calm.append(feedback.calm)
-    assert any(calm)
+        at_standstill.append(feedback.at_standstill)
+    assert any(at_standstill)
     assert max(error) > 10.0
     (at,) = trips
     assert 1.0 < at < 2.0  # at the sample beyond the limit, not at the next reading

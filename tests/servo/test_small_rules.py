@@ -11,15 +11,15 @@ from hypothesis import strategies as st
 
 from motionlang.notes.slip import _slid
 from motionlang.planners import hold, plan_trapezoid
-from motionlang.servo.ahead import SEEN
 from motionlang.servo.demand import SHORT, Generator, Track
 from motionlang.servo.discrete import discretise
-from motionlang.servo.lookahead import Sight, Window, next_other_side, next_side
+from motionlang.servo.lookahead import SampleBlock, Window, next_other_side, next_side
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.response import _first_fall
 from motionlang.servo.servo import simulate
 from motionlang.servo.settings import make_loop
+from motionlang.servo.speculative import SEEN
 from motionlang.servo.steps import MEMORY, initial_state, stepper
 
 
@@ -32,7 +32,7 @@ def test_a_window_is_kept_since_the_sample_after_the_last_one_outside(
     rows = np.zeros((len(SEEN), len(error)))
     rows[SEEN.index("error")] = error
     window = Window(error=1.0)
-    window.pass_by(Sight(100, rows), 0.0, 100 + len(error))
+    window.pass_by(SampleBlock(100, rows), 0.0, 100 + len(error))
     assert window.since == since
 
 

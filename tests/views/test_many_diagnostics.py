@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import motionlang
 from motionlang.errors import Diagnostic
-from motionlang.lang.machine.machine import MOST_DIAGNOSTICS, Machine
+from motionlang.lang.machine.machine import MAX_DIAGNOSTICS, Machine
 from motionlang.mccl.lint.check import check
 from motionlang.source import Source
-from motionlang.views.diagnostics import MOST, render, render_all
+from motionlang.views.diagnostics import MAX_SHOWN, render, render_all
 
 BAD = "".join(f"1XX{number}\n" for number in range(3000))
 
@@ -40,9 +40,12 @@ def test_places_of_many_mistakes_cost_one_look_at_the_text() -> None:
 def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
     source = Source("bad.mcl", BAD)
     text = render_all(check(source), source)
-    assert text.count("error[") == MOST
+    assert text.count("error[") == MAX_SHOWN
     assert text.endswith("\nand 2900 errors more in the JSON report\n")
-    assert len(render_all(check(source)[:MOST], source)) == len(text) - len(text.rpartition("\nand ")[2]) - 5
+    assert (
+        len(render_all(check(source)[:MAX_SHOWN], source))
+        == len(text) - len(text.rpartition("\nand ")[2]) - 5
+    )
 
 
 def test_equal_diagnostics_of_a_run_are_one() -> None:
@@ -70,8 +73,8 @@ def test_a_command_that_is_refused_again_and_again_is_counted() -> None:
 
 def test_different_diagnostics_of_a_run_are_bounded() -> None:
     machine = Machine()
-    for number in range(2 * MOST_DIAGNOSTICS):
+    for number in range(2 * MAX_DIAGNOSTICS):
         machine.complain(Diagnostic("never", f"complaint {number}"))
         machine.complain(Diagnostic("never", f"complaint {number}"))
-    assert len(machine.diagnostics) == MOST_DIAGNOSTICS
+    assert len(machine.diagnostics) == MAX_DIAGNOSTICS
     assert {each.count for each in machine.diagnostics} == {2}

@@ -174,9 +174,9 @@ def test_more_than_a_page_holds_is_refused(tmp_path: Path, monkeypatch: pytest.M
         + len(log.outputs)
         + len(log.turns)
     )
-    monkeypatch.setattr("motionlang.views.scope.MOST", records)
+    monkeypatch.setattr("motionlang.views.scope.MAX_RECORDS", records)
     write_scope(made, str(path), against=made)
-    monkeypatch.setattr("motionlang.views.scope.MOST", records - 1)
+    monkeypatch.setattr("motionlang.views.scope.MAX_RECORDS", records - 1)
     path.unlink()
     for against in (None, made):
         with pytest.raises(

@@ -131,7 +131,7 @@ def test_many_moves_are_summed_up_by_line() -> None:
 
 def test_of_very_many_figures_few_are_held_that_add_up_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = render(shift())
-    monkeypatch.setattr("motionlang.views.table.MOST_TERMS", 7)
+    monkeypatch.setattr("motionlang.views.table.MAX_TERMS", 7)
     assert render(shift()) == whole
     totals = _Gathered(moves(shift()), False).totals.values()
     assert [total.count for total in totals] == [100] * 4

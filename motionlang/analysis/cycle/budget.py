@@ -10,7 +10,7 @@ from motionlang.errors import Diagnostic
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from motionlang.analysis.cycle.chain import Link
+    from motionlang.analysis.cycle.critical_path import Link
     from motionlang.result import Run
 
 

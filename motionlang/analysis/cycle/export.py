@@ -9,8 +9,8 @@ import json
 from itertools import chain
 
 from motionlang import __version__
-from motionlang.analysis.cycle.places import Places
 from motionlang.analysis.cycle.profile import PROGRAM, about_link
+from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.files import replacing
 
 TYPE_CHECKING = False
@@ -82,7 +82,7 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
 
     Times are microseconds. The name of a lane precedes its first event, and that of the process all others.
     """
-    run, places = made.run, Places(made.run)
+    run, places = made.run, SourcePositions(made.run)
     lanes: dict[str, int] = {}
     yield {"name": "process_name", "ph": "M", "pid": 1, "args": {"name": run.source.name}}
     for lane, name, begin, end, about in _stretches(made, places):
@@ -94,7 +94,7 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
         yield row | {"ts": begin * MICRO, "dur": (end - begin) * MICRO, "args": about}
 
 
-def _stretches(made: TimeProfile, places: Places) -> Iterator[tuple[str, str, float, float, Row]]:
+def _stretches(made: TimeProfile, places: SourcePositions) -> Iterator[tuple[str, str, float, float, Row]]:
     """Yield lane, name, begin, end and further fields of each event."""
     run = made.run
     for begin, end, (cause, place, task, axes, _) in made.spans():
@@ -120,7 +120,7 @@ def _stretches(made: TimeProfile, places: Places) -> Iterator[tuple[str, str, fl
 
 def speedscope(made: TimeProfile) -> Row:
     """Return the critical path as weighted stacks: program, calls, line, and action."""
-    places = Places(made.run)
+    places = SourcePositions(made.run)
     frames: dict[tuple[str, int], int] = {}
     known: dict[int, list[int]] = {}  # of a link by the identity of its shared fields
     spans = made.spans()

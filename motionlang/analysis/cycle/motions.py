@@ -46,7 +46,7 @@ class Motions:
     def __init__(self, run: Run) -> None:
         over = run.time
         self.alone: dict[int, tuple[int, ...]] = {axis: (axis,) for axis in run.controller.axes}
-        log: Iterable[Any] = run.controller.log.moves.as_kept()
+        log: Iterable[Any] = run.controller.log.moves.as_stored()
         self.rows: list[tuple[Any, ...]] = [
             row if row.__class__ is tuple else _kept(row)
             for row in log
@@ -156,7 +156,7 @@ class Motions:
             place -= 1
         return None
 
-    def under_way(self, axis: int | None, time: float) -> int | None:
+    def moving_at(self, axis: int | None, time: float) -> int | None:
         """Return the axis, that one or any, which is in motion at a time."""
         found = self.crossing(axis, time)
         return None if found is None else found[3][0]

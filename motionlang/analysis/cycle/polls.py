@@ -22,7 +22,7 @@ from collections import Counter
 from math import fsum
 from operator import itemgetter
 
-from motionlang.lang.asked import KINDS, MOVING, Asked
+from motionlang.lang.loop_dependencies import KINDS, MOVING, LoopDependencies
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.cycle.motions import Motions
     from motionlang.analysis.cycle.tasks import Wait
-    from motionlang.lang.asked import Read
+    from motionlang.lang.loop_dependencies import Read
     from motionlang.result import Run
 
     # Task, position, begin, end, callers: the fields of `records.Looped`.
@@ -43,9 +43,9 @@ if TYPE_CHECKING:
 
 # Statements between a change and the end of the wait for it, if the loop has no WAIT of its own. A shorter
 # stretch of a loop was no wait.
-LEAST = 100.0
+MIN_STATEMENTS = 100.0
 ROUNDING = 1e-9
-_NOTHING = Asked(frozenset())
+_NOTHING = LoopDependencies(frozenset())
 _SINCE: Callable[[Wait], float] = itemgetter(2)
 
 
@@ -68,8 +68,8 @@ class Polls:
     def __init__(self, run: Run, motions: Motions, waits: dict[str, list[Wait]]) -> None:
         self._run, self._motions = run, motions
         self._cost = run.machine.instruction_time
-        self._ask: Callable[[int], Asked | None] | None = None
-        self._asked: dict[int, Asked] = {}
+        self._ask: Callable[[int], LoopDependencies | None] | None = None
+        self._asked: dict[int, LoopDependencies] = {}
         self._changes: dict[str, dict[int | None, list[float]]] | None = None
         self.waits = waits
         self.spans: dict[str, list[Span]] = {}
@@ -84,7 +84,7 @@ class Polls:
             spans = sorted(((row[2], -row[3], row) for row in reversed(rows)), key=itemgetter(0, 1))
             self.spans[task] = list(_innermost((row[2], row[3], row[1], row[-1]) for _, _, row in spans))
 
-    def asked(self, at: int) -> Asked:
+    def asked(self, at: int) -> LoopDependencies:
         """Return the readings of the loop or the wait at a source offset."""
         found = self._asked.get(at)
         if found is None:
@@ -137,7 +137,7 @@ class Polls:
         outer.acts += loop.acts
         outer.inner.append((loop.since, loop.until))
 
-    def _between(self, task: str, loop: _Loop, asked: Asked) -> None:
+    def _between(self, task: str, loop: _Loop, asked: LoopDependencies) -> None:
         """Find the waits of a working loop, between its actions."""
         items, inner = sorted(loop.items, key=_SINCE), sorted(loop.inner)
         made: list[Wait] = []
@@ -146,7 +146,7 @@ class Polls:
             first, place = place, _up_to(items, place, act, _SINCE)
             stretch = items[first:place]
             lower, number = number, _up_to(inner, number, act, itemgetter(0))
-            if act - begin > LEAST * self._cost + ROUNDING and _iterates(
+            if act - begin > MIN_STATEMENTS * self._cost + ROUNDING and _iterates(
                 stretch, inner[lower:number], begin, act
             ):
                 stretch = self._wait(task, loop, asked, (begin, act), asked.within, False, stretch)
@@ -159,7 +159,7 @@ class Polls:
         self,
         task: str,
         loop: _Loop,
-        asked: Asked,
+        asked: LoopDependencies,
         stretch: tuple[float, float],
         reads: frozenset[Read],
         whole: bool,
@@ -168,7 +168,7 @@ class Polls:
         """The wait of a loop in a stretch, up to its cause, in place of its `items`."""
         begin, end = stretch
         longest = max((wait[3] - wait[2] for wait in items), default=0.0)
-        late = LEAST * self._cost + 2.0 * longest + ROUNDING
+        late = MIN_STATEMENTS * self._cost + 2.0 * longest + ROUNDING
         found = self._ended(reads, begin, end, late, whole)
         if found is None or (asked.counts and end - found[0] > late):
             return items
@@ -201,7 +201,7 @@ class Polls:
             return last
         for kind, number in sorted(reads, key=str):
             if kind == "position":
-                axis = self._motions.under_way(number, end)
+                axis = self._motions.moving_at(number, end)
                 if axis is not None:
                     return end, MOVING, (axis,)
         others = [
@@ -249,7 +249,7 @@ def _has(reads: frozenset[Read], kind: str) -> bool:
 def _loops(run: Run) -> dict[str, list[Row]]:
     """Return the loops of each task, including those it was in when the run ended."""
     found: dict[str, list[Row]] = {}
-    for row in run.machine.log.loops.as_kept():
+    for row in run.machine.log.loops.as_stored():
         found.setdefault(row[0], []).append(tuple(row))
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():

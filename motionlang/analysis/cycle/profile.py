@@ -6,7 +6,7 @@ from functools import cached_property
 from math import fsum
 from operator import attrgetter
 
-from motionlang.analysis.cycle.chain import Chain, Link, alike
+from motionlang.analysis.cycle.critical_path import CriticalPath, Link, alike
 from motionlang.analysis.cycle.slacks import Slack, slacks
 from motionlang.analysis.cycle.tasks import TaskTime, parent_of, task_times, told
 from motionlang.planners.total import exact_terms
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
-    from motionlang.analysis.cycle.chain import About
+    from motionlang.analysis.cycle.critical_path import About
     from motionlang.log.records import Waited
     from motionlang.result import Run
 
@@ -42,7 +42,7 @@ class TimeProfile:
 
     def __init__(self, run: Run) -> None:
         self.run = run
-        self._chain = Chain(run)
+        self._chain = CriticalPath(run)
         self._waits = self._chain.waits
         self._places = self._chain.places
         self._alike = _summed(self._chain.alike())

@@ -12,7 +12,7 @@ from itertools import groupby
 from math import fsum
 from operator import itemgetter
 
-from motionlang.lang.asked import MOVING
+from motionlang.lang.loop_dependencies import MOVING
 from motionlang.log.written_waits import whole
 from motionlang.record import record
 
@@ -20,10 +20,10 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from motionlang.log.written_waits import Whole
+    from motionlang.log.written_waits import CompleteWait
     from motionlang.result import Run
 
-    Wait = Whole
+    Wait = CompleteWait
 
 
 @record
@@ -52,10 +52,10 @@ def told(waits: Iterable[Wait]) -> Iterator[Wait]:
         yield (*wait[:4], "axis", *wait[5:]) if wait[4] == MOVING else wait
 
 
-def kept_waits(run: Run) -> dict[str, list[Wait]]:
+def all_waits(run: Run) -> dict[str, list[Wait]]:
     """The waits of each task in order of time, including those at the run's end."""
     found: dict[str, list[Wait]] = {}
-    for name, waits in groupby(map(whole, run.machine.log.waits.as_kept()), itemgetter(0)):
+    for name, waits in groupby(map(whole, run.machine.log.waits.as_stored()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():

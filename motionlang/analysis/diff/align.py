@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 # Insertions and deletions beyond which two sequences are not aligned exactly: the work grows with their
 # square.
-MOST_EDITS = 600
+MAX_EDITS = 600
 
 
 def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
-    """The positions of common entries, in order; None beyond `MOST_EDITS` edits."""
+    """The positions of common entries, in order; None beyond `MAX_EDITS` edits."""
     first = 0
     while first < len(a) and first < len(b) and a[first] == b[first]:
         first += 1
@@ -36,12 +36,12 @@ def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
 
 
 def _too_different(a: Sequence[Hashable], b: Sequence[Hashable]) -> bool:
-    """True if more than `MOST_EDITS` entries have no counterpart in any order.
+    """True if more than `MAX_EDITS` entries have no counterpart in any order.
 
     Each of them is an edit.
     """
     here, there = Counter(a), Counter(b)
-    return (here - there).total() + (there - here).total() > MOST_EDITS
+    return (here - there).total() + (there - here).total() > MAX_EDITS
 
 
 def _latest(pairs: Pairs, a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs:
@@ -68,7 +68,7 @@ def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
         return None
     # furthest[k] is the furthest position in a on the diagonal k that so many edits reach.
     furthest, steps = {1: 0}, []
-    for edits in range(min(len(a) + len(b), MOST_EDITS) + 1):
+    for edits in range(min(len(a) + len(b), MAX_EDITS) + 1):
         steps.append(dict(furthest))
         for k in range(-edits, edits + 1, 2):
             down = k == -edits or (k != edits and furthest[k - 1] < furthest[k + 1])

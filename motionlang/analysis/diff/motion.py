@@ -69,7 +69,7 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
     largest = (0.0, 0.0)
     before = 0.0
     for times in _looks(a, b, end):
-        far, apart_enough = _worth_a_look(a, b, times, tolerance)
+        far, apart_enough = _candidates(a, b, times, tolerance)
         if first is None:
             for k in apart_enough:
                 if apart(times[k]) > tolerance:
@@ -92,7 +92,7 @@ def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
         yield (begins + lengths * np.arange(1, LOOKS + 1) / LOOKS).ravel().tolist()
 
 
-def _worth_a_look(
+def _candidates(
     a: Axis, b: Axis, times: Sequence[float], tolerance: float
 ) -> tuple[list[int], Sequence[int]]:
     """Return the times of the farthest distance of two axes, and of excessive ones.

@@ -33,8 +33,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from motionlang.lang.asked import WorldRead
     from motionlang.lang.dialect import Dialect
+    from motionlang.lang.loop_dependencies import WorldRead
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.result import Run

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from motionlang.analysis.guesses import Entry, Guesses
-    from motionlang.lang.asked import WorldRead
+    from motionlang.lang.loop_dependencies import WorldRead
     from motionlang.result import Run
     from motionlang.source import Source
 

@@ -26,7 +26,7 @@ PLANNED = frozenset({"move", "step", "jog", "stop"})
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
-def judge_profile(
+def check_profile(
     proof: Proof, a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool, length: float
 ) -> None:
     """Check a profile planned from the settings, and the continuity of all pieces.
@@ -36,11 +36,11 @@ def judge_profile(
     """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
-    _judge_edges(proof, a, i, order)
+    _check_edges(proof, a, i, order)
     if not profile.pieced or order.kind == "rest":
         return
     parts = spans(profile, 0.0, min(length, 1e300))
-    _judge_knots(proof, a, i, order, parts)
+    _check_knots(proof, a, i, order, parts)
     if order.kind not in PLANNED:
         return
     # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
@@ -51,7 +51,7 @@ def judge_profile(
     eased = abs(begun.bent)
     for span in slow.cuts(parts):
         middle = span.begin + 0.5 * span.length
-        uses.look("speed", span.peak(1), slow.bound(middle))
+        uses.compare("speed", span.peak(1), slow.bound(middle))
         sides = list(span.sides())
         for power, left, right in sides:
             side = 0 if power > 0.0 else 1
@@ -64,9 +64,9 @@ def judge_profile(
             steep = max(abs(left[3]), abs(right[3]))
             rounded = 4e-16 * (span.begin + span.length) * steep  # as its ends are
             bound = max(rate, eased if middle < slow.eased else 0.0) + rounded
-            uses.look(name, max(abs(left[2]), abs(right[2])), bound)
+            uses.compare(name, max(abs(left[2]), abs(right[2])), bound)
             if order.jerks[0] < inf:
-                uses.look("jerk", steep, jerk)
+                uses.compare("jerk", steep, jerk)
     where = f"axis {a.index} from {a.starts[i]:.6f} s"
     uses.tell(order.line, where, " counts")
     if isfinite(length):
@@ -75,10 +75,10 @@ def judge_profile(
             words = f"it does not slow down: {reached:g} counts/s after {length:g} s, expected {due:g}"
             proof.breaks(order.line, f"{where}: {words}")
     size = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
-    _judge_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
+    _check_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
 
 
-def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
+def _check_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
     """Check that a planned profile takes as long as its bounds require, and its end.
 
     This applies from any initial state. `size` is the position at which it begins, at the zero before it or
@@ -135,7 +135,7 @@ def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
     return slow._replace(came=came, until=until, eased=over)
 
 
-def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def _check_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     """Check that a profile begins and ends like its pieces, as joins depend on it."""
     profile = a.profiles[i]
     duration = profile.duration
@@ -156,7 +156,7 @@ def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
             proof.breaks(order.line, f"{where}: it {name} at {told:g}, its pieces at {done:g}")
 
 
-def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:
+def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:
     """Check continuity of pieces: position, planned velocity, S-ramp acceleration."""
     profile = a.profiles[i]
     names = ("position", "velocity", "acceleration")[

@@ -11,7 +11,7 @@ from math import fsum
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import ROUNDED, SLACK
-from motionlang.analysis.proof.paths import Way, judge_tail, spans_along
+from motionlang.analysis.proof.paths import PathLayout, check_tail, spans_along
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -32,12 +32,12 @@ MOMENT = 1e-6
 SHARES = (0.0, 0.35, 0.65, 0.95)
 
 
-def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check the paths blended with a profile's path, while the profile is in force."""
     path, begin = order.path, master.starts[i]
     assert path is not None
     if begin == path.begun:
-        _judge_begin(proof, run, master, i, order)
+        _check_begin(proof, run, master, i, order)
     ends: list[float] = []
     entries = [run.members(path)]
     for tail in path.tails:
@@ -49,16 +49,16 @@ def judge_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
         if finish - begin > ROUNDED * (1.0 + begin):
             ends.append(finish)
             entries.append(moves)
-            judge_tail(proof, run, tail, begin, finish - begin)
+            check_tail(proof, run, tail, begin, finish - begin)
     if len(ends) >= MAX_OVERLAP:
         count = len(ends) + 1
         words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
         proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
     if ends and all(len(moves) == len(path.members) for moves in entries):
-        _judge_sum(proof, run, order, entries, (begin, min(end, *ends)))
+        _check_sum(proof, run, order, entries, (begin, min(end, *ends)))
 
 
-def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:
+def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:
     """Check that a path begins at its distance before the end of the one before it.
 
     It begins as soon as everything it waits for is there.
@@ -82,7 +82,7 @@ def _judge_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
         run.path_before(each) is not before for each, before in _pairs(run, path, moves)
     ):
         return  # another path of one of its axes is in between
-    way = Way(earlier, [move.profile.start for move in moves if move.profile is not None])
+    way = PathLayout(earlier, [move.profile.start for move in moves if move.profile is not None])
     profiles = [(move.profile, begin - move.start_time) for move in moves if move.profile is not None]
     left, speed = _left(way, profiles)
     due = min(path.blend, MAX_SHARE * way.length)
@@ -125,7 +125,7 @@ def _planned(run: Run, move: Move) -> float:
     return move.start_time
 
 
-def _left(way: Way, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
+def _left(way: PathLayout, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
     """The remaining distance of a path, None if unknown, and its speed along it."""
     parts = [
         (end - profile.position(time), profile.velocity(time), end - start, abs(k))
@@ -154,7 +154,7 @@ def _causes(run: Run, before: Move, prompts: Sequence[tuple[float, str]], begin:
             yield move.start_time + move.profile.duration
 
 
-def _judge_sum(
+def _check_sum(
     proof: Proof, run: Run, order: Order, entries: list[list[Move]], time: tuple[float, float]
 ) -> None:
     path, (begin, end) = order.path, time

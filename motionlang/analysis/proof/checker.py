@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
+    from motionlang.log.expected_motion import ExpectedMotion
     from motionlang.log.order import Order, PathOrder
-    from motionlang.log.orders import Orders
 
 # The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6
@@ -80,7 +80,7 @@ class Uses:
         self._proof = proof
         self._broken: dict[str, tuple[float, float]] = {}
 
-    def look(self, name: str, figure: float, bound: float) -> None:
+    def compare(self, name: str, figure: float, bound: float) -> None:
         """Compare a figure with its bound.
 
         The text after "of" in the name is omitted from the totals.
@@ -144,7 +144,7 @@ class Run:
     """The records of a run: tracks of its axes, log, orders, and its end time."""
 
     def __init__(
-        self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: Orders, until: float
+        self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: ExpectedMotion, until: float
     ) -> None:
         self.axes, self.orders, self.until = axes, orders, until
         # A log creates its entries on each read; those of paths and offsets, by number, are cached.

@@ -9,8 +9,8 @@ from math import fsum, isfinite
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import ROUNDED, SLACK, position
-from motionlang.analysis.proof.offsets import judge_offset
-from motionlang.controller.move import CONTINUED, MOST_PIECES
+from motionlang.analysis.proof.offsets import check_offset
+from motionlang.controller.move import CONTINUED, MAX_PIECES
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -57,19 +57,19 @@ def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> Non
     if profile is None:
         return
     if move.overlaid:
-        judge_offset(proof, run, move, profile)
+        check_offset(proof, run, move, profile)
         return
     found = ends.get(move.axis)
     if found is None:
         found = ends[move.axis] = Ends(run.orders.begun[move.axis])
     if not run.orders.was_cut:
-        _judge_entry(proof, run, found, move, profile)
+        _check_entry(proof, run, found, move, profile)
     found.last, found.until = move, max(found.until, move.start_time + profile.duration)
     if move.start_time + profile.duration > run.until * (1.0 + ROUNDED):
         found.going.append(move)
 
 
-def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profile) -> None:
+def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profile) -> None:
     a, start, before = run.axes[move.axis], move.start_time, found.last
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
     order, scale = run.order_of(move), run.orders.scale(move.axis, start)
@@ -91,9 +91,9 @@ def _judge_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
         if abs(start - end) > late:
             words = f"it does not start at {end:.6f} s, when the previous one ends"
             proof.breaks(before.line, f"{where}: {words}")
-    _judge_gap(proof, run, a, found, start - late)
+    _check_gap(proof, run, a, found, start - late)
     if start + profile.duration <= run.until * (1.0 + ROUNDED):
-        _judge_ended(proof, run, a, found, move, where)
+        _check_ended(proof, run, a, found, move, where)
 
 
 def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
@@ -106,7 +106,7 @@ def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
     return found
 
 
-def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
+def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
     """Check that the axis has not moved between the entries up to now and a time."""
     records = run.orders.of[a.index]
     while found.place < len(a.starts) and a.starts[found.place] < until:
@@ -125,7 +125,7 @@ def _judge_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
         found.place += 1
 
 
-def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
+def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
     """Check that an entry has ended for its stated reason.
 
     The reasons are a commanded stop, another entry, or its own end.
@@ -139,7 +139,7 @@ def _judge_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     last, over = orders.of[a.index][i], run.span(a, i)[1]
     if move.profile.duration > late and last.kind != "path" and abs(over - end) > late:
         proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
-    if move.ended == CONTINUED and len(move.profile.knots) <= MOST_PIECES:
+    if move.ended == CONTINUED and len(move.profile.knots) <= MAX_PIECES:
         proof.breaks(move.line, f"{where}: it is logged as continued, but its entry is not full")
     elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
         proof.breaks(move.line, f"{where}: it is logged as replaced, but reaches its end")
@@ -204,7 +204,7 @@ def _last(a: WholeTrack, start: float, end: float) -> int:
     return i
 
 
-def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
+def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
     """Check that no entry ends after the run unless its axis is on it, at its speed.
 
     The last one ends where its axis is.
@@ -216,7 +216,7 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
         if run.orders.was_cut:
             found.begun.clear()
         else:
-            _judge_gap(proof, run, a, found, run.until)
+            _check_gap(proof, run, a, found, run.until)
         for time in sorted(found.begun - found.stood):
             line = run.orders.of[number][a.place(time)].line
             proof.breaks(line, f"axis {number} from {time:.6f} s: it has no entry in the log")
@@ -226,14 +226,14 @@ def judge_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
         if found.last is not None and found.last.ended in FOLLOWED and not run.orders.was_cut:
             where = f"axis {number} from {found.last.start_time:.6f} s"
             proof.breaks(found.last.line, f"{where}: nothing follows the replaced move")
-        _judge_waiting(proof, run, a)
+        _check_waiting(proof, run, a)
         if found.going:
-            _judge_going(proof, run, a, found.going)
+            _check_going(proof, run, a, found.going)
         elif found.last is not None:
-            _judge_last(proof, run, a, found.last)
+            _check_last(proof, run, a, found.last)
 
 
-def _judge_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
+def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
     """Check that no released move waits at the end of the run without a reason.
 
     The reasons are another move in progress, and an error that ends the run.
@@ -259,7 +259,7 @@ def _is_refused(run: Run, a: WholeTrack) -> bool:
     return run.until in times
 
 
-def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> None:
+def _check_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> None:
     present = a.move
     first = going[0]
     where = f"axis {a.index} from {first.start_time:.6f} s"
@@ -282,7 +282,7 @@ def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> No
     proof.breaks(first.line, f"{where}: {words}")
 
 
-def _judge_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
+def _check_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
     profile = last.profile
     assert profile is not None
     if a.feedback is not None or a.index in run.offsets or not isfinite(profile.end) or run.orders.was_cut:

@@ -23,7 +23,7 @@ FOUR = (0.05, 0.35, 0.65, 0.95)
 MANY = 24
 
 
-def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check that a slave is where its ratio or table puts it.
 
     Before that it ramps at its rates.
@@ -36,10 +36,10 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
         earlier = run.orders.of[a.index][i - 1]
         if not tie.ramp and earlier.kind != "stop" and tie.takes_up(earlier.tie):
             proof.breaks(order.line, f"{where}: it ramps to its ratio, commanded to engage at once")
-        _judge_chase(proof, run, a, i, order, end)
+        _check_chase(proof, run, a, i, order, end)
         begin = tie.locked
     if tie.curve is not None and tie.table is not None:
-        _judge_table(proof, run, a, i, order, tie.curve)
+        _check_table(proof, run, a, i, order, tie.curve)
     times = [t for t in _moments(a, track, begin, end) if t < end]
     base: float | None = None
     for time in times:
@@ -63,7 +63,7 @@ def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
             return
 
 
-def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+def _check_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check that a slave changes its velocity at its rates until it meets the ratio's."""
     tie = order.tie
     assert tie is not None
@@ -75,7 +75,7 @@ def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, en
         time = a.starts[i] + share * (until - a.starts[i])
         state = a.profiles[i].at(time - a.starts[i])
         side = 0 if state.velocity * state.acceleration > 0.0 else 1
-        uses.look("rate of a slave", abs(state.acceleration), order.rates[side])
+        uses.compare("rate of a slave", abs(state.acceleration), order.rates[side])
         if abs(state.acceleration) < order.rates[side] * (1.0 - SLACK):
             words = f"its rate while ramping to its ratio is {abs(state.acceleration):g} counts/s²"
             where = f"axis {a.index} at {time:.6f} s"
@@ -100,7 +100,7 @@ def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> lis
     return sorted((*ordered[1:], *inside))
 
 
-def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
     """Check that the curve passes its table, straight, smooth or linear in between.
 
     The last of these has a linearly changing slope.
@@ -148,10 +148,10 @@ def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
             proof.breaks(order.line, f"{where}: the slope of its curve jumps by {gap:g}")
             return
     if kind == "even":
-        _judge_segment(proof, run, a, i, order, curve)
+        _check_segment(proof, run, a, i, order, curve)
 
 
-def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+def _check_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
     """Check that a flying shear's ratio begins at the last one, or 0, and is linear."""
     tie = order.tie
     assert tie is not None
@@ -180,7 +180,7 @@ def _wanted(tie: Tie, curve: Profile, along: float) -> float:
     return values[k] + slope * (along - places[k])
 
 
-def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     """Check that a profile through points has each position and velocity at its time.
 
     Between two points it is one cubic.
@@ -207,7 +207,7 @@ def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
                 return
 
 
-def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     """Check that a position reference ends at its position, and a speed in its time.
 
     A speed is reached by its slopes.
@@ -228,10 +228,10 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     came = abs(entry.velocity) + eased * max(end for _, _, end in order.slopes)
     for piece, begin, finish in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
         span = Span(begin, finish - begin if isfinite(finish) else 1.0, piece)
-        uses.look("speed", span.peak(1), max(order.speed, came))
+        uses.compare("speed", span.peak(1), max(order.speed, came))
         for power, left, right in span.sides():
             rate = order.rates[0 if power > 0.0 else 1] if abs(power) > SLACK else max(order.rates)
-            uses.look("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
+            uses.compare("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
     uses.tell(order.line, where, " counts")
     took = profile.knots[-2] if endless else profile.knots[-1]
     wanted = _reference_time(entry.velocity, _carried(a, i), order.goal, order.slopes)

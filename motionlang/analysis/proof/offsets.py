@@ -29,7 +29,7 @@ def _left(run: Run, move: Move) -> float:
     return wanted - before.profile.end
 
 
-def judge_missing(proof: Proof, run: Run) -> None:
+def check_missing(proof: Proof, run: Run) -> None:
     """Check that every OFFSET that adds a distance has an entry."""
     if run.orders.was_cut:
         return
@@ -41,7 +41,7 @@ def judge_missing(proof: Proof, run: Run) -> None:
             )
 
 
-def judge_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
+def check_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     """Check the entry of an offset.
 
     The rest of an offset after a suspension has no order of its own.

@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 ROWS = 40
 
 
-def judge_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
+def check_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
     """Check each move of a report against the track: ends, duration and peak speed."""
     moves = (move for move in run.moves if move.profile is not None)
     told, logged, before = 0, 0, len(proof.violations)
     for row, move in zip_longest(rows, moves):
         told, logged = told + (row is not None), logged + (move is not None)
         if row is not None and move is not None:
-            _judge_row(proof, run, row, move)
+            _check_row(proof, run, row, move)
     if told != logged:
         del proof.violations[before:]
         proof.breaks(0, f"the report has {told} moves, the log {logged}")
 
 
-def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:
+def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:
     a, profile = run.axes[move.axis], move.profile
     assert profile is not None
     start, end, duration, peak = (float(row[name]) for name in ("start", "end", "duration", "peak_speed"))  # type: ignore[arg-type]
@@ -62,10 +62,10 @@ def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
                 move.line,
                 f"{where}: the report has it at {counts:g} at {time:.6f} s, the track at {done:g}",
             )
-    _judge_peak(proof, run, a, peak * abs(move.scale), (move.start_time, finish), move.line)
+    _check_peak(proof, run, a, peak * abs(move.scale), (move.start_time, finish), move.line)
 
 
-def _judge_peak(
+def _check_peak(
     proof: Proof, run: Run, a: WholeTrack, told: float, time: tuple[float, float], line: int
 ) -> None:
     """Check the peak speed of a move: that of its pieces, at least any of a formula."""
@@ -91,7 +91,7 @@ def _judge_peak(
         )
 
 
-def judge_trace(proof: Proof, run: Run, samples: Samples) -> None:
+def check_trace(proof: Proof, run: Run, samples: Samples) -> None:
     """Check position and velocity of every row of a trace against the track."""
     for column, values in zip(samples.columns, samples.data, strict=True):
         if column.axis is None or column.quantity != "position":

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 ROUNDED = 1e-12
 
 
-class Way:
+class PathLayout:
     """A commanded path, laid out from where it began, in user units.
 
     `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per distance
@@ -143,7 +143,7 @@ class Way:
         return abs(hypot(point[i] - self.centre[0], point[j] - self.centre[1]) - self.radius)
 
 
-def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check geometry, speed, its changes, and limits of each axis, for one profile."""
     path = order.path
     assert path is not None
@@ -154,7 +154,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         proof.breaks(order.line, f"path from {begin:.6f} s: the log lacks some of its axes")
         return
     profiles = [entry.profile for entry in moves if entry.profile is not None]
-    way = Way(path, [profile.start for profile in profiles])
+    way = PathLayout(path, [profile.start for profile in profiles])
     blended = run.is_blended(master, begin)
     where = f"path from {begin:.6f} s"
     tracks: list[tuple[Profile, float]] = []
@@ -166,16 +166,16 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         places = [a.place(begin) for a in axes]
         tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
         along = spans_along(tracks, way, end - begin)
-    _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
+    _check_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
         beyond, rest = _beyond(run, moves[0]), along
         before = run.orders.of[master.index][i - 1] if i else order
         if _keeps_stop(before, order, way, along, beyond):
             stop, rest = _until_rest(along)
-            _judge_along(proof, before, way, stop, where)
+            _check_along(proof, before, way, stop, where)
         if rest:
-            _judge_along(proof, order, way, rest, where, fresh, beyond)
+            _check_along(proof, order, way, rest, where, fresh, beyond)
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # the plan applies, even if something else has preceded its end
             planned = min(profile.duration - time for profile, time in tracks)
@@ -191,7 +191,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         if gone >= way.length * (1.0 - SLACK) and all(
             abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
         ):
-            _judge_path_time(proof, order, way, along, where)
+            _check_path_time(proof, order, way, along, where)
 
 
 def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
@@ -211,21 +211,21 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
     return first < last * (1.0 - SLACK)
 
 
-def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
+def check_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
     """Check the speed along a path, and its changes, while another is blended onto it."""
     path = order.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way = Way(path, [profile.start for profile in profiles])
+    way = PathLayout(path, [profile.start for profile in profiles])
     along = spans_along([(profile, begin - path.begun) for profile in profiles], way, length)
     if along:
-        _judge_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
+        _check_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
 
 
-def _judge_way(
+def _check_way(
     proof: Proof,
     order: Order,
-    way: Way,
+    way: PathLayout,
     profiles: Sequence[Profile],
     along: list[Span],
     time: tuple[float, float],
@@ -254,7 +254,7 @@ def _judge_way(
                 return
 
 
-def _keeps_stop(before: Order, order: Order, way: Way, along: list[Span], beyond: float) -> bool:
+def _keeps_stop(before: Order, order: Order, way: PathLayout, along: list[Span], beyond: float) -> bool:
     """True if a resumed path comes to rest first, as it could not stop before its end.
 
     This is by the present rates.
@@ -290,15 +290,15 @@ def _beyond(run: Run, move: Move) -> float:
         starts = [each.profile.start for each in run.members(path) if each.profile is not None]
         if len(starts) != len(path.members):
             break
-        length += Way(path, starts).length
+        length += PathLayout(path, starts).length
         move = after
     return length
 
 
-def _judge_along(
+def _check_along(
     proof: Proof,
     order: Order,
-    way: Way,
+    way: PathLayout,
     along: list[Span],
     where: str,
     fresh: bool = False,
@@ -336,30 +336,30 @@ def _judge_along(
         eased = bent if middle < slow.eased else 0.0
         fastest, peak = 0.0 if path.rests else max(speed, slow.speed), span.peak(1)
         if peak > SLACK or not path.rests:  # at rest within rounding
-            uses.look("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
+            uses.compare("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, fast = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
             if fast <= SLACK * max(1.0, slow.came):  # at rest within rounding
                 continue
             name = ("path acceleration", "path deceleration")[side]
-            uses.look(name, rate, max(rates[side], eased))
+            uses.compare(name, rate, max(rates[side], eased))
             if smooth:
                 # Rounding at the end of a ramp does not show its side.
                 jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
-                uses.look("path jerk", max(abs(left[3]), abs(right[3])), jerk)
+                uses.compare("path jerk", max(abs(left[3]), abs(right[3])), jerk)
             first, last = left[0], right[0]
             slowed = [
                 max(x, came * s)
                 for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
             ]
             for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
-                uses.look(f"speed on paths of axis {number}", fast * slope * k, most)
+                uses.compare(f"speed on paths of axis {number}", fast * slope * k, most)
             limits = path.most_decel if side else path.most_accel
             own = way.rates(first, last, rate, fast)
             came_with = way.rates(first, last, max(bent, braking) if side and excused else bent, came)
             for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
-                uses.look(f"rate on paths of axis {number}", figure * k, max(most, other * k))
+                uses.compare(f"rate on paths of axis {number}", figure * k, max(most, other * k))
     uses.tell(order.line, where, "")
     took = along[-1].begin + along[-1].length
     reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
@@ -379,7 +379,7 @@ def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, whe
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
 
 
-def _slowing(order: Order, way: Way, v0: float, a0: float, left: float) -> Slowing:
+def _slowing(order: Order, way: PathLayout, v0: float, a0: float, left: float) -> Slowing:
     """Return how a path that begins too fast slows down to its speed.
 
     It may be too fast for the path or for one of its axes. If the distance does not suffice for this and a
@@ -399,7 +399,7 @@ def _slowing(order: Order, way: Way, v0: float, a0: float, left: float) -> Slowi
     return slowing(v0, a0, speed, by, extra)
 
 
-def _hardest(path: PathOrder, way: Way) -> float:
+def _hardest(path: PathOrder, way: PathLayout) -> float:
     """Return the highest deceleration along a path within its axes' limits.
 
     Centripetal acceleration does not count.
@@ -408,17 +408,17 @@ def _hardest(path: PathOrder, way: Way) -> float:
     return min((limit / (slope * abs(k)) for slope, k, limit in slopes if slope), default=inf)
 
 
-def _gentlest(order: Order, way: Way, rate: float) -> float:
+def _gentlest(order: Order, way: PathLayout, rate: float) -> float:
     """The lowest deceleration of a stop on a path and those it may continue into."""
     assert order.path is not None
     for each in order.path.ahead:
         assert each.path is not None
-        way = Way(each.path, way.ends)
+        way = PathLayout(each.path, way.ends)
         rate = min(rate, _least(each, way)[1].rates[1])
     return rate
 
 
-def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
+def _check_path_time(proof: Proof, order: Order, way: PathLayout, along: list[Span], where: str) -> None:
     """Check that the last path takes no longer than a stop and a move from rest.
 
     That motion observes all bounds, whatever follows: a plan may only be faster.
@@ -447,7 +447,7 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
         proof.breaks(order.line, f"{where}: it takes {took:g} s, expected at most {due:g} s")
 
 
-def _least(order: Order, way: Way) -> tuple[float, Law]:
+def _least(order: Order, way: PathLayout) -> tuple[float, Law]:
     """Return the speed and law that a path may always use, whatever its axes' limits.
 
     On arcs the change of direction and that of the speed take the same share of the limits of an axis.
@@ -474,7 +474,7 @@ def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[f
     return [part * k for part, (_, k) in zip(parts, axes, strict=True)]
 
 
-def spans_along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span]:
+def spans_along(rows: Sequence[tuple[Profile, float]], way: PathLayout, length: float) -> list[Span]:
     """Return the distance along the path over time, from profiles already in force.
 
     Empty if it cannot be determined.
@@ -512,7 +512,7 @@ def _part(profile: Profile, time: float) -> tuple[Profile, float, float]:
     return parts[-1], time - profile.begins[-1], inf  # type: ignore[attr-defined]
 
 
-def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span] | None:
+def _spans_along(parts: Sequence[tuple[Profile, float]], way: PathLayout, length: float) -> list[Span] | None:
     for profile, begin in parts:
         travelled = getattr(profile, "along", None)
         if travelled is not None:
@@ -536,7 +536,7 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
 # --------------------------------------------------------------------------------------------------- the end
 
 
-def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
+def check_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
     """Check that a path ends where commanded, and takes time."""
     profile = move.profile
     assert profile is not None
@@ -552,7 +552,7 @@ def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
     size = max(1.0, abs(end), abs(profile.start))
     if over and abs(profile.end - end) > SLACK * size:
         proof.breaks(move.line, f"{where}: its path ends at {profile.end:g}, commanded {end:g}")
-    if which == 0 and over and not profile.duration and Way(path, starts).length > SLACK:
+    if which == 0 and over and not profile.duration and PathLayout(path, starts).length > SLACK:
         proof.breaks(move.line, f"{where}: a path in no time")
 
 

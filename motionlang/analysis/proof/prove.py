@@ -4,7 +4,7 @@ Problem. A planner that is wrong in a rare case gives a plausible profile, and a
 that case. The log and the report may be wrong in the same way. So a complete run can be checked afterwards,
 by code that shares nothing with the planners and uses only what the run has recorded.
 
-Idea. During the run `Orders` records the expected motion, an `Order` for each profile: the kind of motion and
+Idea. During the run `ExpectedMotion` records the expected motion, an `Order` for each profile: the kind of motion and
 the settings in force when it began, never anything that a planner has computed. Afterwards each profile is
 compared with its order and with the profile before it, and each entry of the log with the tracks of the axes.
 
@@ -44,25 +44,25 @@ from __future__ import annotations
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.axes import PLANNED, judge_profile
-from motionlang.analysis.proof.blends import judge_blend
+from motionlang.analysis.proof.axes import PLANNED, check_profile
+from motionlang.analysis.proof.blends import check_blend
 from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
-from motionlang.analysis.proof.entries import Ends, judge_ends, take_entry
-from motionlang.analysis.proof.followers import judge_points, judge_reference, judge_tie
-from motionlang.analysis.proof.offsets import judge_missing
-from motionlang.analysis.proof.outputs import judge_report, judge_trace
-from motionlang.analysis.proof.paths import judge_path, judge_path_end
+from motionlang.analysis.proof.entries import Ends, check_ends, take_entry
+from motionlang.analysis.proof.followers import check_points, check_reference, check_tie
+from motionlang.analysis.proof.offsets import check_missing
+from motionlang.analysis.proof.outputs import check_report, check_trace
+from motionlang.analysis.proof.paths import check_path, check_path_end
 from motionlang.analysis.proof.segments import half_angle
-from motionlang.analysis.proof.settings import judge_settings
+from motionlang.analysis.proof.settings import check_settings
 from motionlang.errors import Diagnostic
-from motionlang.log.orders import MOST
+from motionlang.log.expected_motion import MAX_PROFILES
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from motionlang.controller.move import Move
+    from motionlang.log.expected_motion import ExpectedMotion
     from motionlang.log.order import Order, PathOrder
-    from motionlang.log.orders import Orders
     from motionlang.log.trace import Samples
     from motionlang.log.track import Recorded, WholeTrack
     from motionlang.planners import Profile, State
@@ -73,7 +73,7 @@ LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 def prove(
     controller: Recorded,
-    orders: Orders,
+    orders: ExpectedMotion,
     until: float,
     report: Iterable[Mapping[str, object]] | None = None,
     samples: Samples | None = None,
@@ -85,16 +85,14 @@ def prove(
     """
     proof = Proof()
     if orders.is_full:
-        message = (
-            f"nothing was verified: the run has more than {MOST} profiles of motion, the limit of --prove"
-        )
+        message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of --prove"
         proof.violations.append(Diagnostic("proof", message, hint="end the run sooner with --until"))
         return proof
     run = Run(controller.axes, controller.moves, orders, until)
     if report is not None:
-        judge_report(proof, run, report)
+        check_report(proof, run, report)
     if samples is not None:
-        judge_trace(proof, run, samples)
+        check_trace(proof, run, samples)
     for number, a in controller.axes.items():
         records = orders.of[number]
         assert orders.was_cut or len(records) == len(a.starts), (
@@ -104,32 +102,32 @@ def prove(
             begin, end = run.span(a, i)
             if end > begin:
                 shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
-                judge_profile(proof, a, i, order, records[max(i - 1, 0)], shifted, end - begin)
+                check_profile(proof, a, i, order, records[max(i - 1, 0)], shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
-                    judge_path(proof, run, a, i, order, end)
-                    judge_blend(proof, run, a, i, order, end)
+                    check_path(proof, run, a, i, order, end)
+                    check_blend(proof, run, a, i, order, end)
                 elif order.tie is not None:
-                    judge_tie(proof, run, a, i, order, end)
+                    check_tie(proof, run, a, i, order, end)
                 elif order.points is not None:
-                    judge_points(proof, a, i, order)
+                    check_points(proof, a, i, order)
                 elif order.kind == "reference":
-                    judge_reference(proof, a, i, order)
+                    check_reference(proof, a, i, order)
             if i:
-                _judge_join(proof, run, a, i)
-    judge_settings(proof, run)
+                _check_join(proof, run, a, i)
+    check_settings(proof, run)
     ends: dict[int, Ends] = {}
     for move in run.moves:
-        _judge_move(proof, run, move)
+        _check_move(proof, run, move)
         take_entry(proof, ends, run, move)
-    judge_ends(proof, run, ends)
-    judge_missing(proof, run)
+    check_ends(proof, run, ends)
+    check_missing(proof, run)
     return proof
 
 
 # ------------------------------------------------------------------------------------------------------- joins
 
 
-def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
+def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     """Check continuity of position, velocity and S-ramp acceleration between profiles."""
     proof.counts["joins"] += 1
     orders = run.orders
@@ -263,7 +261,7 @@ def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]
 # ---------------------------------------------------------------------------------------------------- the log
 
 
-def _judge_move(proof: Proof, run: Run, move: Move) -> None:
+def _check_move(proof: Proof, run: Run, move: Move) -> None:
     """Check an entry of the log: duration, phases, end, and agreement with the track."""
     proof.counts["moves"] += 1
     profile, a = move.profile, run.axes[move.axis]
@@ -292,7 +290,7 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
             move.line, f"{where}: it ends at {profile.end + move.offset:g}, commanded {move.target:g}"
         )
     if kind == "path":
-        judge_path_end(proof, run, move, over)
+        check_path_end(proof, run, move, over)
     if move.overlaid or move.offset or not isfinite(profile.start):
         return
     length = min(profile.duration, run.until - move.start_time)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import SLACK
-from motionlang.analysis.proof.paths import Way, _gentlest, _least, judge_tail, spans_along
+from motionlang.analysis.proof.paths import PathLayout, _gentlest, _least, check_tail, spans_along
 from motionlang.analysis.proof.time_bounds import law, lead
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from motionlang.log.track import WholeTrack
 
 
-def judge_settings(proof: Proof, run: Run) -> None:
+def check_settings(proof: Proof, run: Run) -> None:
     """Check every setting that has not replaced the profile of its axis."""
     for (number, time), wanted in run.orders.unheeded.items():
         a = run.axes[number]
@@ -26,10 +26,10 @@ def judge_settings(proof: Proof, run: Run) -> None:
         order = run.orders.of[number][i]
         end = run.span(a, i)[1]
         if end - time > SLACK * SLACK * (1.0 + time) and order.asks != wanted.asks:
-            _judge_setting(proof, run, a, i, order, wanted, (time, end))
+            _check_setting(proof, run, a, i, order, wanted, (time, end))
 
 
-def _judge_setting(
+def _check_setting(
     proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, wanted: Order, span: tuple[float, float]
 ) -> None:
     time, end = span
@@ -48,7 +48,7 @@ def _judge_setting(
         )
         rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
         lower = order._replace(speed=min(order.speed, wanted.speed), rates=rates, path=path)
-        judge_tail(proof, run, lower, time, end - time)
+        check_tail(proof, run, lower, time, end - time)
         return
     kinds = order.kind, wanted.kind
     if order.tie is not None and wanted.tie is not None:
@@ -91,7 +91,7 @@ def _stops_within(run: Run, wanted: Order, time: float) -> bool:
     path = wanted.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way, gone = Way(path, [profile.start for profile in profiles]), time - path.begun
+    way, gone = PathLayout(path, [profile.start for profile in profiles]), time - path.begun
     along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
     if not along:
         return True
@@ -99,7 +99,7 @@ def _stops_within(run: Run, wanted: Order, time: float) -> bool:
     left, before = last[0] - first[0], way
     for each in path.ahead:
         assert each.path is not None
-        before = Way(each.path, before.ends)
+        before = PathLayout(each.path, before.ends)
         left += before.length
     by = _least(wanted, way)[1]
     by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))

@@ -13,7 +13,7 @@ from motionlang.analysis.sweeps.pool import Hand
 from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.analysis.sweeps.space import Space, space_of
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect_for, settings_beside
+from motionlang.execution import dialect_for, settings_next_to
 from motionlang.lang.literals import edited
 from motionlang.library.tables import Table, transposed
 from motionlang.record import record
@@ -120,7 +120,7 @@ class Sweep:
         self.space = space_of(grid)
         source = program if isinstance(program, Source) else Source.read(program)
         language = dialect_for(source, dialect)
-        settings = settings_beside(program) if machine is None else dict(machine)
+        settings = settings_next_to(program) if machine is None else dict(machine)
         for name in keep:
             quantity(name)
         self.job = Job(

@@ -34,7 +34,7 @@ _OPERATORS: dict[type, Callable[..., object]] = {
 }
 _FUNCTIONS: dict[str, Callable[..., object]] = {"abs": abs, "min": min, "max": max}
 # The maximum nodes of an expression's syntax tree, and the maximum exponent.
-_MOST_NODES, _MOST_POWER = 500, 100.0
+_MAX_NODES, _MAX_POWER = 500, 100.0
 
 
 class Expression:
@@ -58,7 +58,7 @@ class Expression:
             self._tree = ast.parse(_NAME.sub(plain, text).strip(), mode="eval").body
             self._places = {place: name for name, place in places.items()}
             nodes = list(ast.walk(self._tree))
-            if len(nodes) > _MOST_NODES:
+            if len(nodes) > _MAX_NODES:
                 raise ValueError("it is too long")
             for node in nodes:
                 self._check(node)
@@ -109,7 +109,7 @@ class Expression:
             left, right = self._value(node.left, values), self._value(node.right, values)
             if isinstance(left, str) or isinstance(right, str):
                 raise TypeError("a text can only be compared")
-            if isinstance(node.op, ast.Pow) and abs(right) > _MOST_POWER:  # type: ignore[arg-type]
+            if isinstance(node.op, ast.Pow) and abs(right) > _MAX_POWER:  # type: ignore[arg-type]
                 raise ArithmeticError("too large")
             return _OPERATORS[type(node.op)](left, right)
         if isinstance(node, ast.BoolOp):

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 # Names of a variant that represent complete machine files.
 MACHINE, SCENARIO = "machine", "scenario"
 # Programs that a process caches: their settings decide how they are compiled.
-MOST_PROGRAMS = 32
+MAX_PROGRAMS = 32
 
 
 class Job:
@@ -171,7 +171,7 @@ class Worker:
         key = repr(sorted(deciding.items())) if deciding else ""
         found = self._programs.get(key)
         if found is None:
-            if len(self._programs) >= MOST_PROGRAMS:
+            if len(self._programs) >= MAX_PROGRAMS:
                 self._programs.clear()
             found = self._programs[key] = self._dialect.compile_given(
                 source, settings, overrides, accelerators().ranges
@@ -217,14 +217,14 @@ def told(diagnostics: Sequence[Diagnostic]) -> Problem:
 
 # The workers of this process, by their jobs; a pool that is used for several sweeps has several.
 _WORKERS: dict[str, Worker] = {}
-MOST_WORKERS = 8
+MAX_WORKERS = 8
 
 
 def worker_of(job: Job) -> Worker:
     """Return the worker of a job in this process."""
     found = _WORKERS.get(job.digest)
     if found is None:
-        while len(_WORKERS) >= MOST_WORKERS:
+        while len(_WORKERS) >= MAX_WORKERS:
             _WORKERS.pop(next(iter(_WORKERS)), None)
         found = _WORKERS.setdefault(job.digest, Worker(job))
     return found

@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 # may take without them.
 CHUNK, ALONE, WORTH = 0.1, 0.05, 0.2
 # Maximum variants in a chunk, and before their duration is known.
-MOST_VARIANTS, FIRST_VARIANTS = 500, 4
+MAX_VARIANTS, FIRST_VARIANTS = 500, 4
 # Maximum chunks in progress: of an executor with an unknown number of workers, and for each process of our
 # own pool.
-MOST_AHEAD, AHEAD = 512, 3
+MAX_AHEAD, AHEAD = 512, 3
 # Times that a chunk is submitted, the last of them in single variants, before these are reported as lost.
 TRIES, WHOLE_TRIES = 5, 2
 
@@ -100,7 +100,7 @@ class Hand:
 
     def _fill(self) -> bool:
         """Keep enough chunks in progress; false if nothing remains."""
-        ahead = MOST_AHEAD if self._given is not None else AHEAD * self._jobs
+        ahead = MAX_AHEAD if self._given is not None else AHEAD * self._jobs
         suspects = any(chunk.tries for chunk in self._under_way.values())
         while len(self._under_way) < ahead and not (suspects and self._given is None):
             chunk = self._next()
@@ -138,7 +138,7 @@ class Hand:
         """
         size = int(CHUNK / self._cost) if self._cost else FIRST_VARIANTS
         workers = max(self._jobs if self._given is None else 1, len(self._seen))
-        return max(1, min(size, MOST_VARIANTS, -(-self._left // (2 * workers)), self._left))
+        return max(1, min(size, MAX_VARIANTS, -(-self._left // (2 * workers)), self._left))
 
     def _taken(self, future: Future[tuple[str, float, list[Result]]]) -> Iterator[Result]:
         chunk = self._under_way.pop(future)

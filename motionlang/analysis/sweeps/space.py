@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     Value = float | str | bool | list[object]
 
-MOST_VARIANTS = 100_000_000
+MAX_VARIANTS = 100_000_000
 _RANGE = re.compile(r"([^:,\[\]\"']+):([^:,\[\]\"']+)(?::([^:,\[\]\"']+))?$")
 
 
@@ -143,8 +143,8 @@ class Grid(Space):
                     f"how many values of {each.name}? A grid needs {each.name}={each.first:g}:{each.last:g}:COUNT"
                 )
             self._count *= len(each)
-        if self._count > MOST_VARIANTS:
-            raise ValueError(f"{self._count} variants are more than {MOST_VARIANTS}")
+        if self._count > MAX_VARIANTS:
+            raise ValueError(f"{self._count} variants are more than {MAX_VARIANTS}")
 
     def __len__(self) -> int:
         return self._count
@@ -166,8 +166,8 @@ class Drawn(Space):
 
     def __init__(self, dimensions: Sequence[Dimension], count: int, seed: int, latin: bool) -> None:
         super().__init__(each.name for each in dimensions)
-        if not 1 <= count <= MOST_VARIANTS:
-            raise ValueError(f"a sweep has 1 to {MOST_VARIANTS} variants, not {count}")
+        if not 1 <= count <= MAX_VARIANTS:
+            raise ValueError(f"a sweep has 1 to {MAX_VARIANTS} variants, not {count}")
         self.dimensions, self._count, self._seed = tuple(dimensions), count, seed
         self._orders: list[list[int]] = []
         for each in dimensions if latin else ():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.planners import hold, plan_velocity
 from motionlang.planners.stop import running
 
@@ -18,7 +18,7 @@ AUXILIARY = 1000
 def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None:
     """Run an encoder at `velocity`, counts/s, ramping at `accel`; 0: at once."""
     if not (abs(velocity) < 1e300 and 0.0 <= accel < 1e300):
-        raise Refusal("range", f"an encoder cannot run at {velocity:g} counts/s with a ramp of {accel:g}")
+        raise Rejected("range", f"an encoder cannot run at {velocity:g} counts/s with a ramp of {accel:g}")
     state = encoder.at(controller.clock.now)
     if state.velocity == velocity == encoder.profiles[-1].end_velocity and not state.acceleration:
         return

@@ -8,7 +8,7 @@ byte (AN00200 p. 8).
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -151,7 +151,7 @@ def _checked(area: str, element: int) -> int:
     if not first <= element <= last:
         what = "address" if area == "dpr" else "element"
         plural = "addresses" if area == "dpr" else "elements"
-        raise Refusal(
+        raise Rejected(
             "channel", f"{_CALLED[area]} has no {what} {element}", f"its {plural} are {first} to {last}"
         )
     return element

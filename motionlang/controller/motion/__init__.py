@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from motionlang.controller import door
+from motionlang.controller import lazy_family
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.motion import feedrate, halt
 
 # A program with plain moves only needs none of these.
-__getattr__ = door(__name__, "feedrate", "halt")
+__getattr__ = lazy_family(__name__, "feedrate", "halt")
 
 __all__ = ["feedrate", "halt"]

@@ -33,20 +33,20 @@ Invariants.
 - A slave that leaves its master completes the profile in force (`leave_master`).
 
 Cost. One profile for each new profile of the master, for each slave along a chain. An entry of the log with
-more than `MOST_PARTS` profiles continues as a further entry.
+more than `MAX_FOLLOWED` profiles continues as a further entry.
 """
 
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
-from motionlang.controller.motion.profile_playback import Played
+from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.move import Action, Move
 from motionlang.planners import hold, plan, plan_velocity
 from motionlang.planners.curve import relabelled
-from motionlang.planners.dwell import halted, rest
-from motionlang.planners.sequence import Chain
+from motionlang.planners.dwell import rest, with_rest
+from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.superposition import added
 
 TYPE_CHECKING = False
@@ -61,7 +61,7 @@ if TYPE_CHECKING:
 _STILL = 1e-9
 # Profiles of a slave after which its move continues as a new entry of the log: ten seconds at one per
 # millisecond.
-MOST_PARTS = 10_000
+MAX_FOLLOWED = 10_000
 
 
 class FollowMove(Move):
@@ -80,9 +80,9 @@ class FollowMove(Move):
             self.parts.pop()
         self.parts.append((time, profile.shifted(-self.offset) if self.offset else profile))
 
-    def begin_anew(self, controller: Core, now: float) -> None:
+    def begin_new_entry(self, controller: Core, now: float) -> None:
         """Become a new entry of the log, because this one is long."""
-        if len(self.parts) > MOST_PARTS and self.profile is not None:
+        if len(self.parts) > MAX_FOLLOWED and self.profile is not None:
             controller.log.moves.split(self, self.profile.cut(now - self.start_time), now)
             self.parts = []
 
@@ -96,7 +96,7 @@ class FollowMove(Move):
             profile.cut(finish - start)
             for (start, profile), finish in zip(self.parts, starts[1:], strict=False)
         ]
-        return Chain(self.shape, [*cuts, self.parts[-1][1]], self.shape)
+        return ProfileSequence(self.shape, [*cuts, self.parts[-1][1]], self.shape)
 
     @profile.setter
     def profile(self, profile: Profile | None) -> None:
@@ -152,7 +152,7 @@ class Follow(Action):
         coming = self.coming()
         profile = self._with_offset(coming)
         now = self.controller.clock.now
-        self.move.begin_anew(self.controller, now)
+        self.move.begin_new_entry(self.controller, now)
         self.move.add(now, profile)
         self.controller.extend_track(self.a, profile)
         if self.tied:
@@ -186,7 +186,7 @@ class Follow(Action):
         self.renew()
 
     def suspend(self, controller: Core, a: Axis) -> bool:
-        raise Refusal(
+        raise Rejected(
             "moving",
             f"axis {a.index} follows axis {self.master.index} and cannot be suspended",
             "suspend the master, or stop the slave",
@@ -340,7 +340,7 @@ class Gear(Follow):
         stop = halt.to_rest(self.controller, self.a)
         share = velocity / stop.start_velocity if stop.start_velocity else 0.0
         done = stop.scaled(self.offset.end - left, share)
-        self._log_offset(halted(done, "suspend"))
+        self._log_offset(with_rest(done, "suspend"))
         self._paused, self.offset = left - done.distance, None
         self._halt = done, self.controller.clock.now
 
@@ -380,7 +380,7 @@ class Gear(Follow):
         meets = gap.velocity_crossing(0.0)
         if meets is None:
             words = f"axis {self.a.index} cannot ramp to {want:g} counts/s, the speed of its master"
-            raise Refusal("range", words, "raise its rates, or lower the ratio")
+            raise Rejected("range", words, "raise its rates, or lower the ratio")
         self._locks_at = now + meets
         head = chase.cut(meets)
         return relabelled(head.then(self._geared(coming.after(meets), head.end)), self.move.shape)
@@ -417,7 +417,7 @@ def set_ratio(a: Axis, ratio: float) -> None:
 
 def _check_ratio(ratio: float) -> None:
     if not abs(ratio) < 1e12:
-        raise Refusal("range", f"an axis cannot follow at a ratio of {ratio:g}")
+        raise Rejected("range", f"an axis cannot follow at a ratio of {ratio:g}")
 
 
 def leave_master(controller: Core, a: Axis) -> None:
@@ -434,7 +434,7 @@ def leave_master(controller: Core, a: Axis) -> None:
         return
     tie.leave(controller, a, "")
     rest_of = a.profiles[-1].after(now - a.starts[-1])
-    tie.move.action = Played()
+    tie.move.action = Playback()
     tie.move.add(now, rest_of)
     a.target = tie.move.target = rest_of.end
     controller.append_profile(a, rest_of)
@@ -457,4 +457,4 @@ def follows(link: Axis | None, a: Axis) -> bool:
 def check_chain(a: Axis, master: Axis) -> None:
     """Reject a master that follows the slave itself."""
     if follows(master, a):
-        raise Refusal("axis", f"axis {a.index} cannot follow axis {master.index}: it would follow itself")
+        raise Rejected("axis", f"axis {a.index} cannot follow axis {master.index}: it would follow itself")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from motionlang.controller.axis import BY_WORD
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, keeps_rates
 from motionlang.controller.triggers.conditions import release
-from motionlang.planners.dwell import halted
+from motionlang.planners.dwell import with_rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -58,14 +58,14 @@ def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """Return the motion from the state of the axis to rest."""
-    from motionlang.planners.ramp_down import stop_under_way
+    from motionlang.planners.ramp_down import stop_in_motion
 
     now, jerks = controller.clock.now, (a.accel_jerk, a.decel_jerk)
     accel = None if keeps_rates(a.move) else min(controller.rates(a, a.speed)[0], a.max_accel)
     try:
-        made = stop_under_way(a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, *jerks, accel)
+        made = stop_in_motion(a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, *jerks, accel)
     except ValueError as problem:
-        raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
+        raise Rejected("range", f"axis {a.index} cannot stop: {problem}") from None
     rounding = a.here(now) - made.start
     return made.shifted(rounding) if rounding else made
 
@@ -77,7 +77,7 @@ def to_rest(controller: Core, a: Axis) -> Profile:
 
 def standing(controller: Core, a: Axis) -> Profile:
     """Return the motion to rest, followed by rest until another command."""
-    return halted(to_rest(controller, a), "suspend")
+    return with_rest(to_rest(controller, a), "suspend")
 
 
 def _decel(controller: Core, a: Axis) -> float:
@@ -106,11 +106,11 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
         return
     try:
         held = move.action is not None and move.action.suspend(controller, a)
-    except Refusal as refusal:
+    except Rejected as rejected:
         if reason == BY_WORD:
             release(controller, a)
             raise
-        controller.mishap(refusal)
+        controller.run_time_fault(rejected)
         return
     if not held:
         controller.replan_move(a)
@@ -149,7 +149,7 @@ def retarget(controller: Core, a: Axis, position: float, command: str, line: int
         controller.move_to(a.index, position, command, line)
         return
     if move.action is not None:
-        raise Refusal(
+        raise Rejected(
             "moving",
             f"axis {a.index} is not on a move to a position",
             "only a positional move in progress can be given a new end point",
@@ -159,7 +159,7 @@ def retarget(controller: Core, a: Axis, position: float, command: str, line: int
     before, move.target = move.target, position
     try:
         controller.replan_move(a)
-    except Refusal:
+    except Rejected:
         move.target = before
         raise
     a.target = position

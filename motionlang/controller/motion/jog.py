@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isclose
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move, keeps_rates
 from motionlang.controller.triggers.events import clamped
 from motionlang.planners import plan_velocity
@@ -76,7 +76,7 @@ class Jog(Action):
             if eased is not None:
                 made = relabelled(eased.then(made), made.shape)
         except ValueError as problem:
-            raise Refusal("range", f"axis {a.index} cannot jog: {problem}") from None
+            raise Rejected("range", f"axis {a.index} cannot jog: {problem}") from None
         if self.ends and not self.velocity and not a.suspended:
             return relabelled(made.cut(made.knots[-2]), made.shape)
         return made

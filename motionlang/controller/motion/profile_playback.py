@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
 from motionlang.planners import hold, plan_stop, plan_velocity
 from motionlang.planners.curve import relabelled
-from motionlang.planners.dwell import halted
+from motionlang.planners.dwell import with_rest
 from motionlang.planners.pvt.motion import pvt_segment
-from motionlang.planners.reparametrised import Composed
+from motionlang.planners.reparametrised import Reparametrised
 from motionlang.planners.stop import running
 
 TYPE_CHECKING = False
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile
 
 
-class Played(Action):
+class Playback(Action):
     """The playback of a profile.
 
     With `on_path` a stop also comes to rest on it, in the axis's `suspend_time`. `ordered` are the points,
@@ -45,16 +45,16 @@ class Played(Action):
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         """Slow the playback to a standstill within the axis's `suspend_time`."""
-        path, pace = self._on_the_way(controller, a)
+        path, pace = self._with_continuation(controller, a)
         if pace.end_velocity == 0.0:
-            pace = halted(pace, "suspend")
+            pace = with_rest(pace, "suspend")
         self._follow(controller, a, path, pace, "suspend", "")
         self._aim(a, path)
         return True
 
     def waiting(self, controller: Core, profile: Profile) -> Profile:
         """Return the profile with its playback at a standstill, for a suspended axis."""
-        return self._made(controller, profile, halted(hold(0.0).cut(0.0), "suspend"), "suspend")
+        return self._made(controller, profile, with_rest(hold(0.0).cut(0.0), "suspend"), "suspend")
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         """Return the rest at full rate.
@@ -81,7 +81,7 @@ class Played(Action):
         """
         if not self.on_path or ended == "fault":
             return False
-        path, pace = self._on_the_way(controller, a)
+        path, pace = self._with_continuation(controller, a)
         controller.empty(a, ended)
         self.ordered = None  # it will not reach its last point
         self._follow(controller, a, path, pace, path.shape, ended)
@@ -94,10 +94,10 @@ class Played(Action):
     def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
         """Return the profile, its playback time, and its playback rate."""
         elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
-        if self._is_paced and isinstance(last, Composed):
+        if self._is_paced and isinstance(last, Reparametrised):
             return last.path, last.along.position(elapsed), last.along.velocity(elapsed)
         if not last.pieced:
-            raise Refusal("moving", f"axis {a.index} follows a profile that cannot be suspended")
+            raise Rejected("moving", f"axis {a.index} follows a profile that cannot be suspended")
         return last.after(elapsed), 0.0, 1.0
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
@@ -142,7 +142,7 @@ class Played(Action):
             [time or path.knots[following] - place, *times[len(times) - left + 1 :]],
         )
 
-    def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
+    def _with_continuation(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
         """Return the profile with its continuation, and its playback time.
 
         The playback comes to rest, or runs to the end if nothing follows.
@@ -180,7 +180,7 @@ class Played(Action):
 
     def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
         self._is_paced = True
-        return Composed(pace, path, shape)
+        return Reparametrised(pace, path, shape)
 
 
 def _to_the_end(path: Profile, pace: Profile) -> Profile:

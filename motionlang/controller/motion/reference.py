@@ -7,7 +7,7 @@ period of the profiler. All writes until another motion form one entry of the lo
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import FollowMove
 from motionlang.controller.move import Action, keeps_rates
@@ -43,7 +43,7 @@ class Reference(Action):
             controller.end_move(a, "retarget")
             controller.log_move(a, self.move, profile)
             self.move.parts.clear()
-        self.move.begin_anew(controller, controller.clock.now)
+        self.move.begin_new_entry(controller, controller.clock.now)
         self.move.add(controller.clock.now, profile)
         a.target = self.move.target = profile.end
         controller.append_profile(a, profile)
@@ -77,7 +77,7 @@ class SpeedReference(Reference):
                 bent = admitted(bent, s.velocity, up.rate, down.rate)
             made = plan_reference(s.position, s.velocity, wanted, up, down, bent)
         except ValueError as problem:
-            raise Refusal("range", f"axis {a.index} cannot follow its reference: {problem}") from None
+            raise Rejected("range", f"axis {a.index} cannot follow its reference: {problem}") from None
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
@@ -149,7 +149,7 @@ class PositionReference(Reference):
 def refer_position(controller: Core, a: Axis, place: float, command: str, line: int) -> None:
     """Move an axis to a position within a period; a no-op if it is there."""
     if not abs(place) < INFINITY:
-        raise Refusal("range", f"axis {a.index} cannot go to {place:g}")
+        raise Rejected("range", f"axis {a.index} cannot go to {place:g}")
     action = a.move.action if a.move is not None else None
     if isinstance(action, PositionReference):
         if place != action.place:

@@ -7,7 +7,7 @@ do there are no ticks; the cause of the next motion wakes it.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.sensor import PERIOD, next_tick
 from motionlang.controller.motion.follow import FollowMove
 from motionlang.controller.motion.reference import Reference
@@ -96,7 +96,7 @@ def track(
 ) -> Track:
     """Move an axis at standstill by `decide`, from the next tick on."""
     if a.move is not None:
-        raise Refusal("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
+        raise Rejected("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
     controller.rates(a, a.speed)
     move = FollowMove(a.index, command, line, "track")
     made = Track(controller, a, move, decide)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from motionlang.controller import door
+from motionlang.controller import lazy_family
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.moves import buffer
 
 # A program with plain moves only needs none of these.
-__getattr__ = door(__name__, "buffer")
+__getattr__ = lazy_family(__name__, "buffer")
 
 __all__ = ["buffer"]

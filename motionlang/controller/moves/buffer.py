@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
 from motionlang.planners.dwell import rest
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def put(a: Axis, move: Move) -> None:
     """Load an entry, with a copy of the settings that apply to it."""
     if len(a.buffer) >= a.buffer_size:
-        raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
+        raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
     a.buffer.append(stamped(a, move))
 
 
@@ -82,10 +82,10 @@ def end(a: Axis) -> float:
 
 
 def known_end(a: Axis) -> float:
-    """Like `end`, but raise Refusal while the axis is jogging."""
+    """Like `end`, but raise Rejected while the axis is jogging."""
     there = end(a)
     if not abs(there) < 1e300:
-        raise Refusal("moving", f"axis {a.index} is jogging: a relative move has no start", "stop it first")
+        raise Rejected("moving", f"axis {a.index} is jogging: a relative move has no start", "stop it first")
     return there
 
 
@@ -117,7 +117,7 @@ class Dwell(Action):
 
     def __init__(self, duration: float) -> None:
         if not 0.0 <= duration < 1e300:
-            raise Refusal("range", f"an axis cannot dwell for {duration:g} seconds")
+            raise Rejected("range", f"an axis cannot dwell for {duration:g} seconds")
         self.duration = duration
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
@@ -146,7 +146,7 @@ class Pulse(Action):
 
     def __init__(self, channel: int, duration: float) -> None:
         if not 0.0 <= duration < 1e300:
-            raise Refusal("range", f"a pulse cannot last {duration:g} seconds")
+            raise Rejected("range", f"a pulse cannot last {duration:g} seconds")
         self.channel, self.duration = channel, duration
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:

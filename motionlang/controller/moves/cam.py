@@ -8,7 +8,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.controller.move import Action, Move
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 _NEAR = 1e-9
 _AT_END = 1e-13
 # A shorter cycle, in counts of the master, would be over before anything could be done.
-_SHORTEST = 1.0
+_MIN_CYCLE = 1.0
 
 
 class CurveFollow(Follow):
@@ -141,9 +141,9 @@ class CurveFollow(Follow):
         self._event = None
         try:
             goes_on = self.over(forward)
-        except Refusal as refusal:
-            refusal.line = refusal.line or self.move.line
-            self.controller.mishap(refusal)
+        except Rejected as rejected:
+            rejected.line = rejected.line or self.move.line
+            self.controller.run_time_fault(rejected)
             goes_on = False
         if goes_on:
             self.renew()
@@ -218,12 +218,12 @@ class Fly(Action):
         self.master, self.distance, self.over = master, distance, over
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Tie the axis to its master; a Refusal carries the line of the entry."""
+        """Tie the axis to its master; a Rejected carries the line of the entry."""
         try:
             check_chain(a, self.master)
             self.follow(controller, a, move, 0.0).engage()
-        except Refusal as refusal:
-            refusal.line = move.line
+        except Rejected as rejected:
+            rejected.line = move.line
             raise
 
     def follow(self, controller: Core, a: Axis, move: Move, ratio: float) -> Shear:
@@ -348,7 +348,7 @@ def start_cam(
     check_chain(a, master)
     end = len(places) if last is None else last + 2
     if not 0 <= first < end - 1 < len(places):
-        raise Refusal("range", f"the table has segments 0 to {len(places) - 2}, not {first} to {end - 2}")
+        raise Rejected("range", f"the table has segments 0 to {len(places) - 2}, not {first} to {end - 2}")
     here = a.position(controller.clock.now)
     used, wanted = places[first:end], values[first:end]
     try:
@@ -356,9 +356,9 @@ def start_cam(
         reached = [here + (value - wanted[0]) * amplitude for value in wanted]
         curve = table_curve(along, reached, kind, cyclic)
     except ValueError as problem:
-        raise Refusal("range", f"axis {a.index} cannot follow the table: {problem}") from None
-    if curve.duration < _SHORTEST:
-        raise Refusal("range", f"a cam of {curve.duration:g} counts of the master is too short")
+        raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
+    if curve.duration < _MIN_CYCLE:
+        raise Rejected("range", f"a cam of {curve.duration:g} counts of the master is too short")
     move = FollowMove(a.index, command, line, "cam", INFINITY if cyclic else curve.end)
     controller.end_move(a, "retarget")
     cam = Cam(controller, a, master, move, curve, cyclic, first)
@@ -370,8 +370,8 @@ def load_fly(
     controller: Core, a: Axis, master: Axis, distance: float, over: float, command: str, line: int
 ) -> None:
     """Load a segment of a flying shear into the buffer."""
-    if not (_SHORTEST <= abs(over) < 1e300 and abs(distance) < 1e300):
-        raise Refusal(
+    if not (_MIN_CYCLE <= abs(over) < 1e300 and abs(distance) < 1e300):
+        raise Rejected(
             "range",
             f"a segment cannot go {distance:g} counts while its master goes {over:g}",
             "set its distance first",

@@ -7,13 +7,13 @@ event and moves no axis: `path_run.PathRun` does that, with the superposition of
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.moves.buffer import motions
 from motionlang.controller.moves.geometry import corner
 from motionlang.planners import Profile, hold
-from motionlang.planners.dwell import halted
+from motionlang.planners.dwell import with_rest
 from motionlang.planners.lookahead import plan_course
-from motionlang.planners.ramp_down import onset, stop_under_way
+from motionlang.planners.ramp_down import onset, stop_in_motion
 from motionlang.planners.reparametrised import travelled
 from motionlang.planners.total import total
 
@@ -181,8 +181,8 @@ class Course:
 
     def leave(self, whole: bool) -> None:
         """Leave the path; `whole` is true if it has reached its end."""
-        if self.here.guide is not None:
-            self.here.guide.ends(whole)
+        if self.here.policy is not None:
+            self.here.policy.ends(whole)
 
     def cut_log(self) -> None:
         """Close the log entries of the present path now."""
@@ -274,7 +274,7 @@ class Course:
         try:
             profile = plan_course(stretches, place, max(speed, 0.0), bent)
         except ValueError as problem:
-            raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
+            raise Rejected("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
         if profile is None:
             return self._from_rest(time, stretches, goal)
         return profile if eased is None else eased.then(profile), goal
@@ -319,7 +319,7 @@ class Course:
     def standing(self, time: float) -> Profile | None:
         """A stop from the state at `time`, followed by rest; None if the paths end first."""
         profile = self.braking(time)
-        return None if profile is None else halted(profile, "suspend")
+        return None if profile is None else with_rest(profile, "suspend")
 
     def braking(
         self, time: float, decel: float | None = None, beyond: bool = False, first: int = 0
@@ -341,9 +341,9 @@ class Course:
             place, room, most = room, room + segment.length, min(most, limit)
             rates = min(decel or most, most), pace.ramp, pace.accel_jerk, pace.decel_jerk
             try:
-                stop = stop_under_way(self.profile, time, pace.shape, *rates)
+                stop = stop_in_motion(self.profile, time, pace.shape, *rates)
             except ValueError as problem:
-                raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
+                raise Rejected("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
             if k > first and _speed_at(stop, place) > pace.speed * (1.0 + SLACK):
                 due = self.profile.crossing(place, time)
                 if due is not None and _speed_at(stop, place) > self.profile.velocity(due) * (1.0 + SLACK):
@@ -362,4 +362,4 @@ def _speed_at(profile: Profile, place: float) -> float:
 
 def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
     """True if a buffer entry is a released path of the same axes, next on all of them."""
-    return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined]
+    return getattr(action, "axes", None) == axes and action.is_next_at(place)  # type: ignore[attr-defined]

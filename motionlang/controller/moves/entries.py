@@ -7,10 +7,10 @@ wait for that to end: it begins as soon as it is released and the offset before 
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.follow import FollowMove, check_chain
 from motionlang.controller.motion.offset import offset
-from motionlang.controller.motion.profile_playback import Played
+from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.cam import Cam
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     Make = Callable[[float], Timed]
 
 # A shorter cycle, in counts of the master, would be over before anything could be done.
-_SHORTEST = 1.0
+_MIN_CYCLE = 1.0
 
 
 # ------------------------------------------------------------------------------------------------------ cams
@@ -73,7 +73,7 @@ class CamEntry(Action):
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         """Tie the axis to its master on a table read now.
 
-        Raises Refusal if it cannot be followed.
+        Raises Rejected if it cannot be followed.
         """
         check_chain(a, self.master)
         here = a.position(controller.clock.now)
@@ -92,9 +92,9 @@ def curve_of(a: Axis, points: Points, start: float) -> Profile:
     try:
         curve = table_curve(places, [start + value - values[0] for value in values])
     except ValueError as problem:
-        raise Refusal("range", f"axis {a.index} cannot follow the table: {problem}") from None
-    if curve.duration < _SHORTEST:
-        raise Refusal("range", f"a cam of {curve.duration:g} counts of the master is too short")
+        raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
+    if curve.duration < _MIN_CYCLE:
+        raise Rejected("range", f"a cam of {curve.duration:g} counts of the master is too short")
     return curve
 
 
@@ -183,18 +183,18 @@ class PointsEntry(Action):
             following.action = PointsEntry(self.again, self.again)
             following.id, following.released = move.id, True
             a.buffer.insert(0, following)
-        played = Played(on_path=True)
+        played = Playback(on_path=True)
         played.ordered = points
         move.target, move.action = profile.end, played
         controller.run_profile(a, move, played.waiting(controller, profile) if a.suspended else profile)
 
 
 def through(a: Axis, points: Timed) -> Profile:
-    """Return the profile through timed points; Refusal for unreachable points."""
+    """Return the profile through timed points; Rejected for unreachable points."""
     try:
         return plan_pvt(*points)
     except ValueError as problem:
-        raise Refusal("range", f"axis {a.index} cannot follow the spline: {problem}") from None
+        raise Rejected("range", f"axis {a.index} cannot follow the spline: {problem}") from None
 
 
 def load_points(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:

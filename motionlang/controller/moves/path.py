@@ -7,7 +7,7 @@ rates are those of the path, and GO on it releases all entries.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.geometry import Arc, Line, corner, limits
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.controller.moves.geometry import Segment
-    from motionlang.controller.moves.guide import Guide
+    from motionlang.controller.moves.path_policy import PathPolicy
     from motionlang.controller.moves.path_run import PathRun
     from motionlang.planners import Profile
 
@@ -29,13 +29,13 @@ if TYPE_CHECKING:
 class PathMove(Action):
     """One path: its `moves`, one per axis, its geometry, and its `run` once started.
 
-    The geometry of a `relative` one counts from the positions of its axes at its start. A path with a `guide`
+    The geometry of a `relative` one counts from the positions of its axes at its start. A path with a `policy`
     uses that and not the settings of its axes. `scales` are the counts per user unit of each axis as it was
     loaded. `displaced` is how far it was moved from its geometry, on each axis, since a path that it is
     blended with was cut short.
     """
 
-    __slots__ = ("axes", "displaced", "geometry", "guide", "moves", "relative", "run", "scales")
+    __slots__ = ("axes", "displaced", "geometry", "moves", "policy", "relative", "run", "scales")
 
     def __init__(
         self,
@@ -43,30 +43,30 @@ class PathMove(Action):
         moves: Sequence[Move],
         geometry: Line | Arc,
         relative: bool,
-        guide: Guide | None = None,
+        policy: PathPolicy | None = None,
     ) -> None:
         self.axes, self.moves, self.geometry, self.relative = tuple(axes), tuple(moves), geometry, relative
-        self.guide = guide
-        self.scales = [a.scale.counts for a in axes] if guide is None else guide.scales
+        self.policy = policy
+        self.scales = [a.scale.counts for a in axes] if policy is None else policy.scales
         self.run: PathRun | None = None
         self.displaced: Sequence[float] = ()
 
     @property
     def live(self) -> bool:
-        return self.guide is None
+        return self.policy is None
 
     @property
     def may_join(self) -> bool:
         """True if it may join the next path."""
-        return self.guide is not None or self.axes[0].contour_mode
+        return self.policy is not None or self.axes[0].contour_mode
 
     def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
         """True if it continues into the next path, both laid out, without a stop."""
         if not its.length or self.scales != following.scales:
             return False
-        if self.guide is None or following.guide is None:
-            return self.guide is following.guide and corner(own, its) <= self.axes[0].contour_angle
-        return self.guide.joins(own, following.guide, its)
+        if self.policy is None or following.policy is None:
+            return self.policy is following.policy and corner(own, its) <= self.axes[0].contour_angle
+        return self.policy.joins(own, following.policy, its)
 
     def lay(self, starts: Sequence[float]) -> Segment:
         """Lay out the path from the positions of its axes, now or later."""
@@ -78,12 +78,12 @@ class PathMove(Action):
 
         They are the master's, within the limits of each axis.
         """
-        if self.guide is not None:
-            return self.guide.pace()
+        if self.policy is not None:
+            return self.policy.pace()
         master, move = self.axes[0], self.moves[0]
         speed = master.speed if move.speed is None else move.speed
         if not speed > 0.0:
-            raise Refusal(
+            raise Rejected(
                 "zero-speed",
                 f"axis {master.index} cannot move: its speed is {speed:g}",
                 "set a speed above zero; the move would never end",
@@ -106,7 +106,7 @@ class PathMove(Action):
 
     def max_decel(self, segment: Segment) -> float:
         """Return the highest deceleration along the path within the limits of its axes."""
-        return INFINITY if self.guide is not None else self._limits(segment)[2]
+        return INFINITY if self.policy is not None else self._limits(segment)[2]
 
     def _limits(self, segment: Segment) -> tuple[float, float, float]:
         axes = self.axes
@@ -138,7 +138,7 @@ class PathMove(Action):
                 gone.append(move)
         return gone
 
-    def stands_at(self, place: int) -> bool:
+    def is_next_at(self, place: int) -> bool:
         """True if it is released and number `place` in every buffer, without outputs."""
         return all(
             move.released and buffer.motions(a)[place : place + 1] == [move]
@@ -146,7 +146,7 @@ class PathMove(Action):
         )
 
     def ready(self, controller: Core, a: Axis, move: Move) -> bool:
-        return all(each.move is None for each in self.axes) and self.stands_at(0)
+        return all(each.move is None for each in self.axes) and self.is_next_at(0)
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         """Take the entry out of every axis's buffer and run the path."""
@@ -197,7 +197,7 @@ class PathMove(Action):
         if self.run is None:
             return
         if ended == "retarget":
-            raise Refusal(
+            raise Rejected(
                 "moving",
                 f"axis {a.index} is on a path with other axes",
                 "wait until the path has ended, or stop it",
@@ -209,10 +209,10 @@ class PathMove(Action):
 
         Other paths do not get a new zero.
         """
-        if self.guide is not None and self.run is not None:
+        if self.policy is not None and self.run is not None:
             self.run.shift(a, shift)
             return
-        raise Refusal(
+        raise Rejected(
             "moving",
             f"axis {a.index} is on a path: its position cannot be set",
             "wait until the path has ended",
@@ -256,7 +256,7 @@ def load_arc(
     members = _members(controller, axes)
     starts = _starts(members)
     if not all(abs(value) < 1e300 for value in (*centre, angle, *rest)):
-        raise Refusal("range", "the centre and the angle of an arc must be finite numbers")
+        raise Rejected("range", "the centre and the angle of an arc must be finite numbers")
     geometry = Arc((centre[0], centre[1]), angle, list(rest))
     laid = geometry.moved(starts) if relative else geometry
     ends = laid.ends(starts, [a.scale.counts for a in members])
@@ -264,17 +264,17 @@ def load_arc(
 
 
 def load_guided(
-    controller: Core, axes: Sequence[int], geometry: Line | Arc, guide: Guide, command: str, line: int
+    controller: Core, axes: Sequence[int], geometry: Line | Arc, policy: PathPolicy, command: str, line: int
 ) -> None:
     """Load a guided path, with its geometry in counts, into the buffers of its axes."""
     members = [controller.movable(axis) for axis in axes]
-    ends = geometry.ends(_starts(members), guide.scales)
-    _put(members, geometry, ends, command, line, guide=guide)
+    ends = geometry.ends(_starts(members), policy.scales)
+    _put(members, geometry, ends, command, line, policy=policy)
 
 
 def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
     if len(set(axes)) != len(axes) or len(axes) < 2:
-        raise Refusal("axis", "a path needs two or more different axes", "use MOVEA or MOVER for one axis")
+        raise Rejected("axis", "a path needs two or more different axes", "use MOVEA or MOVER for one axis")
     return [controller.movable(axis) for axis in axes]
 
 
@@ -283,7 +283,7 @@ def _starts(members: Sequence[Axis]) -> list[float]:
     starts = [buffer.end(a) for a in members]
     for a, start in zip(members, starts, strict=True):
         if not abs(start) < 1e300:
-            raise Refusal(
+            raise Rejected(
                 "moving", f"axis {a.index} is jogging: a path cannot start from there", "stop it first"
             )
     return starts
@@ -296,7 +296,7 @@ def _put(
     command: str,
     line: int,
     relative: bool = False,
-    guide: Guide | None = None,
+    policy: PathPolicy | None = None,
 ) -> None:
     """Load a path into the buffers of its axes.
 
@@ -304,11 +304,11 @@ def _put(
     """
     for a, target in zip(members, targets, strict=True):
         if len(a.buffer) >= a.buffer_size:
-            raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
+            raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
         if not abs(target) < 1e300:
-            raise Refusal("range", f"axis {a.index} cannot move to {target:g}")
+            raise Rejected("range", f"axis {a.index} cannot move to {target:g}")
     moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
-    action = PathMove(members, moves, geometry, relative, guide)
+    action = PathMove(members, moves, geometry, relative, policy)
     for a, move in zip(members, moves, strict=True):
         move.action = action
         move.base = buffer.end(a) if relative else None

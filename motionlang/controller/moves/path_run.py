@@ -48,7 +48,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.course import SLACK, Course
 from motionlang.controller.triggers.conditions import release
@@ -145,8 +145,8 @@ class PathRun:
         self._controller.empty(a, ended)
         for course in self._live:
             course.is_stopping = True
-            if course.here.guide is not None:
-                course.here.guide.stops()
+            if course.here.policy is not None:
+                course.here.policy.stops()
         if self.ended and not (hard and (ended == "fault" or not self.hard)):
             return
         decel = None
@@ -213,7 +213,7 @@ class PathRun:
         if self._over or self.ended or newest.is_over or newest.is_suspended or newest.following() is None:
             return
         if newest.ahead:
-            raise Refusal(
+            raise Rejected(
                 "contour-and-blend",
                 f"axis {self.axes[0].index} contours past the end of this path",
                 "set CONTOURMODE to 0 to blend paths",
@@ -251,8 +251,8 @@ class PathRun:
         """Put every axis on its curve of the path that a course has just reached."""
         controller = self._controller
         course.here.run = self
-        if course.here.guide is not None:
-            course.here.guide.begins()
+        if course.here.policy is not None:
+            course.here.policy.begins()
         course.follow(course.profile, course.goal)
         with controller.together():
             for k, (a, move) in enumerate(zip(self.axes, course.here.moves, strict=True)):
@@ -425,10 +425,10 @@ class PathRun:
         course = Course(controller, following, newest.segment.ends)
         try:
             _prepare(course, begins=True)
-        except Refusal as refusal:  # the entry is skipped, and the one behind it may be blended into
+        except Rejected as rejected:  # the entry is skipped, and the one behind it may be blended into
             for a, move in zip(self.axes, following.moves, strict=True):
                 reach(controller, a, move)
-            controller.mishap(refusal)
+            controller.run_time_fault(rejected)
             self._plan_blend()
             return
         for a, move in zip(self.axes, following.moves, strict=True):
@@ -456,11 +456,11 @@ def _prepare(course: Course, begins: bool = False) -> None:
 
     One that `begins` superposed on another has not left the buffers.
     """
-    if course.here.guide is not None:
-        course.here.guide.starts()
+    if course.here.policy is not None:
+        course.here.policy.starts()
     try:
         course.look_ahead(begins)
         course.plan_afresh()
-    except Refusal as refusal:
-        refusal.line = course.here.moves[0].line
+    except Rejected as rejected:
+        rejected.line = course.here.moves[0].line
         raise

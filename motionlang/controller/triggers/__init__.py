@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from motionlang.controller import door
+from motionlang.controller import lazy_family
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.triggers import conditions, events, next_watches, watch
 
 # A program with plain moves only needs none of these.
-__getattr__ = door(__name__, "conditions", "events", "next_watches", "watch")
+__getattr__ = lazy_family(__name__, "conditions", "events", "next_watches", "watch")
 
 __all__ = ["conditions", "events", "next_watches", "watch"]

@@ -8,7 +8,7 @@ reverses into one that is met, an event checks again at that time.
 from __future__ import annotations
 
 from motionlang.controller.axis import BY_WORD
-from motionlang.controller.faults import Refusal, names
+from motionlang.controller.faults import Rejected, names
 from motionlang.planners.direction import sets_off
 
 TYPE_CHECKING = False
@@ -55,7 +55,7 @@ class Condition:
         assert action in ACTIONS, action
         if action != self._action:
             self._action, self._raised = action, False
-            self.look()
+            self.check()
 
     @property
     def enabled(self) -> bool:
@@ -65,9 +65,9 @@ class Condition:
     @enabled.setter
     def enabled(self, enabled: bool) -> None:
         self._enabled = enabled
-        self.look()
+        self.check()
 
-    def look(self, towards: int = 0) -> None:
+    def check(self, towards: int = 0) -> None:
         """Act if it has become true; within `together`, act at the end of the block.
 
         `towards` is the direction in which the axis has just reached it.
@@ -112,7 +112,7 @@ class Condition:
         found = sets_off(a.profiles[-1], self.sign, elapsed)
         if found is None or found <= elapsed + _NOW:
             return found is not None
-        self._event = clock.at(a.starts[-1] + found, self.look)
+        self._event = clock.at(a.starts[-1] + found, self.check)
         return False
 
 
@@ -132,7 +132,7 @@ class Undirected(Condition):
     def set_active(self, active: bool) -> None:
         """Set its state."""
         self._active = active
-        self.look()
+        self.check()
 
 
 class Together:
@@ -155,7 +155,7 @@ class Together:
         waiting, self._controller.looks_later = self._controller.looks_later or [], None
         if kind is None:
             for condition in dict.fromkeys(waiting):
-                condition.look()
+                condition.check()
 
 
 def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
@@ -171,13 +171,13 @@ def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
 
 
 def refuse_motion(controller: Core, a: Axis) -> None:
-    """Raise Refusal if the axis is locked by an error, disabled, or its brake is set."""
+    """Raise Rejected if the axis is locked by an error, disabled, or its brake is set."""
     if a.faults & a.locks:
         what = names(a.faults)
-        raise Refusal(
+        raise Rejected(
             "axis-error", f"axis {a.index} has an error: {what}", "clear the error before moving it"
         )
     if not a.enabled:
-        raise Refusal("disabled-axis", f"axis {a.index} is off", "enable the axis before moving it")
+        raise Rejected("disabled-axis", f"axis {a.index} is off", "enable the axis before moving it")
     if a.index in controller.braked:
-        raise Refusal("brake", f"the brake of axis {a.index} is set", "release the brake before moving it")
+        raise Rejected("brake", f"the brake of axis {a.index} is set", "release the brake before moving it")

@@ -15,7 +15,7 @@ from motionlang.controller.faults import (
     LIMIT_REVERSE,
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
-    Refusal,
+    Rejected,
 )
 from motionlang.controller.triggers.watch import place
 from motionlang.planners import plan
@@ -112,7 +112,7 @@ class Homing:
                 self._seek_index(direction, speed)
             else:
                 self._search()
-        except Refusal:
+        except Rejected:
             self._release()
             raise
 

@@ -52,15 +52,15 @@ class Limit(Condition):
             self.watch = None
         if position is not None:
             self.watch = controller.watch(self.axis, position, self._pass, self.physical)
-        self.look()
+        self.check()
 
     def set_active(self, active: bool) -> None:
         """Open or close the switch."""
         changed, self._switch = self._switch is not active, active
-        self.look()
+        self.check()
         if changed:
             self.controller.tell("limit", self.axis)
 
     def _pass(self, direction: int) -> None:
-        self.look(direction)
+        self.check(direction)
         self.controller.tell("limit", self.axis)

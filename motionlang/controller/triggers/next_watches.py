@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 
-from motionlang.controller.triggers.watch import arm, place, side_of, solve_kept, take_side
+from motionlang.controller.triggers.watch import arm, place, side_of, solve_reserved, take_side
 from motionlang.planners import Profile
 
 TYPE_CHECKING = False
@@ -25,10 +25,10 @@ _UNBROKEN = {"trapezoid", "sinusoidal", "scurve", "parabolic", "jog", "hold", "r
 _NEAR, _SOON = 1e-3, 1e-9
 _RELATIVE = 1e-9
 # Up to this many watches are solved sooner than the next of them are found.
-_FEW = 6
+_MAX_SOLVED = 6
 
 
-class Front:
+class NextWatches:
     """The next watches above (`direction` 1) or below (-1) an axis.
 
     Solved are the first, those that may coincide with it, and one that is certainly later.
@@ -88,7 +88,7 @@ class Front:
         axis = self._axis
         axis.watches.loose[watch] = None
         at = watch.position + self._datum if watch.physical else watch.position
-        solve_kept(axis, watch, self._clock, self._start, self._profile, at, -self._direction,
+        solve_reserved(axis, watch, self._clock, self._start, self._profile, at, -self._direction,
                    self._base + watch.order)  # fmt: skip
         if watch.event is not None:
             watch.front = self
@@ -109,7 +109,7 @@ def _sorted_by(key: Key) -> tuple[float, int]:
     return key[:2]
 
 
-def free_way(axis: Axis, here: float) -> tuple[float, float]:
+def free_interval(axis: Axis, here: float) -> tuple[float, float]:
     """Return the interval around `here` without a watch or limit check, and cache it."""
     low, high = -float("inf"), float("inf")
     if all(limit.is_quiet for limit in axis.limits):
@@ -129,7 +129,7 @@ def free_way(axis: Axis, here: float) -> tuple[float, float]:
 def follow(axis: Axis, clock: Clock) -> None:
     """Solve the next watches on a new profile, after the events due at this time."""
     watches, now = axis.watches, clock.now
-    if len(watches.all) <= _FEW:
+    if len(watches.all) <= _MAX_SOLVED:
         _each(axis, clock)
         return
     for watch in watches.loose:
@@ -171,11 +171,11 @@ def follow(axis: Axis, clock: Clock) -> None:
         for _, _, watch in keys if whole else keys[low:high]:
             watches.loose[watch] = None
             at = place(axis, watch)
-            solve_kept(axis, watch, clock, start, profile, at, side_of(here - at, at), base + watch.order)
+            solve_reserved(axis, watch, clock, start, profile, at, side_of(here - at, at), base + watch.order)
             waits = waits or watch.event is not None
         if not whole:
             for direction, begin in ((1, high), (-1, low - 1)):
-                waits = Front(axis, clock, keys, direction, offset, begin, base).extend() or waits
+                waits = NextWatches(axis, clock, keys, direction, offset, begin, base).extend() or waits
     if waits:
         clock.made += 1
 

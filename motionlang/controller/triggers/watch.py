@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Clock, Event
-    from motionlang.controller.triggers.next_watches import Front
+    from motionlang.controller.triggers.next_watches import NextWatches
     from motionlang.planners import Profile
 
 # Counts within which an axis is at a position: far below any encoder, far above rounding.
@@ -37,7 +37,7 @@ class Watch:
         self.side = 0  # the last side of the axis: above, below, or not known yet
         self.event: Event | None = None
         self.order = 0  # its number among those of its axis
-        self.front: Front | None = None  # its list of the next watches of the axis
+        self.front: NextWatches | None = None  # its list of the next watches of the axis
 
 
 def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
@@ -75,7 +75,7 @@ def take_side(axis: Axis, watch: Watch, here: float) -> int:
     return side
 
 
-def solve_kept(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Profile, at: float, side: int,
+def solve_reserved(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Profile, at: float, side: int,
                order: int) -> None:  # fmt: skip
     """Schedule the first change of sides on a profile that began at `start`.
 
@@ -83,7 +83,7 @@ def solve_kept(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Pr
     """
     found, after = _next(profile, at, 0.0, side)
     if found is not None:
-        watch.event = clock.at_kept(
+        watch.event = clock.at_reserved(
             start + found, order, lambda: _changed(axis, watch, clock, after, reached=side != 0)
         )
 

@@ -31,7 +31,7 @@ from motionlang.lang.machine.keys import (
 )
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import problem as reading_problem
-from motionlang.lang.nesting import Room
+from motionlang.lang.nesting import StackSpace
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -39,15 +39,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
 # Every key of the vocabulary has fewer parts than this.
-_DEEPEST = 5
+_MAX_DEPTH = 5
 # A key with more parts is rejected before Python's reader sees it. The reader stores every prefix of a key,
 # which takes 1.6 GB for one of 20 000 parts.
-_MOST_PARTS = 1000
+_MAX_COMPONENTS = 1000
 # No valid machine file has more brackets open at once.
-_MOST_OPEN = 100
+_MAX_OPEN = 100
 _QUOTED = r'''"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|#[^\n]*'''
 _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
-_LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MOST_PARTS}}}"
+_LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MAX_COMPONENTS}}}"
 
 
 def read_machine(source: Source) -> dict[str, object]:
@@ -81,12 +81,12 @@ def read_toml(source: Source) -> dict[str, object]:
     """
     import tomllib
 
-    if source.text.count(".") >= _MOST_PARTS:
+    if source.text.count(".") >= _MAX_COMPONENTS:
         _refuse_long_keys(source)
-    if source.text.count("[") + source.text.count("{") > _MOST_OPEN:
+    if source.text.count("[") + source.text.count("{") > _MAX_OPEN:
         _refuse_nesting(source)
     try:
-        with Room():
+        with StackSpace():
             return tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
         raise ProgramError([_toml_mistake(source, error)]) from None
@@ -366,7 +366,7 @@ def _generic(key: str) -> str:
 def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
     """Iterate over the values by dotted key; tables nested too deep stay whole."""
     for key, value in tree.items():
-        if isinstance(value, dict) and prefix.count(".") < _DEEPEST:
+        if isinstance(value, dict) and prefix.count(".") < _MAX_DEPTH:
             yield from _flatten(value, f"{prefix}{key}.")
         else:
             yield prefix + key, value
@@ -409,7 +409,7 @@ def _refuse_long_keys(source: Source) -> None:
 
     found = re.search(_LONG_KEY, source.text)
     if found is not None:
-        place, hint = source.place(found.start()), f"no key has more than {_DEEPEST + 1}"
+        place, hint = source.place(found.start()), f"no key has more than {_MAX_DEPTH + 1}"
         raise ProgramError([Diagnostic("machine-file", "a key has too many parts", *place, hint=hint)])
 
 
@@ -442,7 +442,7 @@ def _refuse_nesting(source: Source) -> None:
 
     plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
     most, place = _deepest(plain)
-    if most > _MOST_OPEN:
+    if most > _MAX_OPEN:
         hint = "the values of a machine file are at most lists of numbers"
         raise ProgramError(
             [Diagnostic("machine-file", "values are nested too deeply", *source.place(place), hint=hint)]

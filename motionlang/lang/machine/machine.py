@@ -32,7 +32,7 @@ INSTRUCTION_TIME = 10e-6
 # each.
 READINGS = "assumptions."
 # The number of different diagnostics that a run reports; further ones add nothing new.
-MOST_DIAGNOSTICS = 200
+MAX_DIAGNOSTICS = 200
 
 
 class Machine:
@@ -194,7 +194,7 @@ class Machine:
         before = self._told.setdefault(diagnostic.key, diagnostic)
         if before is not diagnostic:
             before.again(self.clock.now)
-        elif len(self._told) <= MOST_DIAGNOSTICS:
+        elif len(self._told) <= MAX_DIAGNOSTICS:
             diagnostic.first = diagnostic.last = self.clock.now
             self.diagnostics.append(diagnostic)
         else:

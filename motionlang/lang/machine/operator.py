@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # How long a key is held by default, in seconds.
 HELD = 0.1
 # More than anyone types ahead.
-MOST_KEYS = 10_000
+MAX_KEYS = 10_000
 _ENTER, _BACK = "\r\n", "\b\x7f"
 
 
@@ -65,7 +65,7 @@ class Operator:
     def press(self, text: str, held: float = HELD) -> None:
         """Press keys one after the other and hold the last one for `held` seconds."""
         codes = [ord(each) & 0xFF for each in text]
-        if not codes or len(self.keys) + len(codes) > MOST_KEYS:
+        if not codes or len(self.keys) + len(codes) > MAX_KEYS:
             return
         self.keys += codes
         self._held, self._until = codes[-1], self._clock.now + held

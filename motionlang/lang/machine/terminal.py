@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from io import StringIO
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ class Terminal:
         """Write text; `\\n` ends a line."""
         self._size += len(text)
         if self._size > MAX_CHARACTERS:
-            raise Refusal(
+            raise Rejected(
                 "limit", "the program printed more than 50 million characters", "shorten the run with --until"
             )
         if self.show is not None:

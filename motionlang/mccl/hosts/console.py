@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from traceback import walk_tb
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait
 from motionlang.mccl import codes
@@ -128,7 +128,7 @@ class Console:
                 return self._scheduler.run_program(limit)
             except Stuck:
                 return False
-            except Refusal:
+            except Rejected:
                 self.board.last_error = codes.PARAMETER
 
     def next_time(self) -> float:

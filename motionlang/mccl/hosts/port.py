@@ -13,7 +13,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.line import line_of, too_long
 from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.syntax.parser import LONGEST
+from motionlang.mccl.syntax.parser import MAX_LINE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 CTRL_B, BACKSPACE, LF, CR, ESC, BLANK, DELETE = 2, 8, 10, 13, 27, 32, 127
 # Limits of the characters that wait while the port is busy, and of those that a host leaves unread.
-MOST_WAITING = 4096
-MOST_UNREAD = 65536
+MAX_WAITING = 4096
+MAX_UNREAD = 65536
 # The limit of both with the output of one more command (TM-1 lists every macro). Beyond it answers are lost.
 # Only background tasks, which nothing suspends, and an echo that is never read reach it.
-MOST_KEPT = 8 * MOST_UNREAD
+MAX_STORED = 8 * MAX_UNREAD
 
 
 class Port:
@@ -75,7 +75,7 @@ class Port:
     @property
     def full(self) -> bool:
         """True if the host leaves so much unread that the board suspends its commands."""
-        return len(self._out) >= MOST_UNREAD
+        return len(self._out) >= MAX_UNREAD
 
     def feed(self, data: bytes) -> int:
         """Accept characters and return how many.
@@ -109,7 +109,7 @@ class Port:
 
     def send(self, text: str) -> None:
         """Send text with the line ends of the model."""
-        if self._closed or len(self._out) >= MOST_KEPT:
+        if self._closed or len(self._out) >= MAX_STORED:
             return
         if self.board.model.line_end != "\n":
             text = text.replace("\n", self.board.model.line_end)
@@ -144,7 +144,7 @@ class Port:
             self.task.pause()
             return True
         if self.busy or self._waiting:
-            if len(self._waiting) >= MOST_WAITING:
+            if len(self._waiting) >= MAX_WAITING:
                 return False
             self._waiting.append(code)
         else:
@@ -185,7 +185,7 @@ class Port:
                 self._typed.pop()
                 self._echo("\b \b")
         elif code >= BLANK or code == 9:
-            if len(self._typed) >= LONGEST:
+            if len(self._typed) >= MAX_LINE:
                 self._dropped += 1
             else:
                 self._typed.append(code)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 # The largest number of background tasks at one time.
-MOST_TASKS = 32
+MAX_TASKS = 32
 
 
 def define_macro(task: CommandTask, command: Command) -> None:
@@ -68,9 +68,9 @@ def start_task(task: CommandTask, command: Command) -> None:
     """
     board = task.board
     macro = _macro(task, command)
-    if len(board.background) >= MOST_TASKS:
+    if len(board.background) >= MAX_TASKS:
         raise Fault(
-            codes.PARAMETER, f"there are {MOST_TASKS} background tasks already", "end one with ET", "limit"
+            codes.PARAMETER, f"there are {MAX_TASKS} background tasks already", "end one with ET", "limit"
         )
     task.registers[0] = board.start_task(macro, task)
 

@@ -8,7 +8,7 @@ running in velocity mode rejects the move.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.task import wait_idle
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
@@ -218,10 +218,10 @@ def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, f
 
 
 def _check_fit(task: CommandTask, axis: AxisState) -> None:
-    """Raise Refusal or Fault if the axis cannot accept a motion command now."""
+    """Raise Rejected or Fault if the axis cannot accept a motion command now."""
     number = axis.number
     if axis.flags & MOTOR_ERROR:
-        raise Refusal("disabled-axis", f"axis {number} has tripped and accepts no motion command")
+        raise Rejected("disabled-axis", f"axis {number} has tripped and accepts no motion command")
     check_unslaved(task, axis)
     if axis.jogging:
         raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")

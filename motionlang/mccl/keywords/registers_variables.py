@@ -82,7 +82,7 @@ def write_real(task: CommandTask, command: Command) -> None:
 @pure
 def get_auxiliary(task: CommandTask, command: Command) -> None:
     value, until = word(task.board, task.axis(command), 1)
-    task.poll.attention.note(float, until)
+    task.poll.dependencies.note(float, until)
     task.registers[0] = wrapped(value)
 
 
@@ -101,7 +101,7 @@ def _value(task: CommandTask, command: Command) -> float | int:
     axis = task.axis(command)
     address = task.whole(command)
     value, until = read(task.board, axis, address)
-    task.poll.attention.note(float, until)
+    task.poll.dependencies.note(float, until)
     return value
 
 

@@ -6,7 +6,7 @@ settings are run without slowing down. At a change of direction the axes come to
 
 from __future__ import annotations
 
-from motionlang.controller.moves.guide import Guide
+from motionlang.controller.moves.path_policy import PathPolicy
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.planners.lookahead import Pace
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
     Described = tuple[tuple[int, ...], "Line | Arc", "Vector", str, int]
 
 # The largest number of paths in the queue.
-LONGEST_QUEUE = 1000
+MAX_QUEUE = 1000
 # The largest difference between equal directions, in user units per unit of length, because ends are integer
 # counts.
 _SAME = 1e-3
 
 
-class Vector(Guide):
+class Vector(PathPolicy):
     """Path policy of a contour.
 
     It has the vector settings from the description of the path, and the current override. `length` is the
@@ -47,7 +47,7 @@ class Vector(Guide):
     def pace(self) -> Pace:
         return Pace(self.shape, self.speed * self.contour.override, self.accel, self.decel, self.ramp)
 
-    def joins(self, own: Segment, following: Guide, its: Segment) -> bool:
+    def joins(self, own: Segment, following: PathPolicy, its: Segment) -> bool:
         if not isinstance(following, Vector) or following.contour is not self.contour:
             return False
         alike = following.scales == self.scales and following.pace().key() == self.pace().key()
@@ -104,10 +104,10 @@ class Contour:
 
     def add(self, path: Described, ends: Mapping[int, float]) -> None:
         """Queue a path; without synchronization it starts as soon as possible."""
-        if len(self._queue) + self._handed >= LONGEST_QUEUE:
+        if len(self._queue) + self._handed >= MAX_QUEUE:
             raise Fault(
                 codes.PARAMETER,
-                f"{LONGEST_QUEUE} contour paths are waiting already",
+                f"{MAX_QUEUE} contour paths are waiting already",
                 "wait with WS",
                 "buffer-full",
             )

@@ -40,14 +40,14 @@ class Seek:
         else:
             axis.flags |= flags.LOOKING_FOR_EDGE
             axis.edge_found = False
-            self.look()
+            self.check()
 
     @property
     def done(self) -> bool:
         """True if the position has been caught."""
         return self.caught is not None
 
-    def look(self) -> None:
+    def check(self) -> None:
         """Check the home input after a possible change."""
         if self.kind == "edge" and not self.done and is_active(self._board, self._axis, "home"):
             self._catch()

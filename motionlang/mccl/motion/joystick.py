@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.mccl.axis import flags
 from motionlang.mccl.axis.volts import volts
 
@@ -21,9 +21,9 @@ class Joysticks:
         board.controller.analogue_inputs.listeners.append(self._moved)
 
     def switch_on(self, axis: AxisState, line: int) -> None:
-        """Let the axis follow its joystick; raise Refusal if it is off."""
+        """Let the axis follow its joystick; raise Rejected if it is off."""
         if not self._board.controller.is_enabled(axis.number):
-            raise Refusal("disabled-axis", f"axis {axis.number} is off")
+            raise Rejected("disabled-axis", f"axis {axis.number} is off")
         axis.jogging = True
         axis.flags |= flags.JOG_ENABLED
         self._lines[axis.number] = line

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _DIGITS = "0123456789"
 # A number beyond this is an error, even for a command without a range.
-_LARGEST = 1e15
+_MAX_NUMBER = 1e15
 # Enough for any program. A served board gets different texts every day and must not store all of them.
 _MEMO_SIZE = 20_000
 
@@ -46,7 +46,7 @@ class Word:
         self.fault: Fault | None = None
         self.without: Fault | None = None  # the fault if it has no parameter
         self.takes_text = self.pure = False
-        self.low, self.high = -_LARGEST, _LARGEST
+        self.low, self.high = -_MAX_NUMBER, _MAX_NUMBER
         self.action: Action = not_simulated
         if row is None:
             self.fault = _unknown(name)
@@ -55,9 +55,9 @@ class Word:
         self.action, self.pure = row.actions.do, hasattr(row.actions.do, "pure")
         self.takes_text = row.unit == "text" and row.access == "W"
         if row.low is not None:
-            self.low = max(row.low, -_LARGEST)
+            self.low = max(row.low, -_MAX_NUMBER)
         if row.high is not None:
-            self.high = min(nextafter(row.high, -_LARGEST) if row.below else row.high, _LARGEST)
+            self.high = min(nextafter(row.high, -_MAX_NUMBER) if row.below else row.high, _MAX_NUMBER)
         if self.takes_text:
             self.without = _wants_text(row)
         elif row.simulated and not self.low <= 0 <= self.high:
@@ -192,10 +192,10 @@ def _no_text(word: Word) -> Fault:
 def checked(value: float | int, row: Keyword) -> float | int:
     """Return the value if the command accepts it; raise Fault if not."""
     low, high = row.low, row.high
-    if low is None and high is None and abs(value) <= _LARGEST:
+    if low is None and high is None and abs(value) <= _MAX_NUMBER:
         return value
     is_high = high is not None and (value >= high if row.below else value > high)
-    if not is_high and (low is None or value >= low) and abs(value) <= _LARGEST:
+    if not is_high and (low is None or value >= low) and abs(value) <= _MAX_NUMBER:
         return value
     raise out_of_range(value, row)
 
@@ -203,8 +203,7 @@ def checked(value: float | int, row: Keyword) -> float | int:
 def out_of_range(value: float | int, row: Keyword) -> Fault:
     """Return the fault of a value that a command does not accept."""
     accepted = row.accepted
-    if abs(value) > _LARGEST and (row.low if value < 0 else row.high) is None:
-        accepted = (
-            f"{-_LARGEST if row.low is None else row.low:g} to {_LARGEST if row.high is None else row.high:g}"
-        )
+    if abs(value) > _MAX_NUMBER and (row.low if value < 0 else row.high) is None:
+        low = -_MAX_NUMBER if row.low is None else row.low
+        accepted = f"{low:g} to {_MAX_NUMBER if row.high is None else row.high:g}"
     return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:g}", row.help, "range")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.decode import COMMANDS
-from motionlang.mccl.syntax.parser import LONGEST, pieces, spans, without_comment
+from motionlang.mccl.syntax.parser import MAX_LINE, pieces, spans, without_comment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def too_long(length: int) -> Fault:
     """Return the fault of a line that does not fit the controller's buffer."""
     return Fault(
         codes.TOO_LONG,
-        f"the line has {length} characters; the controller accepts {LONGEST}",
+        f"the line has {length} characters; the controller accepts {MAX_LINE}",
         "break the line, or move commands into macros",
         "values",
     )
@@ -75,9 +75,9 @@ class Lines(dict[str, "tuple[Command, ...]"]):
     """
 
     def __missing__(self, text: str) -> tuple[Command, ...]:
-        if len(text) > LONGEST:
+        if len(text) > MAX_LINE:
             sent = without_comment(text)
-            if len(sent.strip()) > LONGEST:
+            if len(sent.strip()) > MAX_LINE:
                 raise too_long(len(sent))
         if len(self) >= _MEMO_SIZE:
             self.clear()

@@ -5,16 +5,16 @@ This is the axes' units and modes, registers, macros, tasks, and the last error.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
-from motionlang.lang.machine.machine import MOST_DIAGNOSTICS
+from motionlang.lang.machine.machine import MAX_DIAGNOSTICS
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.limits import ALL, Inputs, Limits
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.models import DEFAULT, MODELS
-from motionlang.mccl.motion.contour import LONGEST_QUEUE, Contour
+from motionlang.mccl.motion.contour import MAX_QUEUE, Contour
 from motionlang.mccl.motion.joystick import Joysticks
 from motionlang.mccl.runtime.task import BackgroundTask
 
@@ -189,7 +189,7 @@ class Board:
         """Check a pending search after the home input of an axis has changed."""
         seek = self.seeks.get(number)
         if seek is not None:
-            seek.look()
+            seek.check()
 
     def _happened(self, what: str, number: int) -> None:
         if what == "idle":
@@ -274,7 +274,7 @@ class Board:
         task.abandon()
         task.end()
         if self.machine.scheduler is not None:
-            self.machine.scheduler.stir()
+            self.machine.scheduler.invalidate_waits()
         return True
 
     def ended(self, task: CommandTask) -> None:
@@ -294,9 +294,9 @@ class Board:
         small = self.readings.get("mccl.hex-letters") == "small"
         return f"{value & 0xFFFFFFFF:{'x' if small else 'X'}}"
 
-    def refused(self, task: CommandTask, trouble: Fault | Refusal) -> bool:
+    def refused(self, task: CommandTask, trouble: Fault | Rejected) -> bool:
         """Answer a rejected command; return True if the rest of the line is to be skipped."""
-        if isinstance(trouble, Refusal):
+        if isinstance(trouble, Rejected):
             if trouble.code == "limit":
                 raise trouble
             if trouble.code == "disabled-axis":
@@ -333,14 +333,14 @@ class Board:
         before = self._seen.get(key)
         if before is not None:
             before.again(self.controller.clock.now)
-        elif len(self._seen) < MOST_DIAGNOSTICS:
+        elif len(self._seen) < MAX_DIAGNOSTICS:
             self._seen[key] = Diagnostic(code, message, hint=hint, severity=severity)
             self.complain(self._seen[key], task)
 
 
 # The settings of the controller's axes on this board, if they differ from the controller's defaults.
 AXIS_SETTINGS: dict[str, float | str] = {
-    "buffer_size": LONGEST_QUEUE,
+    "buffer_size": MAX_QUEUE,
     "shape": "trapezoid",
     "speed": 40_000.0,
     "accel": 100_000.0,
@@ -357,4 +357,4 @@ def _model(name: str) -> Model:
         return MODELS[name or DEFAULT]
     except KeyError:
         models = ", ".join(MODELS)
-        raise Refusal("machine-file", f"MCCL has no model {name}", f"the models are {models}") from None
+        raise Rejected("machine-file", f"MCCL has no model {name}", f"the models are {models}") from None

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 # A loop shorter than this, in commands, leaves no record.
-LEAST = 100.0
+MIN_STATEMENTS = 100.0
 # No command of a line has such a number.
 NEVER = 1 << 30
 
@@ -101,6 +101,6 @@ class LoopLog:
     def _close(self) -> None:
         task, loop = self._task, self.running.pop()
         until = task.base + task.count * task.cost
-        if until - loop.since > LEAST * task.cost:
+        if until - loop.since > MIN_STATEMENTS * task.cost:
             at = loop.line.places[loop.here]
             task.board.machine.log.loops.add((task.name, at, loop.since, until, loop.callers))

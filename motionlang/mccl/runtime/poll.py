@@ -8,13 +8,13 @@ that of the last whole iteration before the event.
 
 from __future__ import annotations
 
-from motionlang.lang.attention import Attention
+from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.task import CLOSE, INFINITY, Wait
 from motionlang.mccl.axis.variables import crossing_time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.attention import Note
+    from motionlang.lang.dependencies import Note
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
@@ -23,28 +23,28 @@ _COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
 _JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
 # Commands that read a channel, and commands that read nothing from the world.
 _CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
-_LOOKS_AT_NOTHING = (
+_READS_NOTHING = (
     _COMPARES | _JUMPS | {"if_set", "if_clear", "wait", "call_macro", "jump_macro", "leave", "look_up"}
 )
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 # The largest number of iterations without a check; with it a checked loop costs little more than an unchecked
 # one.
-MOST_ALONE = 1024
+MAX_BACK_OFF = 1024
 
 
 class Poll:
-    """Watches one task's loops; `attention` has the dependencies that were read.
+    """Watches one task's loops; `dependencies` has the dependencies that were read.
 
     `hopeless` is the time since which all iterations were alike, and only another task or an event can change
     that.
     """
 
-    __slots__ = ("_alone", "_before", "_done", "_left", "_task", "attention", "hopeless")
+    __slots__ = ("_alone", "_before", "_done", "_left", "_task", "dependencies", "hopeless")
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
-        self.attention = Attention(task.board.controller.clock)
+        self.dependencies = Dependencies(task.board.controller.clock)
         # The position with the effects by then, the accumulator, the count of commands, and the next event.
         # The last item shows whether another task has run since, or this one has waited.
         self._before: tuple[tuple[object, ...], float | int, int, float, object] = (
@@ -72,31 +72,31 @@ class Poll:
             if there[0] is task.line and there[1] == task.pc:
                 self._alone -= 1
                 return None
-        attention, clock, board = self.attention, self.attention.clock, task.board
+        dependencies, clock, board = self.dependencies, self.dependencies.clock, task.board
         (before, accumulator, count, event, ran), held = self._before, task.registers[0]
         wait, now, length = None, clock.now, task.count - count
         place = task.line, task.pc, board.effects, len(task.calls)
         by_itself = board.turns, task.base
-        notes, attention.notes = attention.notes, []
+        notes, dependencies.notes = dependencies.notes, []
         if before[:2] != place[:2] or now >= event or notes is None:
             self._alone = 0  # after an event, earlier reads are out of date
         elif ran != by_itself:
             self._alone = 0
-            if before == place and accumulator == held and attention.until(now, notes) == INFINITY:
+            if before == place and accumulator == held and dependencies.until(now, notes) == INFINITY:
                 self._give_up()
         else:
             until = now
             if before == place and length > 0:
-                until = attention.until(now, notes) if accumulator == held else now
+                until = dependencies.until(now, notes) if accumulator == held else now
                 if until == INFINITY:
                     self._give_up()
                 elif until <= now:
-                    until = attention.until(now - length * task.cost - CLOSE, self._levels())
+                    until = dependencies.until(now - length * task.cost - CLOSE, self._levels())
             if until > now:
                 self._left, wait = 0, self._skip(until, length)
             else:
-                self._alone, self._left = self._left, min(2 * self._left or 1, MOST_ALONE)
-                attention.notes = None if self._alone else []
+                self._alone, self._left = self._left, min(2 * self._left or 1, MAX_BACK_OFF)
+                dependencies.notes = None if self._alone else []
         self._before = place, held, task.count, clock.next_time(), by_itself
         return wait
 
@@ -105,7 +105,7 @@ class Poll:
 
         This is about the last iteration.
         """
-        done = self._task.board.effects, self.attention.clock.fired
+        done = self._task.board.effects, self.dependencies.clock.fired
         return self.hopeless is not None and done == self._done[:2]
 
     def watched(self) -> list[str]:
@@ -119,7 +119,7 @@ class Poll:
                     bodies.append(macros.pop(command.value).commands)  # type: ignore[arg-type]
                 elif verb in _CHANNELS:
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None
-                elif command.pure and verb not in _LOOKS_AT_NOTHING:
+                elif command.pure and verb not in _READS_NOTHING:
                     found[command.text] = None
         return list(found)
 
@@ -131,13 +131,13 @@ class Poll:
         task = self._task
         assert task.line is not None
         if not self.is_hopeless():
-            self.hopeless = self.attention.clock.now
+            self.hopeless = self.dependencies.clock.now
         commands = task.line.commands[task.pc : max(task.here, task.pc) + 1]
-        self._done = task.board.effects, self.attention.clock.fired, tuple(commands)
+        self._done = task.board.effects, self.dependencies.clock.fired, tuple(commands)
 
     def _skip(self, until: float, length: int) -> Wait | None:
         """Skip equal iterations of `length` commands until a time."""
-        task, clock = self._task, self.attention.clock
+        task, clock = self._task, self.dependencies.clock
         board, now, turns = task.board, clock.now, task.board.turns
         scheduler = board.machine.scheduler
         assert scheduler is not None
@@ -159,7 +159,7 @@ class Poll:
         reading, *others = task.line.commands[task.pc : task.here + 1]
         verbs = [each.row.verb if each.row is not None else "" for each in others]
         if reading.row is None or not reading.row.solved or not _JUMPS.union(_COMPARES).issuperset(verbs):
-            return [(self.attention.at_once, ())]
+            return [(self.dependencies.at_once, ())]
         compared = [task.value(each) for each, verb in zip(others, verbs, strict=True) if verb in _COMPARES]
         where = task.board, task.axis(reading), task.whole(reading)
         # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.

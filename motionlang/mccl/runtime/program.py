@@ -142,12 +142,12 @@ def told_of(source: Source, task: CommandTask) -> str:
 
 def override(task: CommandTask, values: dict[str, float | str]) -> None:
     """Set registers by the names R0 to R255, for `--set`."""
-    from motionlang.controller.faults import Refusal
+    from motionlang.controller.faults import Rejected
 
     for name, value in values.items():
         number = name[1:]
         if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):
-            raise Refusal(
+            raise Rejected(
                 "unknown-word",
                 f"{name} is not a register",
                 "MCCL programs have registers, such as --set R10=5",
@@ -155,7 +155,7 @@ def override(task: CommandTask, values: dict[str, float | str]) -> None:
         try:
             task.set_register(int(number), int(value) if value == int(value) else value)
         except Fault as fault:
-            raise Refusal(fault.kind, fault.message, fault.hint) from None
+            raise Rejected(fault.kind, fault.message, fault.hint) from None
 
 
 def locate(source: Source, at: int) -> tuple[int, int, int]:

@@ -6,7 +6,7 @@ cost`, so that it is the same number whether commands are run one by one or skip
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.task import INFINITY, Task
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
@@ -42,7 +42,7 @@ FORMS: dict[object, str] = {
     "1234": "{1}\n",
 }
 # The largest depth of macro calls.
-DEEPEST = 100
+MAX_DEPTH = 100
 # Commands between two returns to the scheduler, so that a busy program can be paced and interrupted.
 SLICE = 20_000
 
@@ -178,7 +178,7 @@ class CommandTask(Task):
                 if command.name in lacks and command.row is not None:
                     raise missing(board.model, command.row)
                 wait = command.action(self, command)
-            except (Fault, Refusal) as trouble:
+            except (Fault, Rejected) as trouble:
                 self._refused(trouble)
             else:
                 if wait is not None:
@@ -259,10 +259,10 @@ class CommandTask(Task):
 
     def call(self, line: Line) -> None:
         """Carry out a macro, then return."""
-        if len(self.calls) >= DEEPEST:
+        if len(self.calls) >= MAX_DEPTH:
             raise Fault(
                 codes.PARAMETER,
-                f"macros are nested deeper than {DEEPEST}",
+                f"macros are nested deeper than {MAX_DEPTH}",
                 "a macro that calls itself never returns; MJ jumps without returning",
                 "recursion",
             )
@@ -328,14 +328,14 @@ class CommandTask(Task):
             then, self.then = self.then, None
             try:
                 wait = then(now)
-            except (Fault, Refusal) as trouble:
+            except (Fault, Rejected) as trouble:
                 self._refused(trouble)
                 return None
             if wait is not None:
                 return wait
         return None
 
-    def _refused(self, trouble: Fault | Refusal) -> None:
+    def _refused(self, trouble: Fault | Rejected) -> None:
         if self.board.refused(self, trouble):
             self.abandon()
 
@@ -350,7 +350,7 @@ class CommandTask(Task):
         if self.path_open is not None:
             try:
                 self.close_path()
-            except (Fault, Refusal) as trouble:
+            except (Fault, Rejected) as trouble:
                 self._refused(trouble)
         if self.calls:
             self.line, self.pc, self.repeats = self.calls.pop()

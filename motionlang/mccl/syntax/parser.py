@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 _AXIS, _MNEMONIC = (re.compile(TERMINALS[name], re.ASCII) for name in ("AXIS", "MNEMONIC"))
 # The controller's input buffer, in characters.
-LONGEST = 255
+MAX_LINE = 255
 
 
 def pieces(line: str) -> list[str]:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
-    from motionlang.mint.compile.body import Body, Whole
+    from motionlang.mint.compile.body import Body, SharedData
     from motionlang.mint.compile.splitting import Part
     from motionlang.mint.resolve.problems import Problems
 
@@ -42,7 +42,7 @@ class TypedLine:
 
     __slots__ = ("blocks", "first", "operations", "places", "specs", "unit")
 
-    def __init__(self, whole: Whole, first: str, names: list[str], lines: list[Line], file: str) -> None:
+    def __init__(self, whole: SharedData, first: str, names: list[str], lines: list[Line], file: str) -> None:
         self.first = compile(first, file, "exec")
         self.places = _places(lines, [0])
         self.unit = Unit(tuple(names), text_of(lines), 0, TIME)
@@ -51,7 +51,7 @@ class TypedLine:
         self.blocks = _blocks(whole)
 
 
-def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
+def assemble(whole: SharedData, bodies: dict[Function, Body]) -> Code:
     """Return the code of a program."""
     shared = _shared(whole, bodies)
     units = _Units(shared)
@@ -76,7 +76,7 @@ def _compile_now(code: Code, risky: set[Unit], problems: Problems) -> None:
             _checked(unit.compile, code.places, unit.before, problems)
 
 
-def _blocks(whole: Whole) -> dict[str, str]:
+def _blocks(whole: SharedData) -> dict[str, str]:
     return {_key(f): f.python for f in whole.names.functions if f.kind in ("task", "event")}
 
 
@@ -84,7 +84,7 @@ def _key(function: Function) -> str:
     return f"{function.kind} {function.name.lower()}"
 
 
-def _shared(whole: Whole, bodies: dict[Function, Body]) -> list[str]:
+def _shared(whole: SharedData, bodies: dict[Function, Body]) -> list[str]:
     """Return the names of the variables that are cells of the program."""
     names = [symbol.python for symbol in _of_module(whole)]
     for function, b in bodies.items():
@@ -94,11 +94,11 @@ def _shared(whole: Whole, bodies: dict[Function, Body]) -> list[str]:
     return names
 
 
-def _of_module(whole: Whole) -> list[Symbol]:
+def _of_module(whole: SharedData) -> list[Symbol]:
     return [s for s in whole.names.module.names.values() if s.kind == "variable" and s.shared]
 
 
-def _first_values(whole: Whole) -> str:
+def _first_values(whole: SharedData) -> str:
     """Return Python that sets the first values of the module's shared variables."""
     plain: dict[str, list[str]] = {}
     lines = []
@@ -180,7 +180,7 @@ def _checked(work: Callable[[], Made], places: Sequence[int], before: int, probl
 
 
 def assemble_line(
-    whole: Whole, bodies: dict[Function, Body], known_before: dict[str, Symbol], file: str
+    whole: SharedData, bodies: dict[Function, Body], known_before: dict[str, Symbol], file: str
 ) -> TypedLine:
     """Return the code of a line typed at a prompt."""
     first, names = [], []
@@ -197,7 +197,7 @@ def assemble_line(
 # ------------------------------------------------------------------------------------------------ functions
 
 
-def _dispatched(whole: Whole, b: Body) -> list[Line]:
+def _dispatched(whole: SharedData, b: Body) -> list[Line]:
     """Return the lines of a function; with labels they contain its dispatcher."""
     if not b.function.jumps:
         return b.lines
@@ -231,7 +231,7 @@ def _label_handler(b: Body, label: str, number: int) -> list[str]:
     ]
 
 
-def _shared_names(whole: Whole, own: set[str], outer: set[str]) -> list[str]:
+def _shared_names(whole: SharedData, own: set[str], outer: set[str]) -> list[str]:
     """Return the declarations of the outer names to which a function assigns.
 
     These are names of the function around it, which has the time, and of the module.
@@ -249,7 +249,7 @@ def _own(function: Function) -> list[Symbol]:
     return mine if function.result is None else [*mine, function.result]
 
 
-def _head(whole: Whole, b: Body) -> list[Line]:
+def _head(whole: SharedData, b: Body) -> list[Line]:
     """Return the line `def …` and the statements on entry."""
     function = b.function
     is_unit = bool(b.parts) and function.kind != "sub"

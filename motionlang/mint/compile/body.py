@@ -21,11 +21,11 @@ The names in the text:
     t, H        the statement, and the first one at which something else may happen; cells that others write, so both
                 may differ after a `yield`
     T(n)        pays for n statements and sets the clock; true if something else is due first, and the task gives way
-    kN          an operation or another object of the run, described in `Whole.specs`
+    kN          an operation or another object of the run, described in `SharedData.specs`
     E, P        the environment of the program, and its print function
     v_ p_ s_    variables, parameters and subs; other prefixes are the compiler's own
 
-Data. `Whole` is what the functions of a program share: names, problems, specs. `Body` is one function, with
+Data. `SharedData` is what the functions of a program share: names, problems, specs. `Body` is one function, with
 its `lines` and the known facts at the point that is being written. A `Line` has a text, the source offset
 that it comes from, and the names of its variables, so that later passes need not parse the text. A `Value` is
 an expression: its text, its type and its possible values.
@@ -143,7 +143,7 @@ class Answer(Value):
         return self._truth
 
 
-class Whole:
+class SharedData:
     """The data that all functions of a program share.
 
     It holds names, problems and the run-time objects of the text. `specs[n]` defines `kN` for the runtime
@@ -299,7 +299,7 @@ class Body:
         "whole",
     )
 
-    def __init__(self, whole: Whole, function: Function) -> None:
+    def __init__(self, whole: SharedData, function: Function) -> None:
         self.whole, self.function, self.scope = whole, function, function.scope
         self.lines: list[Line] = []
         # The variables in the next line.

@@ -13,10 +13,10 @@ import gc
 from marshal import dumps
 
 from motionlang.errors import ProgramError, Spellings
-from motionlang.lang.nesting import Room
+from motionlang.lang.nesting import StackSpace
 from motionlang.mint.compile import jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
-from motionlang.mint.compile.body import Body, Whole
+from motionlang.mint.compile.body import Body, SharedData
 from motionlang.mint.compile.overrides import override
 from motionlang.mint.compile.statements import block, hear_of_errors, leave
 from motionlang.mint.keywords import table
@@ -80,7 +80,7 @@ def compile_line(
     """
     known_before = dict(scope.names)
     problems = Problems(module)
-    with Room():
+    with StackSpace():
         whole = _declared(module, settings, problems, scope, suffix)
         bodies = {function: _function(whole, function) for function in whole.names.functions}
         problems.raise_errors()
@@ -89,11 +89,13 @@ def compile_line(
 
 def _declared(
     module: Module, settings: dict[str, object] | None, problems: Problems, scope: Scope | None, suffix: str
-) -> Whole:
+) -> SharedData:
     """Declare the names of a module and return the data that its functions share."""
     names = Names(table(), problems, scope)
     names.declare_module(module)
-    return Whole(table(), problems, names, range(_number_of_axes(settings)), suffix, words(settings or {}))
+    return SharedData(
+        table(), problems, names, range(_number_of_axes(settings)), suffix, words(settings or {})
+    )
 
 
 def _number_of_axes(settings: dict[str, object] | None) -> int:
@@ -104,7 +106,7 @@ def _number_of_axes(settings: dict[str, object] | None) -> int:
 # ------------------------------------------------------------------------------------------------ functions
 
 
-def _function(whole: Whole, function: Function) -> Body:
+def _function(whole: SharedData, function: Function) -> Body:
     """Write the body of one function."""
     b = Body(whole, function)
     # A failure under ONERROR leaves its statement unfinished, so nothing is certain after it.
@@ -127,7 +129,7 @@ def _function(whole: Whole, function: Function) -> Body:
     return b
 
 
-def warn_of_misspellings(whole: Whole) -> None:
+def warn_of_misspellings(whole: SharedData) -> None:
     """Report names that are only assigned to and resemble a keyword.
 
     Such a name is a typing error rather than a variable.
@@ -163,7 +165,7 @@ def compile_text(
     collecting = gc.isenabled()
     gc.disable()  # the objects made here are permanent or freed without the collector, which would check them each time
     try:
-        with Room():
+        with StackSpace():
             module = _parsed(source, settings)
             if overrides or given:
                 override(module, overrides or {}, given)

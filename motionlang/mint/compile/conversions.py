@@ -7,7 +7,7 @@ from math import isnan
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Value
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME, Type
-from motionlang.mint.runtime.functions import LONGEST
+from motionlang.mint.runtime.functions import MAX_TEXT
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
     if type.name == INTEGER and found.type in NUMERIC:
         return as_integer(b, found)
     if type.name == STRING and found.type == STRING:
-        size = LONGEST if type.size is None else type.size
+        size = MAX_TEXT if type.size is None else type.size
         if isinstance(found.const, str) and len(found.const) <= size:
             return found.text
         return f"{b.whole.use('fn', 'fit')}({found.text}, {size})"

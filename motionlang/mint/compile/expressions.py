@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 _SAME = frozenset((INTEGER, FLOAT, STRING))
 # Integers that have been written, up to a maximum number.
 _SEEN: dict[float, Value] = {}
-MOST_SEEN = 20_000
+MAX_SEEN = 20_000
 
 
 def value(b: Body, node: nodes.Expr) -> Value:
@@ -92,7 +92,7 @@ def _number(b: Body, node: nodes.Number) -> Value:
         return found
     if known.__class__ is int and 0 <= known <= intervals.INT_HIGH:
         found = Value(repr(known), INTEGER, (known, known, "i"), known)
-        if len(_SEEN) < MOST_SEEN:
+        if len(_SEEN) < MAX_SEEN:
             _SEEN[known] = found
         return found
     if known in (intervals.INFINITY, -intervals.INFINITY):

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
 
 # In a function with more stretches than this, no jump is watched.
-MOST_STRETCHES = 200
+MAX_STRETCHES = 200
 
 
 def dispatcher(function: Function) -> str:
@@ -113,7 +113,7 @@ def jump(b: Body, node: nodes.Jump) -> None:
     leaves_loops = any(kind for kind, _ in b.loops)
     poll = None
     if node.kind != "gosub" and number <= b.stretch and not leaves_loops:
-        if b.turn is None and len(labels) <= MOST_STRETCHES:
+        if b.turn is None and len(labels) <= MAX_STRETCHES:
             b.turn = polling.left_behind(b, list(polling.reached(b, b.function.body))) or ()
         poll = polling.Poll(b, *b.turn) if b.turn else None
     if poll is None:

@@ -8,7 +8,7 @@ The profile needs this for loops that poll or compute.
     l7 = None
 
 The variable is named after the source offset of the loop. If a task is still in a loop, or has left it by an
-exception, the frame shows when the loop began. A loop shorter than `LEAST` statements that never waited
+exception, the frame shows when the loop began. A loop shorter than `MIN_STATEMENTS` statements that never waited
 leaves no record. Nothing is added to an iteration.
 
 A call of a sub outside loops is logged in the same way, for computing outside the sub's own loops.
@@ -21,7 +21,7 @@ loop.
 from __future__ import annotations
 
 from motionlang.mint.compile.lines import Line
-from motionlang.mint.runtime.loop_log import LEAST
+from motionlang.mint.runtime.loop_log import MIN_STATEMENTS
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -69,7 +69,7 @@ def call(b: Body, node: nodes.Stmt, begin: int) -> None:
     at = node.at
     b.lines.insert(begin, Line(b.indent, f"l{at} = t, E.statements.base", at))
     b.emit(
-        f"if t - l{at}[0] > {LEAST} and E.statements.base is l{at}[1]: "
+        f"if t - l{at}[0] > {MIN_STATEMENTS} and E.statements.base is l{at}[1]: "
         f"E.looped(t, l{at}, {b.callee.at}, ({at},))"
     )
     b.emit(f"l{at} = None")
@@ -157,7 +157,9 @@ def thrown(b: Body) -> None:
 
 
 def _close(b: Body, at: int) -> None:
-    b.emit(f"if t - l{at}[0] > {LEAST} or E.statements.base is not l{at}[1]: E.looped(t, l{at}, {at})")
+    b.emit(
+        f"if t - l{at}[0] > {MIN_STATEMENTS} or E.statements.base is not l{at}[1]: E.looped(t, l{at}, {at})"
+    )
     b.emit(f"l{at} = None")
 
 

@@ -38,13 +38,13 @@ if TYPE_CHECKING:
     Idle = tuple[list[str], set[str]]
 
 # A loop that names more variables is not checked.
-MOST_VARIABLES = 100
+MAX_VARIABLES = 100
 # The maximum number of readings that are named for a loop.
-MOST_NAMED = 3
+MAX_NAMED = 3
 # Types whose values do not change by themselves.
 PLAIN = NUMERIC | {STRING}
 # Used in generated text in place of a level: until the reading reverses, and regardless of the reading.
-UNTIL_IT_TURNS, WHATEVER = "1e999", "-1e999"
+UNTIL_EXTREMUM, WHATEVER = "1e999", "-1e999"
 COUNTER = "counter"
 
 
@@ -130,7 +130,7 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool,
         return None  # a loop with only its own variables computes
     held = [symbol.home.result or symbol if symbol.kind == "sub" else symbol for symbol in symbols]
     state = {_text(b, symbol): symbol for symbol in held if _outlasts(b, symbol)}
-    if len(state) > MOST_VARIABLES:
+    if len(state) > MAX_VARIABLES:
         return None
     b.whole.rewritten.update(filter(is_repeated, rows))
     return state, reads, any(_alters(b, node) for node in turn), _looks_at(turn)
@@ -142,7 +142,7 @@ def _looks_at(turn: Sequence[nodes.Node]) -> str:
     names = [node for node in turn if isinstance(node, nodes.Name) and id(node) not in written]
     read = [node for node in names if node.row is not None and node.row.kind in ("reading", "setting")]
     found = dict.fromkeys(shown(node) for node in read if node.row is not None and node.row.verb != "wait")
-    return " and ".join([*found][:MOST_NAMED])
+    return " and ".join([*found][:MAX_NAMED])
 
 
 def _alters(b: Body, node: nodes.Node) -> bool:
@@ -190,7 +190,7 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
             )
             if reading and {_own(b, side) or _reading(side) for side in sides} == {own, reading}:
                 uses[own] = uses.get(own, 0) - 1
-                levels[id(value)] = own, UNTIL_IT_TURNS
+                levels[id(value)] = own, UNTIL_EXTREMUM
         elif isinstance(value, nodes.Binary) and value.op in "+-" and _own(b, value.left) is own:
             if isinstance(value.right, nodes.Number) and isinstance(value.right.value, int):
                 uses[own] = uses.get(own, 0) - 2

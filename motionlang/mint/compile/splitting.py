@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
 
 # A block with more lines than LONGEST is split into parts of about SIZE lines.
-LONGEST = 600
+MAX_LINES = 600
 SIZE = 200
 # A block at this depth becomes a part, and so does a statement with this many nested loops. Python allows
 # twenty nested loops, and each of ours may take two, or have a `try` around it.
-DEEPEST = 60
-MOST_LOOPS = 8
+MAX_INDENT = 60
+MAX_LOOPS = 8
 
 
 class Part:
@@ -65,7 +65,7 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
     if b.whole.typed:
         return
     statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
-    while sum(map(len, statements)) > LONGEST:
+    while sum(map(len, statements)) > MAX_LINES:
         shorter = _shortened(b, statements)
         if len(shorter) == len(statements):
             break

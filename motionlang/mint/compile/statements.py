@@ -44,11 +44,11 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
             _STATEMENTS[node.__class__](b, node)
         if b.calls and not b.timed:
             loop_times.call(b, node, begin)
-        if around and b.deepest - len(around) >= splitting.MOST_LOOPS and splitting.fold(b, begin):
+        if around and b.deepest - len(around) >= splitting.MAX_LOOPS and splitting.fold(b, begin):
             b.deepest = len(around)
         begin = len(lines)
         ends.append(begin)
-    if begin - first > splitting.LONGEST:
+    if begin - first > splitting.MAX_LINES:
         splitting.cut(b, first, ends)
     b.deepest = max(outer, b.deepest)
 
@@ -87,7 +87,7 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
     b.flush()
     if len(b.lines) == before:
         b.emit("pass")
-    elif b.indent % splitting.DEEPEST == 0:
+    elif b.indent % splitting.MAX_INDENT == 0:
         splitting.fold(b, before)
     b.indent -= 1
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of, scale_of, unchecked
 from motionlang.mint.runtime.changes import repeatable
@@ -21,11 +21,11 @@ def do_default_axes(environment: Environment, axes: tuple[int, ...], line: int) 
 
 
 def write_buffer_size(environment: Environment, axis: int, value: int) -> None:
-    """MOVEBUFFERSIZE: set the buffer size; raise Refusal unless the buffer is empty."""
+    """MOVEBUFFERSIZE: set the buffer size; raise Rejected unless the buffer is empty."""
     a = environment.controller.axes[axis]
     if a.move is not None or a.buffer:
         words = f"the move buffer of axis {axis} is in use"
-        raise Refusal("buffer-in-use", words, f"PAUSE IDLE({axis}) waits until it is empty")
+        raise Rejected("buffer-in-use", words, f"PAUSE IDLE({axis}) waits until it is empty")
     environment.controller.configure(axis, "buffer_size", value)
 
 
@@ -80,8 +80,8 @@ _ENABLED = Actions(
     write=unchecked(repeatable(of(Environment, write_enabled))),
 )
 
-_LARGEST = 8388607.0
-_LONGEST = 2147483647.0
+_MAX_VALUE = 8388607.0
+_MAX_TIME = 2147483647.0
 
 
 ROWS = (
@@ -94,7 +94,7 @@ ROWS = (
             default=1.0, low=1e-6, high=1e12, group="axis", effect="scale"),
     Keyword("SPEED", "SP", "setting", "RW", "axis", "uu/s", "speed",
             "Slew speed of moves; a change acts at once on the move in progress.",
-            "SPEED(0) = 250\nPRINT SPEED(0)", default=40000.0, low=0.0, high=_LARGEST, group="axis", gives="speed"),
+            "SPEED(0) = 250\nPRINT SPEED(0)", default=40000.0, low=0.0, high=_MAX_VALUE, group="axis", gives="speed"),
     Keyword("ACCEL", "AC", "setting", "RW", "axis", "uu/s2", Actions("accel", read=ramp_rate("accel")),
             "Acceleration of moves; replaces an ACCELTIME set before.",
             "ACCEL(0) = 1250\nPRINT ACCEL(0)", default=100000.0, low=0.0, high=1e12, group="axis", gives="accel"),
@@ -104,11 +104,11 @@ ROWS = (
     Keyword("ACCELTIME", "", "setting", "RW", "axis", "ms", Actions("accel_time", read=ramp_time("accel")),
             "Acceleration given as the time from rest to SPEED; replaces ACCEL.",
             "SPEED(0) = 50\nACCELTIME(0) = 200\nPRINT ACCELTIME(0)",
-            low=1e-3, high=_LONGEST, group="axis", gives="accel"),
+            low=1e-3, high=_MAX_TIME, group="axis", gives="accel"),
     Keyword("DECELTIME", "", "setting", "RW", "axis", "ms", Actions("decel_time", read=ramp_time("decel")),
             "Deceleration given as the time from SPEED to rest; replaces DECEL.",
             "SPEED(0) = 50\nDECELTIME(0) = 200\nPRINT DECELTIME(0)",
-            low=1e-3, high=_LONGEST, group="axis", gives="decel"),
+            low=1e-3, high=_MAX_TIME, group="axis", gives="decel"),
     Keyword("ACCELJERK", "", "setting", "RW", "axis", "uu/s3", "accel_jerk",
             "Rate at which acceleration builds up and falls in an S-ramp.",
             "PROFILEMODE(0) = 1\nACCELJERK(0) = 5000\nPRINT ACCELJERK(0)",

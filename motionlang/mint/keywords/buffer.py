@@ -172,7 +172,7 @@ def put_pulse(
 
 _TRIGGER = Actions(read=reading(Triggers), write=writing(Triggers))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 _TRIGGERS = (
     ("AUTO", "a move starts as soon as it is loaded"),
     ("GO", "moves start at GO"),
@@ -224,7 +224,7 @@ ROWS = (
     _trigger("TRIGGERCHANNEL", _TRIGGER, "integer", "The axis or encoder whose position starts moves.",
              0, 999, 0.0),
     _trigger("TRIGGERVALUE", _TRIGGER, "number",
-             "The position, in units of TRIGGERCHANNEL, whose passing starts moves.", -_LARGEST, _LARGEST, 0.0),
+             "The position, in units of TRIGGERCHANNEL, whose passing starts moves.", -_MAX_VALUE, _MAX_VALUE, 0.0),
     Keyword("MOVEDWELL", "", "move", "W", "axis", "ms", Actions(load=loads(Environment, put_dwell)),
             "Put a rest of some milliseconds between moves into the buffer.",
             "MOVER(0) = 10\nMOVEDWELL(0) = 250\nGO(0)\nPAUSE IDLE(0)\nPRINT TIME >= 250",

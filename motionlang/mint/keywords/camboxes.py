@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import partial
 from itertools import pairwise
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
@@ -49,7 +49,7 @@ class Source:
 def source_of(environment: Environment, kind: int, channel: int) -> Source:
     """Return the track that a cam box watches, with its conversion to user units.
 
-    Raises Refusal if there is no such source.
+    Raises Rejected if there is no such source.
     """
     controller = environment.controller
     if kind == AXIS:
@@ -97,9 +97,9 @@ class CamBox:
         edges, self._states = self._edges(source)
         view = None
         if self.lead:
-            from motionlang.planners.extrapolation import Ahead
+            from motionlang.planners.extrapolation import Extrapolated
 
-            view = partial(Ahead, lead=self.lead)
+            view = partial(Extrapolated, lead=self.lead)
         self._cells = Cells(
             self._environment.controller,
             source.track,
@@ -144,15 +144,15 @@ class CamBox:
 
     def _positions(self) -> list[float]:
         if self.table is None:
-            raise Refusal("range", f"cam box {self.number} has no positions",
+            raise Rejected("range", f"cam box {self.number} has no positions",
                           f"write CAMBOXDATA({self.number}, …) first")  # fmt: skip
         places = elements(self.table, "CAMBOXDATA")
         if len(places) % 2:
             raise self._wrong(f"{len(places)} positions are no pairs")
         return places
 
-    def _wrong(self, what: str) -> Refusal:
-        return Refusal(
+    def _wrong(self, what: str) -> Rejected:
+        return Rejected(
             "range", f"cam box {self.number}: {what}", "the table is pairs of positions: on, off, on, off …"
         )
 
@@ -190,7 +190,7 @@ def do_data(
     checked(output, LAST_CHANNEL, "output")
     checked(kind, AUX_ENCODER, "source of a cam box")
     if not 0 <= time <= 32767:
-        raise Refusal("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
+        raise Rejected("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
     look = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
     look(boxes.environment, channel)
     enabled = box.enabled

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import ceil
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords import captures_quantities as quantities
 from motionlang.mint.keywords.captures_levels import watch
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 LAST_CHANNEL, LAST_TRIGGER = 7, 1
-MOST_POINTS, POINTS = 100_000, 1000
+MAX_POINTS, POINTS = 100_000, 1000
 IDLE, WAITING, CAPTURING, DONE = 0, 1, 2, 3
 NEVER, RISING, FALLING, EITHER = 0, 1, 2, 3
 
@@ -108,7 +108,7 @@ class Capture:
 
     def refuse_running(self) -> None:
         if self.status in (WAITING, CAPTURING):
-            raise Refusal("capture-running", "a capture is running", "CAPTURE = 0 ends it")
+            raise Rejected("capture-running", "a capture is running", "CAPTURE = 0 ends it")
 
     # -------------------------------------------------------------------------------------------- its course
 
@@ -116,13 +116,13 @@ class Capture:
         """Start the capture; if `waits`, wait for one of the triggers that are set."""
         self.refuse_running()
         if self.points * self.period <= 0.0:
-            raise Refusal("capture-points", "all points of the capture would have the same time")
+            raise Rejected("capture-points", "all points of the capture would have the same time")
         recorded = [Channel(each.mode, each.axis, each.parameter) for each in self.channels]
         for channel in recorded:
             quantities.check(self._environment, channel.mode, channel.where)
         waits = waits and any(each.mode for each in self.triggers)
         if waits:
-            self._look()  # raises Refusal now for a trigger that is not possible
+            self._look()  # raises Rejected now for a trigger that is not possible
         self._forget()
         now = self._clock.now
         self._recorded, self._columns = recorded, {}
@@ -147,9 +147,9 @@ class Capture:
     def trigger(self) -> None:
         """Start recording now."""
         if self.status in (IDLE, DONE):
-            raise Refusal("capture-stopped", "no capture is running", "CAPTURECOMMAND = 1 begins one")
+            raise Rejected("capture-stopped", "no capture is running", "CAPTURECOMMAND = 1 begins one")
         if self.status == CAPTURING:
-            raise Refusal("capture-triggered", "the capture has been triggered already")
+            raise Rejected("capture-triggered", "the capture has been triggered already")
         self._trigger()
 
     def _trigger(self) -> None:
@@ -231,7 +231,7 @@ class Capture:
     def point(self, channel: int, index: int) -> float:
         """Return the value of a point, counted from 0."""
         if not self._recorded or self._recorded[checked(channel, LAST_CHANNEL, "capture channel")].mode == 0:
-            raise Refusal(
+            raise Rejected(
                 "channel",
                 f"capture channel {channel} has recorded nothing",
                 "choose what it records with CAPTUREMODE",
@@ -239,7 +239,7 @@ class Capture:
         taken = self.taken()
         if not 0 <= index < taken:
             there = f"there are points 0 to {taken - 1}" if taken else "there are none yet"
-            raise Refusal("range", f"the capture has no point {index}", there)
+            raise Rejected("range", f"the capture has no point {index}", there)
         column = self._columns.setdefault(channel, [])
         if index >= len(column):
             what = self._recorded[channel]
@@ -291,7 +291,7 @@ def read_attribute(capture: Capture, row: Keyword, number: int) -> object:
 def write_attribute(capture: Capture, row: Keyword, number: int, value: float) -> None:
     """Set the quantity of a channel or the condition of a trigger.
 
-    Raises Refusal while a capture runs.
+    Raises Rejected while a capture runs.
     """
     part = _part(capture, row, number)
     capture.refuse_running()
@@ -303,18 +303,18 @@ def read_name(capture: Capture, channel: int) -> str:
 
 
 def write_points(capture: Capture, points: int) -> None:
-    """CAPTURENUMPOINTS: set the number of points; raise Refusal while a capture runs."""
+    """CAPTURENUMPOINTS: set the number of points; raise Rejected while a capture runs."""
     capture.refuse_running()
-    if not 1 <= points <= MOST_POINTS:
+    if not 1 <= points <= MAX_POINTS:
         words = f"a capture cannot have {points} points"
-        raise Refusal("capture-points", words, f"it takes 1 to {MOST_POINTS}")
+        raise Rejected("capture-points", words, f"it takes 1 to {MAX_POINTS}")
     capture.points = points
 
 
 def write_before(capture: Capture, milliseconds: float) -> None:
     """CAPTUREPRETRIGGERDURATION: set the ms before the trigger.
 
-    Raises Refusal while a capture runs.
+    Raises Rejected while a capture runs.
     """
     capture.refuse_running()
     capture.before = int(milliseconds)

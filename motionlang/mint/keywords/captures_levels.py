@@ -5,7 +5,7 @@ The time is solved for, or comes from the event that changes the quantity.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords import captures_quantities as quantities
 from motionlang.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, source_of
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
     from motionlang.planners import Profile
 
-    Told = Callable[[bool], None]
+    SuppliedValues = Callable[[bool], None]
     View = Callable[[Profile], Profile]
 
 _KINDS = {
@@ -32,7 +32,7 @@ _KINDS = {
 
 
 def watch(
-    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: Told
+    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: SuppliedValues
 ) -> Callable[[], None]:
     """Call `told(rising)` whenever a quantity crosses a level.
 
@@ -59,7 +59,7 @@ def watch(
         )
     motor = " of a simulated motor" if has_motor else ""
     words = f"a capture cannot be triggered by {quantities.NAMES[quantity].lower()}{motor}"
-    raise Refusal("not-simulated", words, "positions, speeds, encoders and channels can trigger it")
+    raise Rejected("not-simulated", words, "positions, speeds, encoders and channels can trigger it")
 
 
 def _as_it_is(profile: Profile) -> Profile:
@@ -73,7 +73,7 @@ def _watch_motion(
     counts: Callable[[float], float],
     view: View | None,
     level: tuple[float, bool],
-    told: Told,
+    told: SuppliedValues,
 ) -> Callable[[], None]:
     value, absolute = level
     both = absolute and not source.period and value > 0.0
@@ -94,7 +94,7 @@ def _watch_motion(
 
 
 def _watch_analogue(
-    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: Told
+    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: SuppliedValues
 ) -> Callable[[], None]:
     controller, analogue = environment.controller, environment.part(Analogue)
     is_input = quantity == quantities.ADC
@@ -116,7 +116,9 @@ def _watch_analogue(
     return lambda: channels.listeners.remove(changed)
 
 
-def _watch_bit(environment: Environment, quantity: int, where: int, told: Told) -> Callable[[], None]:
+def _watch_bit(
+    environment: Environment, quantity: int, where: int, told: SuppliedValues
+) -> Callable[[], None]:
     controller = environment.controller
     is_input = quantity == quantities.INPUTS
     channels = controller.inputs if is_input else controller.outputs

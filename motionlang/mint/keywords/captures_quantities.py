@@ -59,7 +59,7 @@ def is_of(quantity: int) -> bool:
 
 
 def check(environment: Environment, quantity: int, where: int) -> None:
-    """Raise Refusal if the axis, encoder, channel or bank does not exist."""
+    """Raise Rejected if the axis, encoder, channel or bank does not exist."""
     if is_of(quantity):
         axis_of(environment, where)
     elif quantity == ENCODER:

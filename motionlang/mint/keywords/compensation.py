@@ -6,7 +6,7 @@ value.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.takeup import Takeup
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
@@ -42,16 +42,16 @@ class Compensation(Settings):
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting.
 
-        Raises Refusal for a mode that lacks its data, and for backlash while the axis moves. After a write to
+        Raises Rejected for a mode that lacks its data, and for backlash while the axis moves. After a write to
         BACKLASH the motor is taken to be at the end of the play that the sign gives.
         """
         if name in _AT_REST and not self.controller.is_idle(axis):
-            raise Refusal("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
+            raise Rejected("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
         before, kept = self.shift(axis), self._settings.get((name, axis))
         self._settings[name, axis] = value
         try:
             self._renew(axis)
-        except Refusal:
+        except Rejected:
             self._settings[name, axis] = kept or 0.0
             raise
         if name == "BACKLASH":
@@ -106,7 +106,7 @@ class Compensation(Settings):
         environment, takeup = self.environment, self._takeup(axis)
         mode = self.setting("PRECISIONMODE", axis)
         if mode == DUAL and self.setting("BACKLASHMODE", axis):
-            raise Refusal("range", f"axis {axis} cannot have two tables and BACKLASHMODE 1",
+            raise Rejected("range", f"axis {axis} cannot have two tables and BACKLASHMODE 1",
                           "the two tables already include the backlash: set BACKLASHMODE(axis) = 0")  # fmt: skip
         screws = self._made(axis, mode == DUAL) if mode else None
         loop = environment.controller.gain(axis, PERIOD, LOOP_TIME)
@@ -119,7 +119,7 @@ class Compensation(Settings):
 
     def _made(self, axis: int, dual: bool) -> tuple[Leadscrew, Leadscrew]:
         if axis not in self.tables:
-            raise Refusal(
+            raise Rejected(
                 "range", f"axis {axis} has no precision table", f"PRECISIONTABLE({axis}, positions, NULL)"
             )
         start, step = self.setting("PRECISIONOFFSET", axis), self.setting("PRECISIONINCREMENT", axis)
@@ -130,7 +130,7 @@ class Compensation(Settings):
                 return screw, screw
             return screw, Leadscrew(start, step, elements(reverse, "PRECISIONTABLE"))
         except ValueError as problem:
-            raise Refusal("range", f"axis {axis}: {problem}") from None
+            raise Rejected("range", f"axis {axis}: {problem}") from None
 
 
 # ----------------------------------------------------------------------------------------------- operations
@@ -141,7 +141,7 @@ def do_table(
 ) -> None:
     """PRECISIONTABLE: set the positions of the nut, forward and in reverse."""
     if forward is None:
-        raise Refusal("range", f"{row.name}: no forward table", "only the reverse table may be NULL")
+        raise Rejected("range", f"{row.name}: no forward table", "only the reverse table may be NULL")
     elements(forward, row.name)
     compensation.attach(axis, forward, reverse)
 
@@ -150,7 +150,7 @@ def do_table(
 
 _SETTING = Actions(read=reading(Compensation), write=writing(Compensation))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 _PLAY = (
     "BACKLASH(0) = 2 : BACKLASHINTERVAL(0) = 200 : BACKLASHMODE(0) = 1\n"
     "MOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), ENCODER(0)"
@@ -176,10 +176,10 @@ ROWS = (
     _setting("BACKLASH", "", "uu",
              "The play of the axis. Its sign is the direction in which homing took the play up: positive, the motor "
              "needs the whole of it to go forward and nothing to go in reverse; negative, the other way round. The "
-             "axis must be idle.", _PLAY, -_LARGEST, _LARGEST),
+             "axis must be idle.", _PLAY, -_MAX_VALUE, _MAX_VALUE),
     _setting("BACKLASHINTERVAL", "BLI", "integer",
              "Servo cycles of LOOPTIME over which the play is taken up, while the axis moves; 0 at once. The axis must "
-             "be idle.", _PLAY, 0, _LARGEST),
+             "be idle.", _PLAY, 0, _MAX_VALUE),
     _setting("BACKLASHMODE", "BLM", "integer", "1: play is compensated. Not with _lsDUAL_TABLE.",
              _PLAY, 0, 1),
     _mode("_blOFF", 0, "BACKLASHMODE: off."),
@@ -188,9 +188,9 @@ ROWS = (
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "
             "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, group="compensation"),
     _setting("PRECISIONINCREMENT", "", "uu", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,
-             0, _LARGEST),
+             0, _MAX_VALUE),
     _setting("PRECISIONOFFSET", "PCO", "uu", "Start position of PRECISIONTABLE, from the axis's zero.", _TABLE,
-             -_LARGEST, _LARGEST),
+             -_MAX_VALUE, _MAX_VALUE),
     _setting("PRECISIONMODE", "", "integer",
              "Compensation of the leadscrew: _lsOFF, _lsSINGLE_TABLE for both directions, _lsDUAL_TABLE for one each.",
              _TABLE, 0, 2),

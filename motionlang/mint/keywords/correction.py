@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of, of_word, scale_of
 from motionlang.mint.runtime.environment import Environment
@@ -11,12 +11,12 @@ from motionlang.mint.runtime.environment import Environment
 def write_correction(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
     """MOVECORRECTION: extend the move in progress by user units.
 
-    Raises Refusal if the axis is idle.
+    Raises Rejected if the axis is idle.
     """
     controller = environment.controller
     if controller.is_idle(axis):
         words = f"axis {axis} is on no move that could be corrected"
-        raise Refusal("range", words, "INCR begins a move where the axis is at rest")
+        raise Rejected("range", words, "INCR begins a move where the axis is at rest")
     controller.retarget_by(axis, scale_of(environment, axis).to_counts(value), row.name, line)
 
 

@@ -161,8 +161,8 @@ _SPEED = Actions(read=of_word(Drives, read_speed), write=repeatable(of_word(Driv
 _POSITION = Actions(read=of(Environment, read_position), write=of_word(Environment, write_position))
 _ERROR = Actions(read=moving(of_word(Environment, read_error)))
 
-_LARGEST = 8388607.0
-_LONGEST = 2147483647.0
+_MAX_VALUE = 8388607.0
+_MAX_TIME = 2147483647.0
 _RUN = "DRIVESPEEDMAX(0) = 1000 : SPEEDREFACCELTIME(0) = 500 : SPEEDREFDECELTIME(0) = 500\n"
 _STOP = "\nSPEEDREF(0) = 0\nPAUSE IDLE(0)\nPRINT POS(0)"
 
@@ -174,7 +174,7 @@ def _setting(name: str, unit: str, help: str, example: str, high: float, default
 
 
 def _time(name: str, help: str) -> Keyword:
-    return _setting(name, "number", help, f"{name}(0) = 200\nPRINT {name}(0)", _LONGEST)
+    return _setting(name, "number", help, f"{name}(0) = 200\nPRINT {name}(0)", _MAX_TIME)
 
 
 def _ignored(environment: Environment, axis: int, value: float) -> None:
@@ -189,8 +189,8 @@ def _reading(
 
 
 def _reference(name: str, short: str, unit: str, actions: Actions, help: str, example: str) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, actions, help, example, default=0.0, low=-_LARGEST,
-                   high=_LARGEST, group="motion", effect="act")  # fmt: skip
+    return Keyword(name, short, "setting", "RW", "axis", unit, actions, help, example, default=0.0, low=-_MAX_VALUE,
+                   high=_MAX_VALUE, group="motion", effect="act")  # fmt: skip
 
 
 _EDGES = (
@@ -204,7 +204,7 @@ _EDGES = (
 ROWS = (
     _setting("DRIVESPEEDMAX", "uu/s",
              "The highest speed of the application: limits SPEEDREF, and is what its ramp times lead to.",
-             "DRIVESPEEDMAX(0) = 1000\nPRINT DRIVESPEEDMAX(0)", _LARGEST, short="dsm"),
+             "DRIVESPEEDMAX(0) = 1000\nPRINT DRIVESPEEDMAX(0)", _MAX_VALUE, short="dsm"),
     _reference("SPEEDREF", "sdr", "uu/s", _SPEED,
                "Speed reference: ramp to a speed in the SPEEDREF… times and keep it, until another one is written; 0 "
                "brings the axis to rest.", _RUN + "SPEEDREF(0) = 500\nWAIT = 1000\nPRINT VEL(0)" + _STOP),

@@ -7,7 +7,7 @@ bit pattern of elements, locations or buses.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE
@@ -34,7 +34,7 @@ class Keys:
 
 def _kind(row: Keyword, type_: int) -> str:
     if not 0 <= type_ < len(KINDS):
-        raise Refusal(
+        raise Rejected(
             "event", f"{row.name}: there is no event of type {type_}", f"they are 0 to {len(KINDS) - 1}"
         )
     return KINDS[type_]
@@ -56,7 +56,7 @@ def do_pend(events: Events, row: Keyword, type_: int, first: int, second: int) -
     numbers = [number for number in _numbers(kind, first, second) if events.handles(kind, number)]
     if not numbers:
         words = f"the program has no handler of {kind.upper()} for {first}, {second}"
-        raise Refusal("event", words if kind not in SINGLE else f"the program has no handler of {kind.upper()}",
+        raise Rejected("event", words if kind not in SINGLE else f"the program has no handler of {kind.upper()}",
                       f"write Event {kind.upper()}{'' if kind in SINGLE else '0'} … End Event")  # fmt: skip
     for number in numbers:
         events.raise_(kind, number)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
@@ -28,7 +28,7 @@ class TimesToMost:
         """Set the time in which the axis reaches its highest speed."""
         most = self._controller.axes[axis].max_speed
         if most == inf:
-            raise Refusal("range", f"{name} needs the highest speed of axis {axis}", "set MAXSPEED first")
+            raise Rejected("range", f"{name} needs the highest speed of axis {axis}", "set MAXSPEED first")
         rate = most / seconds
         self._given[name, axis] = seconds, rate
         self._controller.configure(axis, _rate(name), rate)
@@ -54,7 +54,7 @@ def _rate(name: str) -> str:
 def _parameter(parameter: int) -> str:
     if not 0 <= parameter < len(PARAMETERS):
         hint = "0 is the speed, 1 the acceleration, 2 the deceleration"
-        raise Refusal("range", f"FEEDRATEPARAMETER has no parameter {parameter}", hint)
+        raise Rejected("range", f"FEEDRATEPARAMETER has no parameter {parameter}", hint)
     return PARAMETERS[parameter]
 
 
@@ -142,18 +142,18 @@ _S_RAMP = Actions(
     write=repeatable(of(Environment, write_s_ramp)),
 )
 
-_LARGEST = 8388607.0
-_LONGEST = 2147483647.0
+_MAX_VALUE = 8388607.0
+_MAX_TIME = 2147483647.0
 _HALF = "SPEED(0) = 20\nFEEDRATEMODE(0) = 2\nFEEDRATEOVERRIDE(0) = 50\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)"
 
 
 def _most(name: str, unit: str, actions: Actions, help: str, example: str) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, example, default=_LARGEST, low=1e-6,
+    return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, example, default=_MAX_VALUE, low=1e-6,
                    high=1e12, group="axis")  # fmt: skip
 
 
 def _ramp_time(name: str, actions: Actions, help: str, example: str, low: float, gives: str) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "ms", actions, help, example, low=low, high=_LONGEST,
+    return Keyword(name, "", "setting", "RW", "axis", "ms", actions, help, example, low=low, high=_MAX_TIME,
                    group="axis", gives=gives)  # fmt: skip
 
 
@@ -161,14 +161,14 @@ ROWS = (
     Keyword("FEEDRATE", "", "setting", "RW", "axis", "uu/s", "speed",
             "Another name of SPEED: slew speed of moves; with bit 0 of FEEDRATEMODE each keeps that of its loading.",
             "FEEDRATE(0) = 250\nPRINT FEEDRATE(0), SPEED(0)",
-            default=40000.0, low=0.0, high=_LARGEST, group="axis", gives="speed"),
+            default=40000.0, low=0.0, high=_MAX_VALUE, group="axis", gives="speed"),
     Keyword("FEEDRATEMODE", "FRM", "setting", "RW", "axis", "integer", "feedrate_mode",
             "Bit 0: moves keep the speed with which they are loaded; without it a new speed acts at once. "
             "Bit 1: FEEDRATEOVERRIDE acts.",
             "FEEDRATEMODE(0) = 1\nPRINT FEEDRATEMODE(0)", default=0.0, low=0, high=3, group="axis"),
     Keyword("FEEDRATEOVERRIDE", "FRO", "setting", "RW", "axis", "%", "override",
             "Percentage of its speed at which a move runs, where bit 1 of FEEDRATEMODE is set; it acts at once.",
-            _HALF, default=100.0, low=0.0, high=_LARGEST, group="axis"),
+            _HALF, default=100.0, low=0.0, high=_MAX_VALUE, group="axis"),
     Keyword("FEEDRATEPARAMETER", "", "setting", "RW", "axis, parameter", "number", _PARAMETER,
             "Parameters of moves loaded from now on: 0 a speed, 1 an acceleration, 2 a deceleration; the "
 "value 0 restores SPEED, ACCEL or DECEL.",

@@ -86,7 +86,7 @@ _PART = Actions(
     write=repeatable(of_word(Masters, write_part)),
 )
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 _READY = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMASTERCHANNEL(1) = 0\n"
 _FLY = (
     _READY
@@ -130,15 +130,15 @@ ROWS = (
             Actions(read=of(Masters, read_follow), write=of(Masters, write_follow)),
             "Follow the master: units of this axis for each unit of the master. 0 ends it; no GO is needed.",
             _READY + "FOLLOW(1) = 0.5\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
-            default=0.0, low=-_LARGEST, high=_LARGEST, group="motion", effect="act follows"),
+            default=0.0, low=-_MAX_VALUE, high=_MAX_VALUE, group="motion", effect="act follows"),
     Keyword("FOLLOWNUMERATOR", "", "setting", "RW", "axis", "number", _PART,
             "FOLLOW is multiplied by this and divided by FOLLOWDENOM: 1 and 3 make an exact third.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOWNUMERATOR(1) = 2\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\n"
-            "PAUSE IDLE(0)\nPRINT POS(1)", default=1.0, low=-_LARGEST, high=_LARGEST, group="motion"),
+            "PAUSE IDLE(0)\nPRINT POS(1)", default=1.0, low=-_MAX_VALUE, high=_MAX_VALUE, group="motion"),
     Keyword("FOLLOWDENOM", "", "setting", "RW", "axis", "number", _PART,
             "Divisor of FOLLOW.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
-            default=1.0, low=1e-9, high=_LARGEST, group="motion"),
+            default=1.0, low=1e-9, high=_MAX_VALUE, group="motion"),
     Keyword("FLY", "", "move", "W", "axis", "uu", Actions(load=loads(Environment, put_fly)),
             "Load a segment of a flying shear: go this distance while the master goes MASTERDISTANCE. Its ratio to the "
             "master changes evenly from that of the segment before, so two equal segments end at a ratio of 0.",

@@ -95,7 +95,7 @@ _MODE = Actions(
 )
 _SETTING = Actions(read=of_word(AuxEncoders, read_setting), write=of_word(AuxEncoders, write_setting))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 
 
 ROWS = (
@@ -115,10 +115,10 @@ ROWS = (
     Keyword("AUXENCODERSPEED", "", "setting", "RW", "auxchannel", "number", _SPEED,
             "The speed at which an auxiliary encoder of AUXENCODERMODE 8 counts by itself: a master without a machine.",
             "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
-            default=0.0, low=-_LARGEST, high=_LARGEST, group="encoders"),
+            default=0.0, low=-_MAX_VALUE, high=_MAX_VALUE, group="encoders"),
     *(
         Keyword(f"AUX{name}", "", "setting", "RW", "auxchannel", unit, _SETTING, help,
-                f"AUX{name}(0) = 4\nPRINT AUX{name}(0)", default=default, low=low, high=_LARGEST, group="encoders")
+                f"AUX{name}(0) = 4\nPRINT AUX{name}(0)", default=default, low=low, high=_MAX_VALUE, group="encoders")
         for name, unit, help, default, low in (
             ("ENCODERSCALE", "number", "Counts of an auxiliary encoder in one of its units.", 1.0, 1e-6),
             ("ENCODERPRESCALE", "integer", "Prescaler of an auxiliary encoder, which divides its counts.", 1.0, 1),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.axis import Axis
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
@@ -41,10 +41,10 @@ class Master:
     zero: float = 0.0
 
     def refuse(self, environment: Environment, axis: int) -> None:
-        """Raise Refusal if the axis would follow itself."""
+        """Raise Rejected if the axis would follow itself."""
         if self.track is environment.controller.axes[axis]:
             words = f"axis {axis} cannot follow axis {self.number}: it would follow itself"
-            raise Refusal("axis", words, f"write MASTERCHANNEL({axis}) first")
+            raise Rejected("axis", words, f"write MASTERCHANNEL({axis}) first")
 
     def to_counts(self, position: float) -> float:
         """Convert a position from units of the master to counts."""
@@ -52,7 +52,7 @@ class Master:
 
 
 def master(environment: Environment, source: int, channel: int) -> Master:
-    """Return the master for a source and a channel; raise Refusal if there is none."""
+    """Return the master for a source and a channel; raise Rejected if there is none."""
     controller = environment.controller
     if source == AXIS:
         a = controller.axes[axis_of(environment, channel)]
@@ -104,7 +104,7 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
     masters = environment.part(Masters)
     over = masters.setting("MASTERDISTANCE", axis)
     if not over:
-        raise Refusal(
+        raise Rejected(
             "range", f"{word} needs the distance of the master", f"write MASTERDISTANCE({axis}) first"
         )
     found = masters.of(axis)
@@ -115,7 +115,7 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
 
 MASTER_SETTING = Actions(read=reading(Masters), write=repeatable(writing(Masters)))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 
 
 def _setting(
@@ -134,14 +134,15 @@ ROWS = (
     _setting("MASTERCHANNEL", "", "integer", "The axis or encoder that the axis follows.", 0.0, 0, 63),
     _setting("MASTERDISTANCE", "", "number",
              "How far the master goes, in its own units, during a FLY or a segment of a cam; negative for backwards.",
-             0.0, -_LARGEST, _LARGEST),
+             0.0, -_MAX_VALUE, _MAX_VALUE),
     _setting("FOLLOWMODE", "", "integer",
              "How FOLLOW begins: 0 at the master's speed at once, 1 with ramps at ACCEL and DECEL.", 0.0, 0, 1),
     _setting("GEARING", "GR", "%",
              "How much of the slave's lag GEARINGMODE corrects. Without a simulated motor there is no lag to correct.",
-             100.0, -_LARGEST, _LARGEST, "gearing"),
+             100.0, -_MAX_VALUE, _MAX_VALUE, "gearing"),
     _setting("GEARINGMODE", "GRM", "integer", "1: the slave's lag behind its master is corrected, see GEARING.",
              0.0, 0, 1),
     _setting("OFFSETDISTANCE", "", "number",
-             "How far the master goes during an OFFSET of mode 2 or 3, in its own units.", 0.0, -_LARGEST, _LARGEST),
+             "How far the master goes during an OFFSET of mode 2 or 3, in its own units.",
+             0.0, -_MAX_VALUE, _MAX_VALUE),
 )  # fmt: skip

@@ -7,7 +7,7 @@ is in counts of the converter. There, and when HTAKINT is written, the sum start
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal, names
+from motionlang.controller.faults import Rejected, names
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
@@ -101,7 +101,7 @@ class Holds(Settings):
     def start(self, axis: int, wanted: float, line: int) -> None:
         """Let an idle axis hold a value in percent; an axis that already holds continues.
 
-        Raises Refusal if the axis has an error.
+        Raises Rejected if the axis has an error.
         """
         hold = self.holding(axis)
         if hold is not None:
@@ -110,7 +110,7 @@ class Holds(Settings):
             return
         faults = self.environment.controller.faults(axis)
         if faults:
-            raise Refusal(
+            raise Rejected(
                 "axis-error", f"axis {axis} has an error: {names(faults)}", "clear the error before HTA"
             )
         hold = Hold(self, axis, wanted)
@@ -129,7 +129,7 @@ class Holds(Settings):
 HOLD = Actions(read=of(Holds, Holds.wanted), write=of(Holds, Holds.start))
 _SETTING = Actions(read=reading(Holds), write=writing(Holds))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 
 
 def _setting(name: str, unit: str, help: str, low: float, high: float, default: float = 0.0,
@@ -140,7 +140,7 @@ def _setting(name: str, unit: str, help: str, low: float, high: float, default: 
 
 
 def _gain(name: str, help: str, short: str = "") -> Keyword:
-    return _setting(name, "number", help, -_LARGEST, _LARGEST, short=short)
+    return _setting(name, "number", help, -_MAX_VALUE, _MAX_VALUE, short=short)
 
 
 ROWS = (

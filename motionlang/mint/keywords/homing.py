@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
@@ -53,7 +53,7 @@ class Homes(Settings):
     def begin(self, axis: int, kind: int, line: int) -> None:
         """HOME: start homing of a kind."""
         if not self.controller.is_idle(axis):
-            raise Refusal("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
+            raise Rejected("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
         _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
         provided = self._provided(axis, switch, index, line)
@@ -75,7 +75,7 @@ class Homes(Settings):
                 ended=self._ended,
                 line=line,
             )
-        except Refusal:
+        except Rejected:
             self._give_back(axis)
             raise
 

@@ -89,15 +89,15 @@ class Calendar:
         self.set(str(told) if told is not None else _POWER_UP, 0.0)
 
     def set(self, text: str, now: float) -> None:
-        """Set date and time; raise Refusal for an invalid date."""
+        """Set date and time; raise Rejected for an invalid date."""
         from datetime import datetime
 
-        from motionlang.controller.faults import Refusal
+        from motionlang.controller.faults import Rejected
 
         try:
             self.date = datetime.strptime(text, _DATE)
         except ValueError:
-            raise Refusal(
+            raise Rejected(
                 "range", f"REALTIMECLOCK cannot be {text!r}", f'it takes a text like "{_POWER_UP}"'
             ) from None
         self.since = now

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import ceil
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import PATTERNS
 from motionlang.mint.runtime.binding import of, of_word
@@ -176,9 +176,9 @@ def bits_of(bank: int, is_on: Callable[[int], object]) -> int:
 
 
 def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
-    """Return the number; raise Refusal if there is no such channel or bank."""
+    """Return the number; raise Rejected if there is no such channel or bank."""
     if not 0 <= number <= last:
-        raise Refusal("channel", f"there is no {what} {number}", f"they are numbered 0 to {last}")
+        raise Rejected("channel", f"there is no {what} {number}", f"they are numbered 0 to {last}")
     return number
 
 

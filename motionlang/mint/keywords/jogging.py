@@ -5,7 +5,7 @@ The keywords of the latter are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.drives import top_speed
@@ -96,7 +96,7 @@ class Jogs(Settings):
     def _jog(self, axis: int, direction: int, line: int) -> None:
         speed = self.setting("JOGSPEED", axis)
         if direction and not speed:
-            raise Refusal("zero-speed", f"axis {axis} cannot jog: its JOGSPEED is 0", "set JOGSPEED first")
+            raise Rejected("zero-speed", f"axis {axis} cannot jog: its JOGSPEED is 0", "set JOGSPEED first")
         self.jog(axis, direction * speed, COMMAND, line)
 
     def _limit(self, axis: int, seconds: float | None) -> None:
@@ -136,8 +136,8 @@ _JOG = Actions(
     write=repeatable(of_word(Environment, write_velocity)),
 )
 
-_LARGEST = 8388607.0
-_LONGEST = 2147483647.0
+_MAX_VALUE = 8388607.0
+_MAX_TIME = 2147483647.0
 _PANEL = "JOGSPEED(0) = 100 : JOGMODE(0) = 1 : JOGDURATION(0) = 300\nJOGCOMMAND(0) = 1\nWAIT = 100\n"
 
 
@@ -155,7 +155,7 @@ ROWS = (
             "JOG(0) = 100\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)\nPAUSE IDLE(0)",
             default=0.0, low=-8388607.0, high=8388607.0, group="motion", effect="act endless"),
     _setting("JOGSPEED", "jgs", "uu/s", "The speed at which JOGCOMMAND jogs; a new one acts at once.",
-             "JOGSPEED(0) = 100\nJOGCOMMAND(0) = -1\nWAIT = 100\nPRINT VEL(0)\nJOGCOMMAND(0) = 0", _LARGEST),
+             "JOGSPEED(0) = 100\nJOGCOMMAND(0) = -1\nWAIT = 100\nPRINT VEL(0)\nJOGCOMMAND(0) = 0", _MAX_VALUE),
     Keyword("JOGCOMMAND", "jgc", "setting", "RW", "axis", "integer", _COMMAND,
             "Jog at JOGSPEED: 1 forwards, -1 in reverse; 0 brings the axis to rest. It keeps its value until it is "
             "written again, also when JOGDURATION has ended the jog.",
@@ -166,7 +166,7 @@ ROWS = (
              "JOGMODE(0) = 1\nPRINT JOGMODE(0)", 1),
     _setting("JOGDURATION", "", "ms",
              "After how many milliseconds a jog of JOGMODE 1 begins to come to rest.",
-             "JOGDURATION(0) = 500\nPRINT JOGDURATION(0)", _LONGEST),
+             "JOGDURATION(0) = 500\nPRINT JOGDURATION(0)", _MAX_TIME),
     Keyword("JOGTIME", "", "reading", "R", "axis", "integer", Actions(read=of(Jogs, Jogs.elapsed)),
             "How many milliseconds JOGCOMMAND has been jogging; 0 while it does not.",
             _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, group="state", solved=True),
@@ -174,9 +174,9 @@ ROWS = (
              "Acceleration of jogs, given as the time from rest to DRIVESPEEDMAX or, where that is not set, MAXSPEED "
              "or SPEED; 0 for ACCEL.",
              "MAXSPEED(0) = 200 : JOGACCELTIMEMAX(0) = 1000\nJOG(0) = 100\nWAIT = 250\nPRINT VEL(0)\nCANCEL(0)",
-             _LONGEST),
+             _MAX_TIME),
     _setting("JOGDECELTIMEMAX", "", "ms",
              "Deceleration of jogs, given as the time from that speed to rest; 0 for DECEL.",
              "MAXSPEED(0) = 200 : JOGDECELTIMEMAX(0) = 1000\nJOG(0) = 100\nWAIT = 250\nSTOP(0)\nPAUSE IDLE(0)\n"
-             "PRINT POS(0)", _LONGEST),
+             "PRINT POS(0)", _MAX_TIME),
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
@@ -151,7 +151,7 @@ def write_enable(compares: Compares, output: int, enabled: int) -> None:
     found = compares.of_output(output)
     if enabled and not found:
         what = f"output {output} is that of no position compare"
-        raise Refusal("output", what, f"COMPAREOUTPUT(0) = {output} gives it to axis 0")
+        raise Rejected("output", what, f"COMPAREOUTPUT(0) = {output} gives it to axis 0")
     for each in found:
         each.enable(bool(enabled))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
@@ -45,10 +45,10 @@ def reset(environment: Environment, axis: int) -> None:
 
 
 def default(environment: Environment, axis: int) -> None:
-    """Reset the settings to their power-up values; raise Refusal in motion."""
+    """Reset the settings to their power-up values; raise Rejected in motion."""
     controller = environment.controller
     if not controller.is_idle(axis):
-        raise Refusal("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
+        raise Rejected("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
     controller.restore(axis)
     mint_settings(controller, axis)
     controller.set_scale(axis, 1.0)

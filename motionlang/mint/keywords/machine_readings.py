@@ -23,7 +23,7 @@ SECTION = "mint.values."
 ANSWERED = frozenset(("identity",))
 
 
-class Told:
+class SuppliedValues:
     """The values, by keyword and index; None stands for any index."""
 
     def __init__(self, settings: Mapping[str, object]) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import partial
 from struct import pack, unpack
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.inputs import Channels
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of
@@ -86,7 +86,7 @@ class Servers:
     # ------------------------------------------------------------------------------------------ the client's side
 
     def read(self, number: int, register: int, count: int) -> list[int]:
-        """Return registers of a server; raise Refusal if it does not answer."""
+        """Return registers of a server; raise Rejected if it does not answer."""
         words = self._reached(number, register, count).words
         return [words.get(register + k, 0) for k in range(count)]
 
@@ -108,11 +108,11 @@ class Servers:
             hint = (
                 f"the machine file has the servers {known}" if server is None else "its at and for say when"
             )
-            raise Refusal("no-connection", f"Modbus server {number} does not answer", hint)
+            raise Rejected("no-connection", f"Modbus server {number} does not answer", hint)
         if not server.first <= register <= register + count - 1 <= server.last:
             what = f"register {register}" if count == 1 else f"registers {register} and {register + 1}"
             limits = f"its registers are {server.first} to {server.last}"
-            raise Refusal("channel", f"Modbus server {number} rejects {what}", limits)
+            raise Rejected("channel", f"Modbus server {number} rejects {what}", limits)
         return server
 
     def written(self) -> list[dict[str, object]]:
@@ -177,7 +177,7 @@ def _own(environment: Environment, register: int) -> tuple[str, int]:
     """Return the area and element of a register in the controller's own server."""
     host = environment.machine.host
     if not host.has_registers(host.mapping, register, 1):
-        raise Refusal(
+        raise Rejected(
             "channel", f"there is no register {register}", "element n is the registers 2n and 2n + 1"
         )
     return host.mapping, register >> 1
@@ -216,7 +216,7 @@ class Coils:
 
     def checked(self, coil: int) -> int:
         if not 0 <= coil <= LAST:
-            raise Refusal("channel", f"there is no coil {coil}", f"they are numbered 0 to {LAST}")
+            raise Rejected("channel", f"there is no coil {coil}", f"they are numbered 0 to {LAST}")
         return coil
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import Each, axis_of, no_axis, on_axes, on_every_axis, scale_of
 
@@ -54,16 +54,18 @@ def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, 
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:
-    """Raise Refusal if the axis is stopping: Mint's error 236."""
+    """Raise Rejected if the axis is stopping: Mint's error 236."""
     move = environment.controller.axes[axis].move
     if move is not None and move.ended in ("stop", "fault"):
-        raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it is at rest")
+        raise Rejected(
+            "stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it is at rest"
+        )
 
 
 def finite(row: Keyword, value: float) -> None:
-    """Raise Refusal for an infinite distance."""
+    """Raise Rejected for an infinite distance."""
     if not -1e300 < value < 1e300:
-        raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
+        raise Rejected("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
 
 
 def do_go(environment: Environment, row: Keyword) -> Operation:

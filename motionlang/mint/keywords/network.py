@@ -5,7 +5,7 @@ The machine file's `[[remote]]` and `[[bus]]` schedule events. The event numbers
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.remote import ERROR_REGISTER, LAST_CHANNEL, Nodes
@@ -79,7 +79,7 @@ def write_encoder(nodes: Nodes, bus: int, node: int, channel: int, value: int) -
 
 def _object(index: int, sub: int) -> tuple[int, int]:
     if not (0 <= index <= LAST_OBJECT and 0 <= sub <= LAST_SUB):
-        raise Refusal(
+        raise Rejected(
             "channel", f"there is no object {index}, {sub}", "objects are 0 to 0xFFFF, sub-indexes 0 to 255"
         )
     return index, sub
@@ -104,7 +104,7 @@ def read_text(nodes: Nodes, bus: int, node: int, index: int, sub: int) -> str:
 def _of_type(value: int, type: int) -> int:
     """Reduce a value to the bits of a CANopen type."""
     if type not in _TYPES:
-        raise Refusal(
+        raise Rejected(
             "range", f"{type} is not an object type", "1 Boolean, 2 to 4 integers, 5 to 7 without a sign"
         )
     bits, signed = _TYPES[type]

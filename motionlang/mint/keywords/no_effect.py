@@ -9,7 +9,7 @@ wrote. A setting that was not written reads 0 or an empty string, which the repo
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.machine_readings import Told
+from motionlang.mint.keywords.machine_readings import SuppliedValues
 from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
@@ -23,7 +23,7 @@ class Kept:
 
     def __init__(self, environment: Environment) -> None:
         self.values: dict[tuple[object, ...], object] = {}
-        self.told = Told(environment.machine.settings)
+        self.told = SuppliedValues(environment.machine.settings)
 
     def find(self, row: Keyword, where: tuple[object, ...]) -> object | None:
         """Return the value of a keyword, None if neither source has one."""

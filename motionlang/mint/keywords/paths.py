@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.motion import refuse_stopping
 from motionlang.mint.runtime.binding import axis_of, of, of_word, on_axes, scale_of
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float]) -> bool:
     """True if the buffers of all axes have space.
 
-    Raises Refusal if the number of axes or values is wrong, as may happen with axes named by AXES.
+    Raises Rejected if the number of axes or values is wrong, as may happen with axes named by AXES.
     """
     units = row.unit.split(", ")
     wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
     if len(axes) != wanted or len(values) != count:
         words = f"{row.name} is given {len(axes)} axes and {len(values)} values"
-        raise Refusal("values", words, f"it takes {wanted} axes and {count} values")
+        raise Rejected("values", words, f"it takes {wanted} axes and {count} values")
     for axis in axes:
         scale_of(environment, axis)
         refuse_stopping(environment, axis)
@@ -90,11 +90,11 @@ _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
 def set_mode(environment: Environment, name: str, axis: int, on: bool) -> None:
     """Switch contouring or blending on or off.
 
-    Raises Refusal (Mint's error 158) if the other one is on.
+    Raises Rejected (Mint's error 158) if the other one is on.
     """
     controller, other = environment.controller, next(each for each in _MODES if each != name)
     if on and controller.setting(axis, _MODES[other]):
-        raise Refusal("contour-and-blend", f"{name} cannot be set while {other} is",
+        raise Rejected("contour-and-blend", f"{name} cannot be set while {other} is",
                       f"write {other}({axis}) = 0 first")  # fmt: skip
     controller.configure(axis, _MODES[name], on)
 
@@ -111,7 +111,7 @@ _MODE = repeatable(of_word(Environment, lambda e, row, axis, mode: set_mode(e, r
 _LINE = Actions(load=loads(put_line))
 _ARC = Actions(load=loads(put_arc))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 _READY = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 _END = '\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), " ", POS(1)'
 _TWO = "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)"
@@ -160,7 +160,7 @@ ROWS = (
     _setting("BLENDDISTANCE", "number", "blend_distance",
              "Remaining length of a path when the next one begins, in user units; at most half of the "
 "path.",
-             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _LARGEST),
+             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _MAX_VALUE),
     Keyword("BLEND", "", "command", "C", "axes", "", Actions(do=on_axes(lambda e, axis: e.controller.blend(axis))),
             "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",
             _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
@@ -16,7 +16,7 @@ BY_PROGRAM, BY_INPUTS = range(2)
 # Defaults other than 0 of the settings of an axis.
 DEFAULTS = {"PRESETTRIGGERINPUT": -1, "PRESETSELECTORINPUT": -1, "PRESETINPUTSMAX": 4}
 # The shortest rest in seconds between two presets that run in sequence.
-_SHORTEST = 1e-3
+_MIN_TIME = 1e-3
 
 
 class Presets(Settings):
@@ -107,7 +107,7 @@ class Presets(Settings):
     def _rest(self, axis: int) -> None:
         """Rest for PRESETDWELLTIME, then continue."""
         clock = self.environment.clock
-        seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _SHORTEST)
+        seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _MIN_TIME)
         follows = self._going_on[axis]
         clock.at(clock.now + seconds, lambda: self._go_on(axis, follows))
 
@@ -119,9 +119,9 @@ class Presets(Settings):
         """Start a preset while the program does something else; report errors to ONERROR."""
         try:
             self.start(axis)
-        except Refusal as refusal:
-            refusal.line = refusal.line or self._lines.get(axis, 0)
-            self.controller.mishap(refusal)
+        except Rejected as rejected:
+            rejected.line = rejected.line or self._lines.get(axis, 0)
+            self.controller.run_time_fault(rejected)
 
 
 # ----------------------------------------------------------------------------------------------- operations
@@ -154,7 +154,7 @@ _SECOND = {
 def _second(row: Keyword, number: int) -> int:
     last, hint = _SECOND.get(row.name, (0, ""))
     if not 0 <= number <= last:
-        raise Refusal("range", f"{row.name} has no parameter {number}", hint)
+        raise Rejected("range", f"{row.name} has no parameter {number}", hint)
     return number
 
 
@@ -174,8 +174,8 @@ _FORMAT = Actions(read=of_word(Presets, read_entry), write=of_word(Presets, writ
 _ENTRY = Actions(read=of_word(Presets, read_entry), write=of_word(Presets, write_entry))
 _SETTING = Actions(read=reading(Presets), write=of_word(Presets, Presets.choose))
 
-_LARGEST = 8388607.0
-_LONGEST = 2147483647.0
+_MAX_VALUE = 8388607.0
+_MAX_TIME = 2147483647.0
 _TWO = "PRESETMOVETYPE(1, 0) = 4 : PRESETMOVEPOSITION(1) = 10\nPRESETMOVETYPE(2, 0) = 3 : PRESETMOVEPOSITION(2) = 0\n"
 _RUN = _TWO + "PRESETINDEX(0) = 1\n{}PRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRINT POS(0)"
 
@@ -209,15 +209,15 @@ ROWS = (
     _format("PRESETMOVETYPE", "integer",
             "Type of a preset: 1 HOME, 2 JOG, 3 MOVEA, 4 MOVER, 5 POS, 6 SPEEDREF, 7 TORQUEREF, 8 STOP, "
 "9 SUSPEND, 10 CANCEL; 0 none.", 10, "parameter"),
-    _entry("PRESETMOVEPOSITION", "number", "Position or distance of a preset, in user units of its axis.", -_LARGEST,
-           _LARGEST),
+    _entry("PRESETMOVEPOSITION", "number", "Position or distance of a preset, in user units of its axis.", -_MAX_VALUE,
+           _MAX_VALUE),
     _entry("PRESETMOVESPEED", "number", "The speed of a preset that moves or is a speed reference; 0 for SPEED.",
-           -_LARGEST, _LARGEST),
+           -_MAX_VALUE, _MAX_VALUE),
     _format("PRESETACCEL", "number",
             "Acceleration of a preset: format 0 a rate, 1 milliseconds from rest to its speed; 0 for ACCEL.", 1e12),
     _format("PRESETDECEL", "number",
             "Deceleration of a preset: format 0 a rate, 1 milliseconds from its speed to rest; 0 for DECEL.", 1e12),
-    _entry("PRESETJOGSPEED", "number", "The speed of a preset that jogs; 0 for SPEED.", 0, _LARGEST),
+    _entry("PRESETJOGSPEED", "number", "The speed of a preset that jogs; 0 for SPEED.", 0, _MAX_VALUE),
     _entry("PRESETJOGDIRECTION", "integer", "The direction of a preset that jogs: 0 forwards, 1 in reverse.", 0, 1),
     _entry("PRESETMOVEHOMETYPE", "integer", "The type of HOME of a preset that homes.", 0, 9),
     _format("PRESETMOVEPARAMETER", "number", "The percent of a preset that is a torque reference (number 0 behind it).",
@@ -232,7 +232,7 @@ ROWS = (
     _setting("PRESETINDEXSOURCE", "Selector of presets: 0 PRESETINDEX, 1 the inputs from PRESETSELECTORINPUT on.", 0,
              1),
     _setting("PRESETDWELLTIME", "Milliseconds of rest between presets that follow each other by themselves.", 0,
-             _LONGEST),
+             _MAX_TIME),
     _setting("PRESETSELECTORINPUT", "The first of the inputs that select a preset, the lowest bit of its number; -1 "
                                     "for none.", -1, 999, -1.0),
     _setting("PRESETINPUTSMAX", "How many inputs select a preset.", 0, 6, 4.0),

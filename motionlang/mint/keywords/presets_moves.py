@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.mint.keywords.homing import Homes
 from motionlang.mint.keywords.limits_resetting import StopModes, stop
 from motionlang.mint.keywords.torque import TorqueReferences
@@ -57,7 +57,7 @@ def begin(presets: Presets, axis: int, number: int, line: int) -> None:
     """Start a preset on an axis, also while the axis moves."""
     kind = int(presets.entry("PRESETMOVETYPE", number))
     if not 0 < kind < len(WAYS):
-        raise Refusal("range", f"preset {number} has no type", f"write PRESETMOVETYPE({number}, 0) first")
+        raise Rejected("range", f"preset {number} has no type", f"write PRESETMOVETYPE({number}, 0) first")
     WAYS[kind](Preset(presets, axis, number, line))
 
 

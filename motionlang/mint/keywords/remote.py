@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.host_memory import HostMemory
 from motionlang.controller.io.inputs import Channels
 from motionlang.lang.keyword import Actions, Keyword
@@ -29,7 +29,7 @@ KINDS = ("inputs", "analogue_inputs", "outputs", "analogue_outputs")
 # The names in the report of the channels that the program sets.
 _WRITTEN = {"outputs": "output", "analogue_outputs": "analogue-output"}
 # Maximum number of unread events of a bus. The oldest is dropped first.
-LONGEST_QUEUE = 64
+MAX_QUEUE = 64
 # Event codes (MN1274 p. 113). The first three are also states of a bus.
 OPERATIONAL, PASSIVE, OFF = 1, 2, 3
 BUS_CODES = {
@@ -60,7 +60,7 @@ class Bus:
         """Add an event, which BUSEVENT will return."""
         if code in (OPERATIONAL, PASSIVE, OFF):
             self.state = code
-        self.queue = [*self.queue[1 - LONGEST_QUEUE :], (code, info)]
+        self.queue = [*self.queue[1 - MAX_QUEUE :], (code, info)]
         self._happened("bus", self._number)
 
     def take(self) -> int:
@@ -120,16 +120,16 @@ class Nodes:
         environment.machine.written.append(self.written)
 
     def bus(self, bus: int) -> Bus:
-        """Return a bus; raise Refusal if it does not exist."""
+        """Return a bus; raise Rejected if it does not exist."""
         found = self._buses.get(bus)
         if found is None:
             found = self._buses[bus] = Bus(checked_bus(bus), self._happened)
         return found
 
     def node(self, bus: int, node: int, silent: bool = False) -> Node:
-        """Return a node; raise Refusal if it does not answer, unless `silent`."""
+        """Return a node; raise Rejected if it does not answer, unless `silent`."""
         if not (silent or self.answers(bus, node)):
-            raise Refusal(
+            raise Rejected(
                 "no-connection",
                 f"node {node} of bus {bus} does not answer",
                 f"check it with NODELIVE({bus}, {node})",
@@ -247,9 +247,9 @@ def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) 
 
 
 def checked_bus(bus: int) -> int:
-    """Return the number of a bus; raise Refusal if there is no such bus."""
+    """Return the number of a bus; raise Rejected if there is no such bus."""
     if not 1 <= bus <= LAST_BUS:
-        raise Refusal("channel", f"there is no bus {bus}", f"they are numbered 1 to {LAST_BUS}")
+        raise Rejected("channel", f"there is no bus {bus}", f"they are numbered 1 to {LAST_BUS}")
     return bus
 
 

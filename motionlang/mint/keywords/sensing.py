@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import floor
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.moves import buffer
 from motionlang.controller.readers import passing_within
 from motionlang.lang.keyword import Actions, Keyword
@@ -194,7 +194,7 @@ class Encoders:
         )
 
     def checked(self, channel: int) -> int:
-        """Return the channel; raise Refusal if neither axes nor machine file have it."""
+        """Return the channel; raise Rejected if neither axes nor machine file have it."""
         return channel_of(self._environment, channel)
 
     def track(self, channel: int) -> int:
@@ -226,11 +226,11 @@ class Encoders:
 
 
 def channel_of(environment: Environment, channel: int) -> int:
-    """Return the channel; raise Refusal if neither axes nor machine file have it."""
+    """Return the channel; raise Rejected if neither axes nor machine file have it."""
     if channel not in environment.controller.axes and channel not in environment.controller.encoders:
         axes = list(environment.controller.axes)
         hint = f"the encoders are those of axes {axes[0]} to {axes[-1]}"
-        raise Refusal("channel", f"there is no encoder {channel}", hint)
+        raise Rejected("channel", f"there is no encoder {channel}", hint)
     return channel
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 LAST_PORT = 8
 # The number of characters that a port stores for a program that does not read.
-MOST = 10_000
+MAX_QUEUE = 10_000
 _LINE_END = 13, 10
 
 
@@ -38,13 +38,15 @@ class Ports:
 
     def _receive(self, port: int, codes: list[int]) -> None:
         waiting = self.waiting(port)
-        waiting += codes[: MOST - len(waiting)]
+        waiting += codes[: MAX_QUEUE - len(waiting)]
         self._environment.events.raise_("serialreceive")
 
     def waiting(self, port: int) -> list[int]:
         """Return the unread characters of a port; port 0, the default, means port 1."""
         if not 0 <= port <= LAST_PORT:
-            raise Refusal("channel", f"there is no serial port {port}", f"they are numbered 1 to {LAST_PORT}")
+            raise Rejected(
+                "channel", f"there is no serial port {port}", f"they are numbered 1 to {LAST_PORT}"
+            )
         return self._waiting.setdefault(port or 1, [])
 
     def take(self, port: int) -> int:

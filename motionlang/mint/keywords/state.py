@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import by_axis, of_word, scale_of
 from motionlang.mint.runtime.environment import Environment
@@ -32,7 +32,7 @@ def write_position(environment: Environment, row: Keyword, axis: int, value: flo
     """POS: set a new value for the present position."""
     counts = scale_of(environment, axis).position_to_counts(value)
     if not -1e300 < counts < 1e300:
-        raise Refusal("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")
+        raise Rejected("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")
     environment.controller.define_position(axis, counts)
 
 

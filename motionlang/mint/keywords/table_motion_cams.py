@@ -6,7 +6,7 @@ to the program: what it writes to them takes effect in the next cycle.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
@@ -30,12 +30,12 @@ ABSOLUTE, TRULY_ABSOLUTE, CONTINUOUS = 1, 2, 4
 def elements(array: Sequence[float], word: str) -> list[float]:
     """Return the elements of a table after its count.
 
-    Raises Refusal if the array does not hold that many.
+    Raises Rejected if the array does not hold that many.
     """
     count = int(array[1]) if len(array) > 1 else 0
     if not 1 <= count <= len(array) - 2:
         words = f"element 1 of the table says that it has {count:g} segments, and the array has room for "
-        raise Refusal(
+        raise Rejected(
             "range", f"{word}: {words}{max(0, len(array) - 2)}", "element 1 is the number of segments"
         )
     return [float(value) for value in array[2 : 2 + count]]
@@ -49,7 +49,7 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
     end = int(last) or count
     if not 1 <= first <= end <= count:
         words = f"the table has segments 1 to {count}, not {first:g} to {end:g}"
-        raise Refusal("range", f"{word}: {words}", f"write {word}START and {word}END")
+        raise Rejected("range", f"{word}: {words}", f"write {word}START and {word}END")
     return int(first) - 1, end
 
 
@@ -102,7 +102,7 @@ class Cams:
     def steps(self, axis: int) -> list[float]:
         """Return the positions of a table as the program wrote them."""
         if axis not in self.arrays:
-            raise Refusal(
+            raise Rejected(
                 "range", f"axis {axis} has no cam table", f"write CAMTABLE({axis}, positions) first"
             )
         return elements(self.arrays[axis][0], "CAMTABLE")
@@ -116,7 +116,7 @@ class Cams:
         lengths = [length * per_unit for length in elements(array, "CAMTABLE")]
         if len(lengths) < count:
             words = f"the table of axis {axis} has {count} positions and {len(lengths)} lengths"
-            raise Refusal("range", words, "give a length for each position")
+            raise Rejected("range", words, "give a length for each position")
         return lengths
 
     def _shift(self, axis: int, lengths: list[float]) -> None:
@@ -168,13 +168,13 @@ def do_segment(
     arrays: Sequence[Array | None] = part.arrays.get(axis, ())
     array = arrays[table] if 0 <= table < len(arrays) else None
     if array is None:
-        raise Refusal(
+        raise Rejected(
             "range", f"{row.name}: axis {axis} has no table {table}", row.name[:-7] + "TABLE gives it one"
         )
     values = elements(data, row.name) if data is not None else []
     if not 1 <= start <= start + len(values) - 1 <= len(array) - 2:
         words = f"segments {start} to {start + len(values) - 1} do not lie in the table of {len(array) - 2}"
-        raise Refusal("range", f"{row.name}: {words}")
+        raise Rejected("range", f"{row.name}: {words}")
     array[start + 1 : start + 1 + len(values)] = values
 
 
@@ -184,7 +184,7 @@ def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line:
     first, end = span(index, index + segments - 1, len(lengths), "CAM")
     counts = delta * cams.masters.of(axis).per_unit
     if total(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
-        raise Refusal("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
+        raise Rejected("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
                       "the master must still advance in each of them")  # fmt: skip
     cams.phases[axis] = Phase(index, end, counts)
 
@@ -201,7 +201,7 @@ def read_phase_status(cams: Cams, axis: int) -> int:
 
 _CAM_ACTIONS = Actions(read=of(Cams, lambda cams, axis: cams.modes.get(axis, 0)), load=loads(Cams, put_cam))
 
-_LARGEST = 8388607.0
+_MAX_VALUE = 8388607.0
 _CAM = (
     "Dim rise(5) As Float = 4, 1, 2, 2, 1\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
     "CAMTABLE(1, rise)\nMASTERDISTANCE(1) = 10\n{}CAM(1) = 0\nGO(1)\nMOVER(0) = 40\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)"
@@ -246,7 +246,7 @@ ROWS = (
              "The last segment of a cam that is used; 0 for the table's last.",
              _CAM.format("CAMEND(1) = 3\n"), 0.0, 0, 16777215),
     setting_row("CAMAMPLITUDE", MASTER_SETTING, "number", "Factor of the positions of a cam.",
-             _CAM.format("CAMAMPLITUDE(1) = 2\n"), 1.0, -_LARGEST, _LARGEST),
+             _CAM.format("CAMAMPLITUDE(1) = 2\n"), 1.0, -_MAX_VALUE, _MAX_VALUE),
     index_row("CAMINDEX", "The segment of the cam that is executing, 0 without a cam.",
            _CAM.format("") + "\nPRINT CAMINDEX(1)",
            Actions(read=of(Environment, lambda e, axis: e.controller.cam_index(axis) + 1))),

@@ -9,8 +9,8 @@ from __future__ import annotations
 from bisect import bisect_right
 from itertools import pairwise
 
-from motionlang.controller.faults import Refusal
-from motionlang.controller.motion.profile_playback import Played
+from motionlang.controller.faults import Rejected
+from motionlang.controller.motion.profile_playback import Playback
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.buffer import loads
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 SECOND = 8
 # Minimum and maximum time of a segment in ms, and the step to which it is rounded.
-SHORTEST, LONGEST, STEP = 4, 60000, 2
+MIN_TIME, MAX_TIME, STEP = 4, 60000, 2
 DEFAULTS = {"SPLINESTART": 1, "SPLINETIME": 100}
 
 
@@ -71,13 +71,13 @@ class Splines(Settings):
                 velocities = [0.0 if first_time else velocities[-1], *velocities]
             return points, velocities, times
         except ValueError as problem:
-            raise Refusal("range", f"axis {axis} cannot follow the spline: {problem}") from None
+            raise Rejected("range", f"axis {axis} cannot follow the spline: {problem}") from None
 
     def _points(
         self, axis: int, mode: int, start: float
     ) -> tuple[list[float], list[float] | None, list[float]]:
         if axis not in self.arrays:
-            raise Refusal(
+            raise Rejected(
                 "range", f"axis {axis} has no spline", f"write SPLINETABLE({axis}, positions) first"
             )
         positions, velocities, times = self.arrays[axis]
@@ -105,18 +105,18 @@ class Splines(Settings):
 def seconds(milliseconds: float) -> float:
     """Return the time of a segment in seconds, in whole steps of the controller.
 
-    Raises Refusal if the time is out of range.
+    Raises Rejected if the time is out of range.
     """
-    if not SHORTEST <= milliseconds <= LONGEST:
+    if not MIN_TIME <= milliseconds <= MAX_TIME:
         words = f"a segment of a spline cannot take {milliseconds:g} ms"
-        raise Refusal("range", words, f"it takes {SHORTEST} to {LONGEST} ms, in steps of {STEP}")
+        raise Rejected("range", words, f"it takes {MIN_TIME} to {MAX_TIME} ms, in steps of {STEP}")
     return STEP * int(milliseconds // STEP) / 1000.0
 
 
 def _part(array: Array, first: int, end: int) -> list[float]:
     values = elements(array, "SPLINETABLE")
     if len(values) < end:
-        raise Refusal("range", f"SPLINETABLE: one of the arrays has {len(values)} segments and another {end}",
+        raise Rejected("range", f"SPLINETABLE: one of the arrays has {len(values)} segments and another {end}",
                       "the arrays must be equally long")  # fmt: skip
     return values[first:end]
 
@@ -152,12 +152,12 @@ def do_table(
 def put_spline(splines: Splines, row: Keyword, axis: int, mode: int, line: int) -> None:
     """SPLINE: run through the table once or continuously.
 
-    Raises Refusal unless the axis is idle and its buffer empty.
+    Raises Rejected unless the axis is idle and its buffer empty.
     """
     check(row, mode)
     controller = splines.controller
     if not controller.is_idle(axis) or controller.axes[axis].buffer:
-        raise Refusal("moving", f"axis {axis} is moving, or its buffer is not empty",
+        raise Rejected("moving", f"axis {axis} is moving, or its buffer is not empty",
                       "a spline needs the axis idle and nothing else in its buffer")  # fmt: skip
 
     def make(start: float) -> Timed:
@@ -176,7 +176,7 @@ def read_index(splines: Splines, axis: int) -> int:
     It is computed from the number of segments that remain.
     """
     a = splines.controller.axes[axis]
-    if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Played):
+    if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Playback):
         return 0
     path, place, _ = a.move.action.state(splines.controller, a)
     ahead = len(path.knots) - 1 - bisect_right(path.knots, place)

@@ -45,7 +45,7 @@ def suspend(environment: Environment, name: str, hold: bool = True) -> None:
     task.suspended = hold
     scheduler = environment.machine.scheduler
     if scheduler is not None:
-        scheduler.stir()
+        scheduler.invalidate_waits()
     if hold and task is environment.task:
         environment.clock.at(environment.clock.now, lambda: None)  # all tasks check again
     elif hold:

@@ -6,7 +6,7 @@ share that of the parent task. Terminal 1 is the console.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.mint.runtime.binding import of
@@ -49,17 +49,17 @@ class Terminals:
         if pattern == CURRENT:
             pattern = self.current
         elif not 1 <= pattern <= ALL:
-            raise Refusal(
+            raise Rejected(
                 "terminal", f"there is no terminal {pattern}", "they are 1, 2, 4 and so on up to 128"
             )
         return [1 << k for k in range(8) if pattern >> k & 1]
 
     def one(self, pattern: int) -> int:
-        """Return the only terminal of a pattern; raise Refusal if there are more."""
+        """Return the only terminal of a pattern; raise Rejected if there are more."""
         found = self.bits(pattern)
         if len(found) != 1:
             known = " and ".join(map(str, found)) or "none"
-            raise Refusal("one-terminal", f"INPUT uses one terminal, not {known}", "TERMINAL = 1")
+            raise Rejected("one-terminal", f"INPUT uses one terminal, not {known}", "TERMINAL = 1")
         return found[0]
 
     def write(self, text: str, pattern: int = CURRENT) -> None:

@@ -6,7 +6,7 @@ the full output, which is torque if the machine file gives the motor a current a
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
@@ -127,7 +127,7 @@ def read_current(environment: Environment, row: Keyword, axis: int, channel: int
     """
     if channel:
         hint = "channel 0 is the current of the motor, the only one that is simulated"
-        raise Refusal("channel", f"{row.name}: there is no current {channel}", hint)
+        raise Rejected("channel", f"{row.name}: there is no current {channel}", hint)
     return environment.controller.motor_current(axis)
 
 
@@ -139,7 +139,7 @@ _REFERENCE = Actions(
 _SETTING = Actions(read=reading(TorqueReferences), write=writing(TorqueReferences))
 _CURRENT = Actions(read=moving(of_word(Environment, read_current)))
 
-_LONGEST = 2147483647.0
+_MAX_TIME = 2147483647.0
 
 
 def _setting(name: str, unit: str, help: str, high: float, default: float = 0.0, effect: str = "") -> Keyword:
@@ -164,9 +164,9 @@ ROWS = (
     _setting("TORQUEREFSOURCE", "integer", "Source of the torque reference: 0 TORQUEREF, n analogue input n - 1.", 64,
              effect="hands-over"),
     _setting("TORQUEREFRISETIME", "number", "Milliseconds in which the output rises from 0 to 100 %; 0 for at once.",
-             _LONGEST),
+             _MAX_TIME),
     _setting("TORQUEREFFALLTIME", "number", "Milliseconds in which the output falls from 100 % to 0; 0 for at once.",
-             _LONGEST),
+             _MAX_TIME),
     _reading("TORQUEDEMAND", "", "axis", "%", Actions(read=moving(of(Environment, demand))),
              "Demand to the motor, percent of full scale: 0 if no motor is simulated."),
     _reading("EFFORT", "", "axis", "%", Actions(read=moving(of(Environment, lambda e, axis: abs(demand(e, axis))))),

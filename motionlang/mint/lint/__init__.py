@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.lint import has_host, silence
-from motionlang.lang.nesting import Room
+from motionlang.lang.nesting import StackSpace
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.compile.error_recovery import with_other_lines
 from motionlang.mint.keywords import table
@@ -20,13 +20,13 @@ from motionlang.mint.lint.blends import check_blends
 from motionlang.mint.lint.brackets import check_brackets
 from motionlang.mint.lint.buffer import Buffers
 from motionlang.mint.lint.effects import Facts
+from motionlang.mint.lint.iterations import check_iterations
 from motionlang.mint.lint.model import check_model
 from motionlang.mint.lint.motion import Motion, Reach
 from motionlang.mint.lint.names import check_names, check_tasks
 from motionlang.mint.lint.reachability import Ways
 from motionlang.mint.lint.servers import check_servers
 from motionlang.mint.lint.settings import Settings
-from motionlang.mint.lint.turns import check_turns
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax.nodes import Module
@@ -39,7 +39,7 @@ COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORE
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """Return all errors of a program and, if it compiles, all warnings."""
-    with Room():
+    with StackSpace():
         return _check(source, dict(settings or {}))
 
 
@@ -90,7 +90,7 @@ def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[D
     Settings(facts, follower, add).check()
     check_blends(facts, add)
     Ways(facts, follower, settings, add).check()
-    check_turns(facts, add)
+    check_iterations(facts, add)
     check_brackets(facts, module.places, add)
     check_names(facts, add)
     check_tasks(facts, add)

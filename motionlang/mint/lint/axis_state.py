@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 # No buffer holds more entries, so larger counts are not distinguished.
-MOST_ENTRIES = 101
+MAX_ENTRIES = 101
 
 
 @dataclass(frozen=True, slots=True)
@@ -307,7 +307,7 @@ class Follower:
     def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
             self._tell("scale-after-speed", step, act, act.axes[number], axis)
-        return replace(axis, waiting=min(axis.waiting + 1, MOST_ENTRIES), stale=frozenset())
+        return replace(axis, waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset())
 
     def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         return replace(self._entry(step, act, number, axis), target=None)

@@ -14,7 +14,7 @@ from motionlang.mint.syntax.traversal import walk
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from motionlang.lang.parsing.places import Places
+    from motionlang.lang.parsing.source_offsets import SourceOffsets
     from motionlang.mint.lint.effects import Facts
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
@@ -22,7 +22,7 @@ _BITS = frozenset("&|")
 _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
-def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> None:
+def check_brackets(facts: Facts, places: SourceOffsets, add: Callable[..., None]) -> None:
     """Report each comparison with an `&` or `|` that is not in brackets.
 
     The hint shows the line in both interpretations.
@@ -64,7 +64,7 @@ class _Chain:
     limit of a For.
     """
 
-    def __init__(self, places: Places, node: nodes.Binary) -> None:
+    def __init__(self, places: SourceOffsets, node: nodes.Binary) -> None:
         self.places = places
         self.inner: set[int] = set()
         self.operands: list[nodes.Expr] = []

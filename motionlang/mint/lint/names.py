@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.errors import nearest
 from motionlang.mint.lint.effects import Facts, Key
-from motionlang.mint.resolve.problems import MOST
+from motionlang.mint.resolve.problems import MAX_PROBLEMS
 from motionlang.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -91,7 +91,7 @@ class _Suggestions:
     __slots__ = ("_left",)
 
     def __init__(self) -> None:
-        self._left = MOST
+        self._left = MAX_PROBLEMS
 
     def alike(self, symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
         """Return the name of the most similar variable that is `wanted`, or None."""

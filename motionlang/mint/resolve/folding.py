@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.mint.runtime import functions
 from motionlang.mint.syntax import nodes
 
@@ -113,7 +113,7 @@ def binary(op: str, left: Known, right: Known) -> Known | None:
         return None
     try:
         return _fits(function(left, right), type(left) is int and type(right) is int)
-    except (Refusal, ArithmeticError, ValueError):
+    except (Rejected, ArithmeticError, ValueError):
         return None
 
 

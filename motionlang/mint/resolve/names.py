@@ -84,7 +84,7 @@ _SHOWS: dict[type, str] = {
     nodes.Exit: "exits",
 }
 # The maximum number of array elements. A typing error in a Dim must not exhaust the memory of the computer.
-MOST_ELEMENTS = 10_000_000
+MAX_ELEMENTS = 10_000_000
 # The maximum nesting of nodes when Defines stand for expressions that contain further Defines.
 MAX_DEFINED_DEPTH = 1000
 
@@ -336,8 +336,8 @@ class Names:
         count = 1
         for size in sizes:
             count *= size
-        if count > MOST_ELEMENTS:
-            self.problems.add("range", f"{node.name} has more than {MOST_ELEMENTS} elements", node.at,
+        if count > MAX_ELEMENTS:
+            self.problems.add("range", f"{node.name} has more than {MAX_ELEMENTS} elements", node.at,
                               hint="make the array smaller")  # fmt: skip
             return (1,) * len(sizes)
         return tuple(sizes)

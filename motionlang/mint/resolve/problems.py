@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from motionlang.mint.syntax.nodes import Module
 
 # More are not useful; most errors after the first hundred are consequences of earlier ones.
-MOST = 100
+MAX_PROBLEMS = 100
 
 
 class Problems:
@@ -30,7 +30,7 @@ class Problems:
     @property
     def is_full(self) -> bool:
         """True if no further problem is recorded."""
-        return len(self.found) >= MOST and self._wrong
+        return len(self.found) >= MAX_PROBLEMS and self._wrong
 
     def add(
         self, code: str, message: str, at: int, hint: str = "", severity: str = "error", fix: str = ""
@@ -39,7 +39,7 @@ class Problems:
 
         `fix` is the text that would replace the token.
         """
-        if len(self.found) < MOST or (severity == "error" and not self._wrong):
+        if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
             line, column, length = self._place(at)
             self.found.setdefault(

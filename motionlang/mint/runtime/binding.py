@@ -36,7 +36,7 @@ from __future__ import annotations
 from functools import partial
 
 from motionlang.controller.controller import SETTINGS
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
@@ -71,11 +71,11 @@ def row_of(name: str) -> Keyword:
 
 
 def check(row: Keyword, value: float) -> None:
-    """Raise Refusal if a value is outside the row's range; NaN is outside every range."""
+    """Raise Rejected if a value is outside the row's range; NaN is outside every range."""
     low, high = row.low, row.high
     if (low is not None and not value >= low) or (high is not None and not value <= high):
         limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
-        raise Refusal("range", f"{row.name} cannot be {value:g}", limits)
+        raise Rejected("range", f"{row.name} cannot be {value:g}", limits)
 
 
 class Each(dict[int, "Made"]):
@@ -188,7 +188,7 @@ def _is_checked(how: str, row: Keyword, maker: Maker) -> bool:
 
 
 def _in_range(row: Keyword, write: Operation, place: int) -> Operation:
-    """Return a write that raises Refusal for a value outside the row's range.
+    """Return a write that raises Rejected for a value outside the row's range.
 
     `place` is the position of the value among the arguments.
     """
@@ -267,7 +267,7 @@ def is_repeatable(how: str, row: Keyword) -> bool:
 
 
 def scale_of(environment: Environment, axis: int) -> Scale:
-    """Return the scale of an axis; raise Refusal if the axis does not exist."""
+    """Return the scale of an axis; raise Rejected if the axis does not exist."""
     try:
         return environment.controller.axes[axis].scale
     except KeyError:
@@ -275,14 +275,14 @@ def scale_of(environment: Environment, axis: int) -> Scale:
 
 
 def axis_of(environment: Environment, axis: int) -> int:
-    """Return the axis; raise Refusal if it does not exist."""
+    """Return the axis; raise Rejected if it does not exist."""
     scale_of(environment, axis)
     return axis
 
 
-def no_axis(environment: Environment, axis: int) -> Refusal:
+def no_axis(environment: Environment, axis: int) -> Rejected:
     axes = list(environment.controller.axes)
-    return Refusal("axis", f"there is no axis {axis}", f"this controller has axes {axes[0]} to {axes[-1]}")
+    return Rejected("axis", f"there is no axis {axis}", f"this controller has axes {axes[0]} to {axes[-1]}")
 
 
 @unchecked

@@ -23,7 +23,9 @@ def moving(make: Maker) -> Maker:
 
 def always(make: Maker) -> Maker:
     """Make a reading that changes all the time."""
-    return lambda environment, row: heard(environment, make(environment, row), environment.attention.at_once)
+    return lambda environment, row: heard(
+        environment, make(environment, row), environment.dependencies.at_once
+    )
 
 
 def repeatable(make: Maker) -> Maker:
@@ -37,11 +39,11 @@ def heard(environment: Environment, read: Callable[..., Any], until: Until) -> C
 
     `until` gets the indices and the level of comparison, as `read` does.
     """
-    attention = environment.attention
+    dependencies = environment.dependencies
 
     def heard(*where: Any) -> Any:
-        if attention.notes is not None:
-            attention.note(until, *where)
+        if dependencies.notes is not None:
+            dependencies.note(until, *where)
         return read(*where)
 
     return heard

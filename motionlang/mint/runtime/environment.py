@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import ceil, floor
 
-from motionlang.controller.faults import Refusal
-from motionlang.lang.attention import Attention
+from motionlang.controller.faults import Rejected
+from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.nesting import MAX_DEPTH
 from motionlang.lang.task import Wait
 from motionlang.mint.runtime.loop_log import looped, thrown
@@ -84,7 +84,7 @@ class Environment(Waits):
         self.task: MintTask
         # The times of its statements, and the dependencies that its readings record.
         self.statements = machine.statements
-        self.attention = Attention(machine.clock)
+        self.dependencies = Dependencies(machine.clock)
         self._waited = machine.log.waits.add
         self._ends = {}
         self._rests = None
@@ -250,12 +250,12 @@ class Environment(Waits):
 
         `level` is the value with which they are compared, if that is known.
         """
-        attention = self.attention
-        if attention.notes is not None:
+        dependencies = self.dependencies
+        if dependencies.notes is not None:
             if level is None:
-                attention.note(attention.at_once)
+                dependencies.note(dependencies.at_once)
             else:
-                attention.note(self._counted, base, level)
+                dependencies.note(self._counted, base, level)
         return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
@@ -376,7 +376,7 @@ class Environment(Waits):
             values += values[-1:] * (len(axes) - len(values))
         if len(values) != len(axes):
             names = ", ".join(map(str, axes))
-            raise Refusal(
+            raise Rejected(
                 "values",
                 f"AXES selects {len(axes)} axes ({names}), but {len(values)} values are given",
                 "end the list with ; to give the last value to all further axes",
@@ -453,9 +453,9 @@ class Environment(Waits):
         return room
 
     def too_deep(self) -> tuple[object, ...]:
-        """Raise Refusal, because a call exceeds the stack depth."""
+        """Raise Rejected, because a call exceeds the stack depth."""
         words = f"calls are nested more than {MAX_DEPTH} deep"
-        raise Refusal("recursion", words, "a sub or a Gosub calls itself endlessly")
+        raise Rejected("recursion", words, "a sub or a Gosub calls itself endlessly")
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
         """Handle the failure of a guarded statement.

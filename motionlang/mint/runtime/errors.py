@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal, names
+from motionlang.controller.faults import Rejected, names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ _PYTHON: tuple[tuple[type[BaseException], str, str], ...] = (
     (OverflowError, "overflow", "the result is too large for a number"),
 )
 # The exceptions that an ONERROR handler can handle.
-TROUBLE = (Refusal, ZeroDivisionError, OverflowError)
+TROUBLE = (Rejected, ZeroDivisionError, OverflowError)
 
 
 class Error:
@@ -89,7 +89,7 @@ class Errors:
         # True for an error that does not call ONERROR, if the program masks any.
         self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._heard, "error", "misc")
-        environment.controller.take_mishaps(self._mishap)
+        environment.controller.set_fault_handler(self._run_time_fault)
 
     # -------------------------------------------------------------------------------------- recording
 
@@ -98,20 +98,20 @@ class Errors:
 
         A `never` error is raised again, because a handler cannot fix it.
         """
-        if isinstance(trouble, Refusal) and trouble.code == "never":
+        if isinstance(trouble, Rejected) and trouble.code == "never":
             raise trouble
         code, message = _said(trouble)
         number, _ = NUMBERS.get(code, GENERIC)
         self._note(Error(number, message, line, SYNCHRONOUS, ()))
 
-    def _mishap(self, refusal: Refusal) -> bool:
+    def _run_time_fault(self, rejected: Rejected) -> bool:
         """Record an earlier command that cannot be carried out.
 
         Returns False without ONERROR, and the program ends with it.
         """
         if not self.environment.events.handles("onerror"):
             return False
-        self.failed(refusal, refusal.line)
+        self.failed(rejected, rejected.line)
         return True
 
     def _heard(self, what: str, axis: int) -> None:
@@ -216,14 +216,14 @@ class Errors:
         if self.shown is None and self.found:
             self._show(self.found[-1])
         if self.shown is None:
-            raise Refusal(
+            raise Rejected(
                 "not-primed", "the error registers are still empty", "read an error with ERRORREADNEXT first"
             )
         return self.shown
 
 
 def _said(trouble: BaseException) -> tuple[str, str]:
-    if isinstance(trouble, Refusal):
+    if isinstance(trouble, Rejected):
         return trouble.code, trouble.message
     for kind, code, message in _PYTHON:
         if isinstance(trouble, kind):
@@ -242,9 +242,9 @@ def text_of(number: int) -> str:
     return next((text for each, text in NUMBERS.values() if each == number), f"error {number}")
 
 
-def with_number(refusal: Refusal) -> None:
-    """Add Mint's own error number to the hint of a Refusal, if it is known."""
-    number, text = NUMBERS.get(refusal.code, GENERIC)
+def with_number(rejected: Rejected) -> None:
+    """Add Mint's own error number to the hint of a Rejected, if it is known."""
+    number, text = NUMBERS.get(rejected.code, GENERIC)
     if GENERIC[0] < number < FIRST_OWN:
         known = f"Mint error {number}, {text}"
-        refusal.hint = f"{refusal.hint} ({known})" if refusal.hint else known
+        rejected.hint = f"{rejected.hint} ({known})" if rejected.hint else known

@@ -7,7 +7,7 @@ no time to any task, so the run then ends with `never`.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import KINDS, RAISED_BY, SINGLE, kind_and_number
 from motionlang.mint.runtime.task import MintTask
@@ -136,14 +136,14 @@ class Events:
         self._timer_event = self.environment.clock.at(start + count * period, tick)
 
 
-def _never_ends(entry: tuple[int, int]) -> Refusal:
+def _never_ends(entry: tuple[int, int]) -> Rejected:
     """Return the error of handlers that raise themselves or each other forever."""
     kind, number = KINDS[entry[0]], entry[1]
     name = kind.upper() if kind in SINGLE else f"{kind.upper()}{number}"
     message = (
         f"handlers have raised {MAX_ROUNDS} events in a row, the last one {name}, and no task runs anymore"
     )
-    return Refusal("never", message, f"tasks continue when a handler ends without raising {name} again")
+    return Rejected("never", message, f"tasks continue when a handler ends without raising {name} again")
 
 
 class EventTask(MintTask):

@@ -7,7 +7,7 @@ decimals select the exponent form. A number that is too long for its width is pr
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 
 # Wider than any terminal: a wild width is an error, not a request for a gigabyte of blanks.
 WIDEST = 255
@@ -42,13 +42,13 @@ def using_text(value: str, width: int, decimals: int = 0) -> str:
 
 def _width(width: int) -> tuple[str, int]:
     if abs(width) > WIDEST:
-        raise Refusal("range", f"USING cannot be {width} wide", f"a width is at most {WIDEST}")
+        raise Rejected("range", f"USING cannot be {width} wide", f"a width is at most {WIDEST}")
     return ("+" if width < 0 else ""), abs(width)
 
 
 def _decimals(decimals: int) -> int:
     if abs(decimals) > WIDEST:
-        raise Refusal("range", f"USING cannot have {decimals} decimals", f"there are at most {WIDEST}")
+        raise Rejected("range", f"USING cannot have {decimals} decimals", f"there are at most {WIDEST}")
     return abs(decimals)
 
 

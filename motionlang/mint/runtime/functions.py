@@ -1,14 +1,14 @@
 """Mint's functions, and operators that differ in Python, for generated code.
 
 Every function here is named by a row of the keyword table or written by the compiler. Errors are raised as
-`Refusal`.
+`Rejected`.
 """
 
 from __future__ import annotations
 
 import math
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.mint.runtime.printing import show_float, show_integer, shows_float
 
 TYPE_CHECKING = False
@@ -30,8 +30,8 @@ def frozen(value: object) -> object:
 
 
 def overflow(value: float) -> int:
-    """Raise Refusal for an Integer result that does not fit in 32 bits."""
-    raise Refusal(
+    """Raise Rejected for an Integer result that does not fit in 32 bits."""
+    raise Rejected(
         "overflow", f"{value} does not fit an Integer", "an Integer holds -2147483648 to 2147483647"
     )
 
@@ -44,7 +44,7 @@ def integer(value: float) -> int:
     try:
         whole = int(value)
     except (ValueError, OverflowError):
-        raise Refusal("overflow", f"{show_float(value)} has no Integer value", "") from None
+        raise Rejected("overflow", f"{show_float(value)} has no Integer value", "") from None
     return whole if INT_LOW <= whole <= INT_HIGH else overflow(whole)
 
 
@@ -86,15 +86,15 @@ def shift_right(a: float, b: float) -> int:
 def _places(b: float) -> int:
     count = integer(b)
     if count < 0:
-        raise Refusal(
+        raise Rejected(
             "argument", f"bits cannot be shifted by {count} positions", "shift in the other direction"
         )
     return min(count, 32)
 
 
 def index(value: int, size: int) -> int:
-    """Raise Refusal for a subscript outside 1 … size."""
-    raise Refusal("index", f"there is no element {value}: the subscript must be 1 to {size}",
+    """Raise Rejected for a subscript outside 1 … size."""
+    raise Rejected("index", f"there is no element {value}: the subscript must be 1 to {size}",
                   "the first element of an array has the subscript 1")  # fmt: skip
 
 
@@ -105,13 +105,13 @@ def subscript(value: float, size: int) -> int:
 
 
 # The length of a String without a size. Without a bound a loop could exhaust the computer's memory.
-LONGEST = 65_535
+MAX_TEXT = 65_535
 
 
 def fit(text: str, size: int) -> str:
     """Fit a text into a String of `size` characters."""
     if len(text) > size:
-        raise Refusal("string-overflow", f"a text of {len(text)} characters does not fit a String * {size}",
+        raise Rejected("string-overflow", f"a text of {len(text)} characters does not fit a String * {size}",
                       "make the String longer")  # fmt: skip
     return text
 
@@ -124,7 +124,7 @@ def _number(name: str, function: Callable[..., float], *arguments: float) -> flo
         return function(*arguments)
     except ValueError:
         shown = ", ".join(f"{each:g}" for each in arguments)
-        raise Refusal(
+        raise Rejected(
             "argument", f"{name} has no value for {shown}", "test the value before this line"
         ) from None
 
@@ -174,7 +174,7 @@ def cosine(angle: float) -> float:
 def tangent(angle: float) -> float:
     below = cosine(angle)
     if below == 0:
-        raise Refusal("argument", f"Tan has no value at {angle:g} degrees", "")
+        raise Rejected("argument", f"Tan has no value at {angle:g} degrees", "")
     return 1.0 if angle % 180.0 == 45.0 else -1.0 if angle % 180.0 == 135.0 else sine(angle) / below
 
 
@@ -208,7 +208,7 @@ def code(text: str) -> int:
 def character(number: float) -> str:
     value = integer(number)
     if not 0 <= value <= 255:
-        raise Refusal("argument", f"there is no character {value}", "characters have codes from 0 to 255")
+        raise Rejected("argument", f"there is no character {value}", "characters have codes from 0 to 255")
     return chr(value)
 
 
@@ -247,14 +247,14 @@ def right(text: str, count: float) -> str:
 def middle(text: str, first: float, count: float = INT_HIGH) -> str:
     start = _count(first)
     if start < 1:
-        raise Refusal("argument", "the first character of a text has position 1", "")
+        raise Rejected("argument", "the first character of a text has position 1", "")
     return text[start - 1 : start - 1 + _count(count)]
 
 
 def _count(count: float) -> int:
     number = integer(count)
     if number < 0:
-        raise Refusal("argument", f"a number of characters cannot be {number}", "")
+        raise Rejected("argument", f"a number of characters cannot be {number}", "")
     return number
 
 

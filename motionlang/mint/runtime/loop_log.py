@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Open = tuple[int, float, tuple[int, ...]]
 
 # A loop of fewer statements leaves no record; it counts for the code around it.
-LEAST = 100.0
+MIN_STATEMENTS = 100.0
 
 
 def looped(
@@ -37,7 +37,7 @@ def looped(
     """
     count, base = begun
     since, until = base + count * statements.cost, statements.at(t)
-    if until - since > LEAST * statements.cost:
+    if until - since > MIN_STATEMENTS * statements.cost:
         callers = () if _getframe(2) is task.frame else task.callers(3)
         log.loops.add((task.name, at, since, until, (*callers, *called)))
 
@@ -46,7 +46,7 @@ def thrown(log: Log, statements: StatementTime, task: MintTask, jump: Exception,
     """Log the loops that a jump has left at statement `t`, in each frame on its path."""
     until = statements.at(t)
     for at, since, callers in task.loops_of(jump)[::-1]:
-        if until - since > LEAST * statements.cost:
+        if until - since > MIN_STATEMENTS * statements.cost:
             log.loops.add((task.name, at, since, until, callers))
 
 

@@ -12,12 +12,12 @@ record no dependencies in that time.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.task import INFINITY, WATCH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.attention import Note
+    from motionlang.lang.dependencies import Note
     from motionlang.mint.runtime.environment import Environment
 
     State = tuple[object, ...]
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 # The maximum number of unchecked iterations, more if arrays must be compared. They are counted in floats
 # because Python caches no integers of that size.
-MOST_ALONE = 4096.0
+MAX_BACK_OFF = 4096.0
 # The number of statements assumed for an iteration if iterations are not counted.
 STATEMENTS = 4.0
 
@@ -87,21 +87,21 @@ class Site:
         iteration leaves behind, after the count of the program's actions. The variables in `counters` decide
         nothing.
         """
-        attention, statements = self._environment.attention, self._environment.statements
+        dependencies, statements = self._environment.dependencies, self._environment.statements
         if look is not None:
             found = self.skip(t, horizon, look, state, counters) if look[0] == state else None
             if found is None:
                 self._environment.task.look = None
                 elements = sum([len(each) for each in state if isinstance(each, tuple)])
-                left, self.left = self.left, min(2.0 * self.left or 1.0, MOST_ALONE + 4 * elements)
+                left, self.left = self.left, min(2.0 * self.left or 1.0, MAX_BACK_OFF + 4 * elements)
                 if left:
-                    attention.rest()
+                    dependencies.rest()
                     return t, horizon, None, left, counters
             else:
                 self.left = 0.0
                 t, horizon, counters = found
         since = t, statements.base, statements.at(t), self._environment.resumed
-        return t, horizon, (state, counters, *since, *attention.begin()), 0.0, counters
+        return t, horizon, (state, counters, *since, *dependencies.begin()), 0.0, counters
 
     def skip(
         self, t: float, horizon: float, look: Look, state: State, counters: Counters
@@ -116,7 +116,7 @@ class Site:
         _, before, since, base, began, others, notes, first = look
         scheduler = environment.machine.scheduler
         assert scheduler is not None
-        now, level = statements.at(t), environment.attention.held(notes, first, began)
+        now, level = statements.at(t), environment.dependencies.held(notes, first, began)
         if level <= now:
             return None
         several = len(scheduler.tasks) > 1
@@ -139,7 +139,7 @@ class Site:
                 return None
             most = counted(counters, steps)
         if until == most == INFINITY:
-            raise Refusal("never", "the loop polls for something that can no longer happen", "")
+            raise Rejected("never", "the loop polls for something that can no longer happen", "")
         if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
             task.in_vain = began if level == scheduler.next_change() == INFINITY else None
         environment.task = task  # the conditions of other tasks may have set another running task

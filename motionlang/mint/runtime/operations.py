@@ -90,11 +90,11 @@ class Operations:
     def repeated(self, act: Callable[..., object], held: Callable[..., object]) -> Operation:
         """Return the operation of a write that a polling loop may repeat."""
         environment = self._environment
-        attention, clock = environment.attention, environment.clock
+        dependencies, clock = environment.dependencies, environment.clock
 
         def write(*arguments: object) -> None:
             acts = environment.acts
-            if attention.notes is None:  # this iteration is unchecked
+            if dependencies.notes is None:  # this iteration is unchecked
                 act(*arguments)
                 return
             before, made = held(*arguments), clock.made

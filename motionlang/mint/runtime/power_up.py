@@ -5,7 +5,7 @@ They are in its section `[assumptions]`.
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.switchable import word_of
@@ -41,6 +41,6 @@ class PowerUp:
         for name, write, given in self._writers:
             try:
                 write(axis, *given)
-            except Refusal as refusal:
-                message = f"the assumption {name} cannot be {given[0]:g}: {refusal.message}"
-                raise ProgramError([Diagnostic("machine-file", message, hint=refusal.hint)]) from None
+            except Rejected as rejected:
+                message = f"the assumption {name} cannot be {given[0]:g}: {rejected.message}"
+                raise ProgramError([Diagnostic("machine-file", message, hint=rejected.hint)]) from None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.task import INFINITY, GeneratorTask, Wait
 from motionlang.mint.runtime.loop_log import open_loops
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from types import FrameType
     from typing import Any
 
-    from motionlang.lang.attention import Note
+    from motionlang.lang.dependencies import Note
     from motionlang.lang.task import Delay
     from motionlang.mint.runtime.environment import Environment, Make
     from motionlang.mint.runtime.loop_log import Open
@@ -72,7 +72,7 @@ class MintTask(GeneratorTask):
         """Resume like any task, and notice what others did in the meantime."""
         environment, generator = self.environment, self._generator
         environment.task = self
-        clock, attention, statements = environment.clock, environment.attention, environment.statements
+        clock, dependencies, statements = environment.clock, environment.dependencies, environment.statements
         if environment.fired != clock.fired:  # as in `noticed`
             environment.fired = clock.fired
             environment.acts += 1
@@ -82,7 +82,7 @@ class MintTask(GeneratorTask):
             environment.leaps = clock.leaps
         acts = environment.acts
         notes = self.notes
-        attention.notes = [] if notes is None and attention.read is not None else notes
+        dependencies.notes = [] if notes is None and dependencies.read is not None else notes
         self.busy = 0.0
         place = statements.go_on(now, horizon)
         environment.set_time(place)
@@ -104,10 +104,10 @@ class MintTask(GeneratorTask):
             for at, since, callers in self.loops_of(end, "lr")[::-1]:
                 environment.machine.log.loops.add((self.name, at, since, end.time, callers))
             return end.time, None
-        except Refusal as refusal:
+        except Rejected as rejected:
             from motionlang.mint.runtime.errors import with_number
 
-            with_number(refusal)
+            with_number(rejected)
             raise
         else:
             kind = out.__class__
@@ -127,7 +127,7 @@ class MintTask(GeneratorTask):
                 time, wait, self.busy = statements.leave(count), None, busy * statements.cost
             else:
                 time, wait = out.since, out
-        self.notes = attention.notes
+        self.notes = dependencies.notes
         environment.ran = self
         if environment.acts != acts:  # it has acted, unless that was before its last check
             if self.look is None or self.look[0] != environment.acts:

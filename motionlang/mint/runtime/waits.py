@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from sys import _getframe
 
-from motionlang.controller.faults import Refusal
-from motionlang.lang.attention import Condition, next_tick
+from motionlang.controller.faults import Rejected
+from motionlang.lang.dependencies import Condition, next_tick
 from motionlang.lang.statement_time import EXACT, UNITS, units
 from motionlang.lang.task import Delay, Wait
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
-    from motionlang.lang.attention import Attention
+    from motionlang.lang.dependencies import Dependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.statement_time import StatementTime
     from motionlang.mint.runtime.errors import Errors
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 # More seconds than rounding can cause.
-SHORTEST = 1e-9
+MIN_WAIT = 1e-9
 # After this many waits, check if some can be packed. Python caches integers of that size.
 MANY = 256
 # The statement after a wait, and its horizon, if nothing else will happen.
@@ -41,14 +41,14 @@ UNBOUNDED = 0.0, INFINITY
 NAN = INFINITY - INFINITY
 # The milliseconds of the longest wait that is computed in whole units. The seconds of a longer one may round
 # to another unit.
-LONGEST = 1e6
+MAX_WAIT = 1e6
 
 
 class Waits:
     """The waits that `Environment` offers; `at` is the source offset of a statement."""
 
     acts: int
-    attention: Attention
+    dependencies: Dependencies
     clock: Clock
     fired: int
     machine: Machine
@@ -124,7 +124,7 @@ class Waits:
                 if len(scheduler.tasks) > 1:
                     moment = end()
                     if moment < scheduler.next_turn:
-                        reach = scheduler.passes_in_turn(since, moment, True)
+                        reach = scheduler.passes_among_others(since, moment, True)
                         if reach:
                             waited((task.name, at, since, moment, "condition", (), why, callers))
                             task.noticed(environment)
@@ -153,7 +153,7 @@ class Waits:
             self.task = task  # the condition may read the TIME of this task
             return ready()
 
-        return Condition(self.attention, test, since, why)
+        return Condition(self.dependencies, test, since, why)
 
     def _gone_on(
         self, since: float, cause: str, why: str, at: int, callers: tuple[int, ...]
@@ -194,7 +194,12 @@ class Rests:
 
     def rest_at(self, at: int, milliseconds: float | None, own: bool) -> Resting:
         """Return the function for a WAIT, as `Waits.rest_at` describes it."""
-        if own and milliseconds is not None and milliseconds / 1000.0 >= SHORTEST and milliseconds <= LONGEST:
+        if (
+            own
+            and milliseconds is not None
+            and milliseconds / 1000.0 >= MIN_WAIT
+            and milliseconds <= MAX_WAIT
+        ):
             wait_units = _whole(milliseconds * (UNITS / 1000.0))
             if wait_units and self._cost_units:
                 return self._literal(at, self._cost_units, wait_units)
@@ -263,7 +268,7 @@ class Rests:
             callers = () if own or _getframe(1) is task.frame else task.callers()
             if site is None or site[2] != callers or site[0] is not task.name:
                 site = task.name, at, callers, cost
-            if seconds >= SHORTEST:
+            if seconds >= MIN_WAIT:
                 end = end_units / UNITS
                 if end < statements.free:
                     tail.append((site, base, t, end))
@@ -278,7 +283,7 @@ class Rests:
                 if end_units < EXACT:
                     return self._in_turn(t, site, end, end_units)
             if not 0 <= milliseconds < INFINITY:
-                raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
+                raise Rejected("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
             # Too late for whole units to be distinct floats, or too short.
             return self._give_way(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
 
@@ -290,7 +295,7 @@ class Rests:
         statements, task, scheduler = environment.statements, environment.task, environment.machine.scheduler
         if scheduler is not None and end < scheduler.next_turn and task.look is None and task.in_vain is None:
             base = statements.base
-            reach = scheduler.passes_in_turn(base + t * statements.cost, end, False)
+            reach = scheduler.passes_among_others(base + t * statements.cost, end, False)
             if reach:
                 environment.machine.log.waits.add((site, base, t, end))
                 self.known, self.known_units = end, end_units
@@ -369,5 +374,5 @@ class Rest(Wait):
 
     def _condition(self) -> Wait:
         if self._asked is None:
-            self._asked = Condition(self._environment.attention, self._test, self.since, self.why)
+            self._asked = Condition(self._environment.dependencies, self._test, self.since, self.why)
         return self._asked

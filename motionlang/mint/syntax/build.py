@@ -36,14 +36,14 @@ if TYPE_CHECKING:
     from motionlang.lang.parsing.parser import Stack
 
 # Nesting of blocks. This is a limit of motionlang, not of Mint.
-DEEPEST = 200
-DEEPEST_EXPRESSION = (
+MAX_DEPTH = 200
+MAX_EXPRESSION_DEPTH = (
     200  # nesting of nodes; each level takes two or three of the compiler's 1,000 stack frames
 )
 LINKS = 50  # operations in a row that remain nested
 INFINITE = float("inf")
 _BEYOND = 1 << 1023
-MOST_NUMBERS = 50_000
+MAX_NUMBERS = 50_000
 ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 
@@ -79,7 +79,7 @@ class Numbers(dict[str, float]):
         value = number(text)
         if value == INFINITE:
             raise Misuse
-        if len(self) >= MOST_NUMBERS:  # bounds the memory of a long session
+        if len(self) >= MAX_NUMBERS:  # bounds the memory of a long session
             self.clear()
         self[text] = value
         return value
@@ -119,7 +119,7 @@ def body(stack: Stack) -> list[Stmt]:
         stack, _, value = stack
         if value.__class__ is list:
             depth += 1
-    if depth > DEEPEST:
+    if depth > MAX_DEPTH:
         raise TooDeep
     return []
 

@@ -13,10 +13,10 @@ from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang import typography
 from motionlang.lang.parsing.linked_stack import empty, expected, feed, feed_all
 from motionlang.lang.parsing.parser import BAD, END
-from motionlang.lang.parsing.places import Places
+from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.syntax import expectations
 from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_lines
-from motionlang.mint.syntax.build import DEEPEST, INFINITE, number
+from motionlang.mint.syntax.build import INFINITE, MAX_DEPTH, number
 from motionlang.mint.syntax.tables import TABLES
 
 TYPE_CHECKING = False
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
-MOST = 100  # more are not useful; a binary file has one on every line
+MAX_ERRORS = 100  # more are not useful; a binary file has one on every line
 
 
 def diagnose(source: Source) -> ProgramError:
@@ -55,7 +55,7 @@ class _Reader:
     def __init__(self, source: Source) -> None:
         self.texts = TABLES.texts(source.text)
         self.kinds = TABLES.kinds_of(self.texts)
-        self.places = Places(source, TABLES, self.texts, self.kinds)
+        self.places = SourceOffsets(source, TABLES, self.texts, self.kinds)
         self.diagnostics: list[Diagnostic] = []
         self.top = self.deepest = empty(TABLES)
         self.before = self.line = self.mark = self.top
@@ -63,9 +63,9 @@ class _Reader:
         self.spent: dict[int, int] = {}  # maps an opener to the inner opener that took its closer
 
     def read(self) -> None:
-        """Find the errors, up to `MOST`."""
+        """Find the errors, up to `MAX_ERRORS`."""
         at = 0
-        while at < len(self.kinds) and len(self.diagnostics) < MOST:
+        while at < len(self.kinds) and len(self.diagnostics) < MAX_ERRORS:
             closer = self._closer(at, at + 1) if at == self.start else ""
             if closer:
                 self._watch_columns(closer)
@@ -76,14 +76,14 @@ class _Reader:
             at = self._after(at) if fits else self._mistake(at)
             if self.top.depth > self.deepest.depth:
                 self.deepest = self.top
-            if self.top.depth > 2 * DEEPEST and self._is_too_deep():
+            if self.top.depth > 2 * MAX_DEPTH and self._is_too_deep():
                 self.deepest = self.top
                 break
         if not self.diagnostics or at < len(self.kinds):
             self._report_depth()
 
     def _is_too_deep(self) -> bool:
-        return self.top.symbol == "_NL" and sum(cell.symbol == "body" for cell in self.top) > DEEPEST
+        return self.top.symbol == "_NL" and sum(cell.symbol == "body" for cell in self.top) > MAX_DEPTH
 
     def _report_depth(self) -> None:
         """Report blocks that are nested too deeply.
@@ -91,8 +91,8 @@ class _Reader:
         No other error is possible in a text that cannot be parsed and has no error so far.
         """
         blocks = opened_blocks(self.deepest)
-        if blocks and len(self.diagnostics) < MOST:
-            message = f"blocks are nested more than {DEEPEST} deep here"
+        if blocks and len(self.diagnostics) < MAX_ERRORS:
+            message = f"blocks are nested more than {MAX_DEPTH} deep here"
             hint = "move the inner ones into a Sub"
             self.report(
                 "syntax", message, blocks[min(1, len(blocks) - 1)].at, hint

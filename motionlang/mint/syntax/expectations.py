@@ -9,7 +9,7 @@ from motionlang.mint.syntax.tables import SPELLINGS
 VALUE = {"NUMBER", "STRING"}  # if both are valid, any value is
 STATEMENT = {"PAUSE", "DIM", "GOTO"}  # if all are valid, any statement is
 SEPARATORS = {"_NL", "COLON"}
-FEW = 3  # a longer list of alternatives does not help
+MAX_ALTERNATIVES = 3  # a longer list of alternatives does not help
 
 # An unexpected token, the token before it, and what the author probably meant.
 SLIPS = {
@@ -33,7 +33,7 @@ def message(kinds: set[str], kind: str, text: str) -> str:
     wanted = _things(kinds)
     if kind in SPELLINGS and kind.isalpha() and text.isalpha() and wanted == ["a name"]:
         return f"`{text}` is a word of the language and cannot be a name here"
-    if not wanted or len(wanted) > FEW:
+    if not wanted or len(wanted) > MAX_ALTERNATIVES:
         return f"{found(kind, text)} cannot stand here"
     sentence = f"expected {' or '.join(wanted)}"
     if kind in ("_NL", END):

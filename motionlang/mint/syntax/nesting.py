@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, LINKS
+from motionlang.mint.syntax.build import LINKS, MAX_EXPRESSION_DEPTH
 from motionlang.mint.syntax.nodes import Binary, Chain, Link, Module, Node
 
 # Nodes that nest inside an expression. Any other node, such as a statement, starts again at depth 0.
@@ -64,7 +64,7 @@ def check_depth(module: Module) -> None:
         raise ProgramError(
             Diagnostic(
                 "syntax",
-                f"the expression is nested more than {DEEPEST_EXPRESSION} deep",
+                f"the expression is nested more than {MAX_EXPRESSION_DEPTH} deep",
                 line,
                 places.column(at),
                 length=places.length(at),
@@ -80,7 +80,7 @@ def _too_deep(module: Module) -> list[Node]:
     waiting: list[tuple[Node, int]] = [(module, 0)]
     while waiting:
         node, depth = waiting.pop()
-        if depth > DEEPEST_EXPRESSION:
+        if depth > MAX_EXPRESSION_DEPTH:
             found.append(node)
         else:
             waiting += _children(node, depth + 1)

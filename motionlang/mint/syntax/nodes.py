@@ -19,7 +19,7 @@ from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.parsing.places import Places
+    from motionlang.lang.parsing.source_offsets import SourceOffsets
 
 # --------------------------------------------------------------------------------------------- expressions
 
@@ -422,7 +422,7 @@ class Placed(Node):
 
     __slots__ = ("places",)
 
-    places: Places
+    places: SourceOffsets
 
     def line(self, at: int) -> int:
         """Return the line, from 1, of a token; `at` is that of any node of the tree."""

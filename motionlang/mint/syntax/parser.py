@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from motionlang.lang.parsing.parser import BAD, Stuck, TooDeep
-from motionlang.lang.parsing.places import Places
-from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, Misuse
+from motionlang.lang.parsing.source_offsets import SourceOffsets
+from motionlang.mint.syntax.build import MAX_EXPRESSION_DEPTH, Misuse
 from motionlang.mint.syntax.tables import TABLES
 
 TYPE_CHECKING = False
@@ -33,7 +33,7 @@ def parse(source: Source) -> Module:
         from motionlang.mint.syntax.errors import diagnose  # imported only for a text with an error
 
         raise diagnose(source) from None
-    module.places = Places(source, TABLES, texts, kinds)
+    module.places = SourceOffsets(source, TABLES, texts, kinds)
     if not _short(module.places):
         from motionlang.mint.syntax.nesting import check_depth, flatten_chains
 
@@ -42,13 +42,13 @@ def parse(source: Source) -> Module:
     return module
 
 
-def _short(places: Places) -> bool:
+def _short(places: SourceOffsets) -> bool:
     """True if all lines are too short for an expression to be nested too deeply.
 
     `1+1+1…` takes two characters for a level.
     """
     lines = places.source.text.split("\n")
-    return not places.continues and max(map(len, lines)) <= 2 * DEEPEST_EXPRESSION
+    return not places.continues and max(map(len, lines)) <= 2 * MAX_EXPRESSION_DEPTH
 
 
 def is_complete(text: str) -> bool:

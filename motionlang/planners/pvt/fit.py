@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     Indices = NDArray[np.int64]
 
 MILLISECOND = 0.001
-LONGEST = 255
+MAX_SEGMENT_MS = 255
 FINE = 4
 """Points per millisecond at which a candidate segment is compared with the motion."""
 FINER = 20
@@ -45,7 +45,7 @@ class OutOfTolerance(ValueError):
 
     def __init__(self, tolerance: float, time: float) -> None:
         super().__init__(
-            f"no PVT segments of 1 to {LONGEST} ms follow the motion to {tolerance:g} counts "
+            f"no PVT segments of 1 to {MAX_SEGMENT_MS} ms follow the motion to {tolerance:g} counts "
             f"beyond {time:.3f} s"
         )
         self.tolerance = tolerance
@@ -218,8 +218,8 @@ def _promising(
 
     The check is at a few of their points; their error there is returned too.
     """
-    first = np.repeat(layer, LONGEST)
-    length = np.tile(np.arange(1, LONGEST + 1), len(layer))
+    first = np.repeat(layer, MAX_SEGMENT_MS)
+    length = np.tile(np.arange(1, MAX_SEGMENT_MS + 1), len(layer))
     keep = first + length <= motion.steps
     first, length = first[keep], length[keep]
     keep = parents[first + length] < 0

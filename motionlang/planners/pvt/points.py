@@ -15,10 +15,10 @@ from motionlang.planners.pieces import acceleration_in, jerk_in, position_in, ve
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.total import total
 
-LONGEST = 0.255
+MAX_SEGMENT = 0.255
 """The longest segment of a Copley drive, s: eight bits of milliseconds."""
 
-MOST_POINTS = 1_000_000
+MAX_POINTS = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +144,7 @@ def knots(profile: Profile) -> list[Knot]:
     return table
 
 
-def split_long(points: Sequence[Point], longest: float = LONGEST, grid: float = 0.001) -> list[Point]:
+def split_long(points: Sequence[Point], longest: float = MAX_SEGMENT, grid: float = 0.001) -> list[Point]:
     """Return absolute points with no segment over `longest`.
 
     Long segments are cut on the curve, which does not change. The cuts lie on whole multiples of `grid` after
@@ -152,8 +152,8 @@ def split_long(points: Sequence[Point], longest: float = LONGEST, grid: float = 
     """
     moving = until_end(absolute(points))
     duration = total(point.time for point in moving)
-    if not duration <= MOST_POINTS * longest:
-        raise ValueError(f"a move of {duration:.3g} s takes more than {MOST_POINTS} points")
+    if not duration <= MAX_POINTS * longest:
+        raise ValueError(f"a move of {duration:.3g} s takes more than {MAX_POINTS} points")
     profile, made = plan_points(moving), list[Point]()
     for i, point in enumerate(moving):
         count = -int(-point.time // longest) if point.time else 1

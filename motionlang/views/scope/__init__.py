@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from motionlang import __version__
-from motionlang.analysis.cycle.places import Places
 from motionlang.analysis.cycle.profile import TimeProfile
+from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.files import replacing
 from motionlang.log.records import GRAVE
 from motionlang.report import events as events_of
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from motionlang.analysis.compare.comparison import Comparison
-    from motionlang.analysis.cycle.chain import Link
+    from motionlang.analysis.cycle.critical_path import Link
     from motionlang.log.trace import Array, Trace
     from motionlang.result import Run
     from motionlang.servo.trace import ServoTrace
@@ -44,9 +44,9 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 PARTS = ("model", "panels", "draw", "path", "tools", "script")
-MOST = 200_000
+MAX_RECORDS = 200_000
 """The largest number of records on a page: moves, waits, events, channel changes."""
-LONGEST_LINE = 120
+MAX_LINE = 120
 """The largest number of characters of a program line shown next to the cursor."""
 
 
@@ -85,13 +85,13 @@ def page(
 
     `servos` has the simulated motion of the motors, by axis. The page opens with `window` and also has the
     rest of the run. The axes of the run `against` are drawn behind those of the same number. The `measured`
-    curves are drawn over them: axis, quantity, times (s) and values. Raises ValueError for more than `MOST`
+    curves are drawn over them: axis, quantity, times (s) and values. Raises ValueError for more than `MAX_RECORDS`
     records.
     """
     records = max(_records(each) for each in (run, against) if each is not None)
-    if records > MOST:
+    if records > MAX_RECORDS:
         raise ValueError(
-            f"the run has {records} records, but a page holds at most {MOST}; end the run sooner with --until"
+            f"the run has {records} records, but a page holds at most {MAX_RECORDS}; end the run sooner with --until"
         )
     name = printable(run.source.name)
     return Template(_part("page.html")).substitute(
@@ -140,7 +140,7 @@ def _data(
         "end": trace.end,
         "quantities": list(UNITS.items()),
         "phases": list(PHASES),
-        "source": {line: printable(run.source.line(line).strip())[:LONGEST_LINE] for line in lines},
+        "source": {line: printable(run.source.line(line).strip())[:MAX_LINE] for line in lines},
         "first": _first(window, trace),
         "against": None if against is None else _against(against),
         "events": happened,
@@ -188,7 +188,7 @@ def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
     """Return lanes of blocks: the run's critical path and the waits of each task."""
     chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
     bands: list[Row] = [{"name": "critical path", "spans": chain}]
-    places = Places(run)
+    places = SourcePositions(run)
     for task, waits in cycle.waits().items():
         spans = [
             [since, until, why or f"for {until - since:.6g} s", places.of(at, callers).line]

@@ -22,7 +22,7 @@ def longest(a: list[int], b: list[int]) -> int:
 
 @pytest.mark.parametrize("most", [600, 3, 0])
 def test_what_is_common_is_the_longest_there_is(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(align, "MOST_EDITS", most)
+    monkeypatch.setattr(align, "MAX_EDITS", most)
     draw = random.Random(4)
     for _ in range(500):
         a, b = ([draw.randrange(4) for _ in range(draw.randrange(13))] for _ in range(2))

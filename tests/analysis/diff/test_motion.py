@@ -10,7 +10,7 @@ import pytest
 from motionlang.analysis.diff import motion
 from motionlang.analysis.diff.motion import LOOKS, ROUNDING, Parting, parting
 from motionlang.controller.axis import Axis
-from motionlang.execution import run, settings_beside
+from motionlang.execution import run, settings_next_to
 from motionlang.log.track import WholeTrack
 from motionlang.result import Run
 from motionlang.source import Source
@@ -49,7 +49,7 @@ def pair(name: str) -> tuple[Run, Run]:
     path = SCRIPTS / name
     source, (was, is_) = Source.read(path), CHANGES[name]
     assert was in source.text
-    settings = settings_beside(path)
+    settings = settings_next_to(path)
     return tuple(  # type: ignore[return-value]
         run(Source(source.name, text), cache=False, machine=settings, until=60.0)
         for text in (source.text, source.text.replace(was, is_))

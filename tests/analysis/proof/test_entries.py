@@ -53,12 +53,12 @@ def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
     assert (row["duration"], result.proof().violations) == (pytest.approx(2.0), [])
     from motionlang.analysis.proof.checker import Proof
     from motionlang.analysis.proof.checker import Run as Ran
-    from motionlang.analysis.proof.outputs import judge_report
+    from motionlang.analysis.proof.outputs import check_report
     from motionlang.log.track import Recorded
 
     recorded, proof = Recorded(result.controller), Proof()
     assert result.orders is not None
-    judge_report(proof, Ran(recorded.axes, recorded.moves, result.orders, 2.0), [{**row, "duration": 5.2}])
+    check_report(proof, Ran(recorded.axes, recorded.moves, result.orders, 2.0), [{**row, "duration": 5.2}])
     assert [each.message for each in proof.violations] == [
         "axis 0 from 0.000000 s: the report has it end at 5.2 s, the run at 2 s"
     ]

@@ -89,7 +89,7 @@ def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
         count += 1
         return loads(data)
 
-    for name, value in (("MOST", 512), ("LEFT", 128), ("PART", 128)):
+    for name, value in (("MAX_TAIL", 512), ("LEFT", 128), ("PART", 128)):
         monkeypatch.setattr(stream, name, value)
     result = proved(JOGS.format(2000))
     monkeypatch.setattr(stream, "loads", counted)

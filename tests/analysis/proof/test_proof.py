@@ -297,7 +297,7 @@ def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
 
 def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """A run of the maximum of profiles is proved; with one more, nothing is recorded."""
-    monkeypatch.setattr("motionlang.log.orders.MANY_ALIKE", 1)
+    monkeypatch.setattr("motionlang.log.expected_motion.MANY_EQUAL", 1)
     program = (
         "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
     )
@@ -308,8 +308,8 @@ def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.
         (count, []),
         (count - 1, [f"0: nothing was verified: the run has more than {count - 1} profiles"]),
     ):
-        monkeypatch.setattr("motionlang.log.orders.MOST", most)
-        monkeypatch.setattr("motionlang.analysis.proof.prove.MOST", most)
+        monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", most)
+        monkeypatch.setattr("motionlang.analysis.proof.prove.MAX_PROFILES", most)
         ran = run(Source("move.mnt", program), cache=False, prove=True)
         assert ran.output == whole.output == ["4.0000"]
         assert [each.partition(" of motion")[0] for each in found(ran)] == told
@@ -328,11 +328,11 @@ def test_moves_that_are_ordered_alike_are_kept_as_one(
     """
     turn = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
     program = f"Dim i As Integer\nFor i = 1 To 60\n  {turn}Next\n"
-    monkeypatch.setattr("motionlang.log.orders.MOST", 62)
+    monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", 62)
     kept = proved(program).orders
     assert kept is not None
     assert (kept.is_full, len({id(each) for each in kept.of[0]})) == (False, 1 + orders)
-    monkeypatch.setattr("motionlang.log.orders.MOST", 4)
+    monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", 4)
     full = proved(program).orders
     assert full is not None
     assert full.is_full == (orders > 1)
@@ -340,8 +340,8 @@ def test_moves_that_are_ordered_alike_are_kept_as_one(
 
 def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The log has packed moves and profiles, a path among them."""
-    monkeypatch.setattr("motionlang.log.log.FIRST_LOOK", 4)
-    monkeypatch.setattr("motionlang.log.log.MOST_PROFILES", 40)
+    monkeypatch.setattr("motionlang.log.log.FIRST_CHECK", 4)
+    monkeypatch.setattr("motionlang.log.log.MAX_PROFILES", 40)
     monkeypatch.setattr("motionlang.log.log.LEFT_PROFILES", 4)
     monkeypatch.setattr("motionlang.log.trace.PROFILES", 8)
     move = "MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"

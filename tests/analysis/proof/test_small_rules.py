@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.analysis.proof.axes import _judge_knots
+from motionlang.analysis.proof.axes import _check_knots
 from motionlang.analysis.proof.checker import Proof, position
-from motionlang.analysis.proof.followers import FOUR, _judge_table, _moments, _wanted
-from motionlang.analysis.proof.paths import Way, _counts, _judge_along, spans_along
+from motionlang.analysis.proof.followers import FOUR, _check_table, _moments, _wanted
+from motionlang.analysis.proof.paths import PathLayout, _check_along, _counts, spans_along
 from motionlang.analysis.proof.segments import Span, _from
 from motionlang.analysis.proof.time_bounds import Law, lead
 from motionlang.execution import run
@@ -68,7 +68,7 @@ def test_a_curve_is_joined_as_its_table_says(name: str) -> None:
     kind, places, values, made, told = TABLES[name]
     some: Any = SimpleNamespace(index=1, starts=[0.0])
     proof, order = Proof(), Order("CurveFollow", 1, tie=Tie(some, table=(places, values, kind)))
-    _judge_table(proof, some, some, 0, order, table_curve(list(places), list(values), made))
+    _check_table(proof, some, some, 0, order, table_curve(list(places), list(values), made))
     assert [told in each.message for each in proof.violations] == [True] * bool(told)
 
 
@@ -89,7 +89,7 @@ def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: f
     other = Span(1.0, 1.0, (1e7 + gap, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
     some: Any = SimpleNamespace(index=0, starts=[1e6], profiles=[hold(0.0)])
     proof = Proof()
-    _judge_knots(proof, some, 0, Order("jog", 1), [fast, other])
+    _check_knots(proof, some, 0, Order("jog", 1), [fast, other])
     assert len(proof.violations) == told
 
 
@@ -115,7 +115,7 @@ def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
     half = plan_trapezoid(0.0, 15.0, 30.0, 60.0, 60.0)
     whole = chained(half, half.shifted(15.0))
     rows = [(whole, 0.0), (whole.scaled(0.0, 4.0 / 3.0), 0.0)]
-    found = spans_along(rows, Way(path, [0.0, 0.0]), whole.duration)
+    found = spans_along(rows, PathLayout(path, [0.0, 0.0]), whole.duration)
     assert found[-1].begin + found[-1].length == pytest.approx(whole.duration)
     assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
 
@@ -153,7 +153,7 @@ def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name
     )
     order = Order("path", 1, speed=0.05, rates=(2.0, 2.0), jerks=(10.0, 20.0), path=path)
     proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
-    _judge_along(proof, order, Way(path, [0.0]), [span], "here")
+    _check_along(proof, order, PathLayout(path, [0.0]), [span], "here")
     assert [each.message for each in proof.violations] == [f"here: {each}" for each in told]
 
 

@@ -6,7 +6,7 @@ from math import cos, hypot, inf, pi, sin
 
 import pytest
 
-from motionlang.analysis.proof.paths import Way
+from motionlang.analysis.proof.paths import PathLayout
 from motionlang.log.order import PathOrder
 
 FREE = (inf, inf)
@@ -19,13 +19,13 @@ def arc(angle: float) -> PathOrder:
 
 
 def test_a_quarter_of_a_circle_has_the_whole_acceleration_in_each_axis() -> None:
-    way = Way(arc(90.0), [10.0, 0.0])
+    way = PathLayout(arc(90.0), [10.0, 0.0])
     assert way.length == pytest.approx(5.0 * pi)
     assert way.rates(0.0, way.length, 3.0, 20.0) == pytest.approx([hypot(3.0, 40.0)] * 2)
 
 
 def test_a_part_of_an_arc_has_the_slopes_of_its_ends() -> None:
     begin, end = 30.0 * pi / 180.0, 50.0 * pi / 180.0
-    way = Way(arc(20.0), [10.0 * cos(begin), 10.0 * sin(begin)])
+    way = PathLayout(arc(20.0), [10.0 * cos(begin), 10.0 * sin(begin)])
     assert way.slopes(0.0, way.length) == pytest.approx([sin(end), cos(begin)])
     assert way.ends == pytest.approx([10.0 * cos(end), 10.0 * sin(end)])

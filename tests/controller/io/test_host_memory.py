@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.controller.clock import Clock
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.host_memory import HostMemory
 
 words = st.integers(-(2**31), 2**31 - 1)
@@ -43,7 +43,7 @@ def test_a_number_too_large_for_a_float_is_infinite() -> None:
     ("area", "element"), [("comms", 0), ("comms", 100), ("netdata", -1), ("netdata", 1000)]
 )
 def test_elements_that_do_not_exist(area: str, element: int) -> None:
-    with pytest.raises(Refusal):
+    with pytest.raises(Rejected):
         HostMemory().integer(area, element)
 
 

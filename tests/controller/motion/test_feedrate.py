@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.planners.reference import Slope
 from tests.controller.machines import machine, until
 
@@ -114,7 +114,7 @@ def test_a_speed_does_not_wake_an_axis_that_is_stopping() -> None:
 def test_a_live_speed_of_zero_is_refused_by_name() -> None:
     c = machine(feedrate_mode=0)
     c.move_to(0, 20.0)
-    with pytest.raises(Refusal, match="speed is 0"):
+    with pytest.raises(Rejected, match="speed is 0"):
         c.configure(0, "speed", 0.0)
 
 

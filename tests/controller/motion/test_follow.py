@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import turns, wrapped
 from tests.controller.machines import machine, until
 
@@ -85,7 +85,7 @@ def test_slaves_of_slaves() -> None:
     c.move_to(0, 20.0)
     assert until(c, 1.0).position(2) == pytest.approx(57.0)
     for slave, master in ((0, 2), (0, 0), (0, 1)):
-        with pytest.raises(Refusal, match="follow itself"):
+        with pytest.raises(Rejected, match="follow itself"):
             c.gear(slave, master, 1.0)
 
 
@@ -141,7 +141,7 @@ def test_a_slave_that_is_off_follows_nobody() -> None:
     c.jog(0, 10.0)
     until(c, 1.0).disable(1)
     assert until(c, 2.0).position(1) == pytest.approx(9.5)
-    with pytest.raises(Refusal, match="off"):
+    with pytest.raises(Rejected, match="off"):
         c.gear(1, 0, 1.0)
 
 
@@ -353,7 +353,7 @@ def test_a_table_that_is_none_is_refused(
     places: list[float], values: list[float], more: dict[str, Any], message: str
 ) -> None:
     c = machine()
-    with pytest.raises(Refusal, match=message):
+    with pytest.raises(Rejected, match=message):
         c.cam(1, 0, places, values, **more)
     assert c.is_idle(1)
 
@@ -519,7 +519,7 @@ def test_a_slave_of_a_slave_on_a_curve_follows_it_to_the_last_bits() -> None:
 
 
 def test_a_tie_that_lasts_goes_on_as_another_entry_of_the_log(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("motionlang.controller.motion.follow.MOST_PARTS", 3)
+    monkeypatch.setattr("motionlang.controller.motion.follow.MAX_FOLLOWED", 3)
     c = machine()
     c.gear(1, 0, 1.0, command="FOLLOW", line=2)
     for n in range(6):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from tests.controller.machines import machine, until
 
 
@@ -90,8 +90,8 @@ def test_an_axis_at_rest_starts_at_once() -> None:
 def test_a_jog_and_a_stop_have_no_end_point_to_change() -> None:
     c = machine()
     c.jog(0, 5.0)
-    with pytest.raises(Refusal, match="position"):
+    with pytest.raises(Rejected, match="position"):
         c.retarget_to(0, 3.0)
     c.stop(0)
-    with pytest.raises(Refusal, match="position"):
+    with pytest.raises(Rejected, match="position"):
         c.retarget_to(0, 3.0)

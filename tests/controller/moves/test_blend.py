@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import ABORT, Refusal
+from motionlang.controller.faults import ABORT, Rejected
 from tests.controller.machines import machine, until
 
 FAST, RATE, ERROR_RATE = 10.0, 100.0, 200.0
@@ -223,11 +223,11 @@ def test_a_limit_of_an_axis_acts_on_the_path_that_moves_it(axis: int) -> None:
 @pytest.mark.parametrize("name", CASES)
 def test_what_a_path_allows_of_no_other_motion_it_allows_while_it_is_blended(name: str) -> None:
     c = CASES[name].begin()
-    with pytest.raises(Refusal, match="on a path"):
+    with pytest.raises(Rejected, match="on a path"):
         c.define_position(0, 1.0)
-    with pytest.raises(Refusal, match="on a path"):
+    with pytest.raises(Rejected, match="on a path"):
         c.move_to(0, 1.0)
-    with pytest.raises(Refusal, match="on a path"):
+    with pytest.raises(Rejected, match="on a path"):
         c.jog(1, 1.0)
 
 
@@ -351,8 +351,8 @@ def test_a_path_that_is_run_through_is_not_blended() -> None:
     c.load_line_by([0, 1], [40.0, 0.0])
     c.load_line_by([0, 1], [0.0, 40.0])
     c.go([0])
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(Rejected) as rejected:
         until(c, 1.0).blend(0)
-    assert refusal.value.code == "contour-and-blend"
+    assert rejected.value.code == "contour-and-blend"
     c.clock.advance(100.0)
     assert [c.position(axis) for axis in (0, 1)] == [40.0, 40.0]

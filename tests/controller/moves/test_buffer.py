@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from tests.controller.machines import machine, until
 
 
@@ -124,8 +124,8 @@ def test_the_listeners_hear_when_more_places_are_free_than_asked_for() -> None:
 @pytest.mark.parametrize("duration", [-1.0, float("nan"), float("inf")])
 def test_a_time_that_is_none_is_refused(duration: float) -> None:
     c = machine()
-    with pytest.raises(Refusal):
+    with pytest.raises(Rejected):
         c.load_dwell(0, duration)
-    with pytest.raises(Refusal):
+    with pytest.raises(Rejected):
         c.load_pulse(0, 1, duration)
     assert c.room(0) == 2

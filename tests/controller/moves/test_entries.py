@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 
 
 def ready(axes: int = 2) -> Controller:
@@ -52,7 +52,7 @@ def test_a_table_is_looked_at_again_for_every_cycle() -> None:
 
 def test_a_bad_table_is_refused_when_it_is_loaded() -> None:
     controller = ready()
-    with pytest.raises(Refusal, match="cannot follow the table"):
+    with pytest.raises(Rejected, match="cannot follow the table"):
         controller.load_cam(1, 0, lambda start: ([0.0, 0.0], [start, start]))
     assert controller.room(1) == 4
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from tests.controller.machines import machine, until
 
 quick = settings(max_examples=60)
@@ -88,7 +88,7 @@ def test_a_path_takes_a_place_in_each_buffer() -> None:
     c.load_line_by([0, 1], [300.0, 200.0])
     assert [c.room(axis) for axis in c.axes] == [1, 1, 2]
     c.load_by(1, 1.0)
-    with pytest.raises(Refusal, match="axis 1 is full"):
+    with pytest.raises(Rejected, match="axis 1 is full"):
         c.load_line_by([0, 1], [300.0, 200.0])
     assert [c.room(axis) for axis in c.axes] == [1, 0, 2]
 
@@ -106,9 +106,9 @@ def test_two_paths_stop_in_the_corner_between_them() -> None:
     ("axes", "code"), [([0], "axis"), ([0, 0], "axis")]
 )  # fmt: skip
 def test_a_path_needs_different_axes(axes: list[int], code: str) -> None:
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(Rejected) as rejected:
         plane().load_line(axes, [1.0] * len(axes))
-    assert refusal.value.code == code
+    assert rejected.value.code == code
 
 
 def test_a_path_of_no_length_takes_no_time() -> None:
@@ -273,9 +273,9 @@ def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
     c.go([0])
     until(c, 0.3)
     for verb in ("move_to", "jog", "retarget_to", "define_position"):
-        with pytest.raises(Refusal) as refusal:
+        with pytest.raises(Rejected) as rejected:
             getattr(c, verb)(1, 5.0)
-        assert refusal.value.code == "moving"
+        assert rejected.value.code == "moving"
     assert place(until(c, 3.0)) == [3.0, 4.0]
 
 
@@ -283,9 +283,9 @@ def test_a_path_without_speed_is_refused_with_its_line() -> None:
     c = plane()
     c.configure(0, "speed", 0.0)
     c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 9)
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(Rejected) as rejected:
         c.go([0])
-    assert (refusal.value.code, refusal.value.line) == ("zero-speed", 9)
+    assert (rejected.value.code, rejected.value.line) == ("zero-speed", 9)
 
 
 def test_a_limit_stops_the_path() -> None:

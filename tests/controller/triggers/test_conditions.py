@@ -20,7 +20,7 @@ import pytest
 
 from motionlang.controller.axis import BY_INPUT, BY_WORD
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, Refusal
+from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, Rejected
 from motionlang.controller.triggers.conditions import ACTIONS
 from motionlang.controller.triggers.homing import Homing
 from motionlang.controller.triggers.limit import Limit
@@ -369,7 +369,7 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
     kind = KINDS[name]
     for action in ACTIONS:
         if way == "renamed" and not kind.renamed:
-            with pytest.raises(Refusal):
+            with pytest.raises(Rejected):
                 _at_moment(kind, way, action, motor)
             continue
         if way == "met":
@@ -446,7 +446,7 @@ def test_a_suspend_holds_and_lets_go(name: str) -> None:
             kind.begin(c)
             c.clock.advance(kind.moment)
             if name in REFUSING:
-                with pytest.raises(Refusal):
+                with pytest.raises(Rejected):
                     c.suspend(0, reason)
                 continue
             free = Free(kind, kind.moment, motor)

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.controller import triggers
 from motionlang.controller.controller import Controller
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.watch import arm
 
 TYPE_CHECKING = False
@@ -101,8 +101,8 @@ class Story:
                 ]
                 if due:
                     c.clock.at(min(due), lambda: self.note("other"))
-        except Refusal as refusal:
-            self.told.append(refusal.args)
+        except Rejected as rejected:
+            self.told.append(rejected.args)
 
     def tell(self) -> list[object]:
         for _ in range(self.draw.choice((2, 10, 50))):

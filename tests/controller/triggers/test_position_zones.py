@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.triggers.position_zones import Cells
-from motionlang.planners.extrapolation import Ahead
+from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.rate import Rate
 
 Told = list[tuple[float, int]]
@@ -90,7 +90,7 @@ def test_edges_repeat_turn_after_turn() -> None:
 @pytest.mark.parametrize("lead", [0.125, 0.25])
 def test_with_a_lead_an_edge_is_told_that_much_earlier(lead: float) -> None:
     c = machine()
-    cells, told = watched(c, (6.0, 10.0), view=partial(Ahead, lead=lead))
+    cells, told = watched(c, (6.0, 10.0), view=partial(Extrapolated, lead=lead))
     c.move_to(0, 20.0)
     c.clock.advance(1.5)
     assert [time for time, _ in told] == pytest.approx([1.0 - lead, 1.5 - lead])

@@ -50,7 +50,7 @@ def test_who_wants_to_know_at_once_is_told_once_of_each(monkeypatch: pytest.Monk
 
     That is at 4096, and after 4096 - 512 more, at 7680. A motion every 30 us makes 10 000 in 0.3 s.
     """
-    monkeypatch.setattr("motionlang.log.log.MOST_PROFILES", 4096)
+    monkeypatch.setattr("motionlang.log.log.MAX_PROFILES", 4096)
     told: list[tuple[float, int]] = []
 
     def begun(machine: Machine) -> None:

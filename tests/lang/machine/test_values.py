@@ -16,7 +16,7 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.keys import KEYS, REQUIRED, TABLES
 from motionlang.servo.settings import KEYS as SERVO_KEYS
 from motionlang.source import Source
-from tests.fuzz.guard import LONGEST, bounded
+from tests.fuzz.guard import MAX_SECONDS, bounded
 
 DIGITS = "1" + "0" * 400
 WRONG = [
@@ -227,7 +227,7 @@ def test_no_figure_of_a_motor_leaves_what_its_equations_can_hold(value: str) -> 
         except ProgramError:
             continue
         assert abs(float(value)) in (1e12, 1e-12)
-        with bounded(LONGEST):
+        with bounded(MAX_SECONDS):
             ran = motionlang.run(
                 Source("a.mnt", "MOVER(0) = 10\nGO(0)\n"), machine=settings, until=0.02, cache=False
             )

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.lang.attention import Attention
+from motionlang.lang.dependencies import Dependencies
 from motionlang.mccl.runtime.poll import Poll
 from tests.mccl.conftest import Runner
 
@@ -77,14 +77,14 @@ def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
     mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Few of thousands of passes are checked: one in 257 in the end."""
-    notes, note = 0, Attention.note
+    notes, note = 0, Dependencies.note
 
-    def counted(attention: Attention, until: Callable[..., float], *about: object) -> None:
+    def counted(dependencies: Dependencies, until: Callable[..., float], *about: object) -> None:
         nonlocal notes
-        notes += attention.notes is not None
-        note(attention, until, *about)
+        notes += dependencies.notes is not None
+        note(dependencies, until, *about)
 
-    monkeypatch.setattr(Attention, "note", counted)
+    monkeypatch.setattr(Dependencies, "note", counted)
     result = mccl(RECKONED.replace("500", "9000").replace("305", "9e9"), until=1.0)
     passes = result.time / (4 * 10e-6)
     assert passes > 20_000

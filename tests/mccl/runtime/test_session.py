@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
@@ -47,7 +47,7 @@ def test_registers_are_given_from_outside() -> None:
 
 
 def test_a_name_that_is_no_register() -> None:
-    with pytest.raises(Refusal, match="SPEED is no register"):
+    with pytest.raises(Rejected, match="SPEED is no register"):
         Prompt(SPEED=5.0)
 
 

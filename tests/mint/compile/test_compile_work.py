@@ -13,7 +13,7 @@ import pytest
 from motionlang.fast.ranges import ranges
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.lint import check
-from motionlang.mint.resolve.problems import MOST, Problems
+from motionlang.mint.resolve.problems import MAX_PROBLEMS, Problems
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
@@ -131,13 +131,13 @@ def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) ->
 
 
 def test_the_words_to_compare_with_are_collected_only_for_reported_mistakes() -> None:
-    problems = Problems(parse(Source("a.mnt", "a = 1\n" * MOST)))
+    problems = Problems(parse(Source("a.mnt", "a = 1\n" * MAX_PROBLEMS)))
     collected = []
 
     def words(at: int) -> list[str]:
         collected.append(at)
         return ["y"]
 
-    for at in range(2 * MOST):
+    for at in range(2 * MAX_PROBLEMS):
         problems.unknown("x is unknown", "x", partial(words, at), at)
-    assert collected == list(range(MOST))
+    assert collected == list(range(MAX_PROBLEMS))

@@ -44,10 +44,10 @@ def machine_of(path: Path) -> dict[str, object]:
 
 
 def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(splitting, "LONGEST", 6)
+    monkeypatch.setattr(splitting, "MAX_LINES", 6)
     monkeypatch.setattr(splitting, "SIZE", 4)
-    monkeypatch.setattr(splitting, "DEEPEST", 3)
-    monkeypatch.setattr(splitting, "MOST_LOOPS", 1)
+    monkeypatch.setattr(splitting, "MAX_INDENT", 3)
+    monkeypatch.setattr(splitting, "MAX_LOOPS", 1)
     monkeypatch.setattr(loops, "MANY_CASES", 1)
     monkeypatch.setattr(assembly, "SIZE", 4)
     monkeypatch.setattr(assembly, "SHORT", 0)

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.machine.machine import Machine
 from motionlang.mint.keywords import table
@@ -54,7 +54,7 @@ def beyond(row: Keyword) -> list[float]:
 def test_a_value_outside_the_range_of_its_row_is_refused(row: Keyword) -> None:
     write, where = bound(row, "write")
     for value in beyond(row):
-        with pytest.raises(Refusal, match=f"{row.name} cannot be ") as refused:
+        with pytest.raises(Rejected, match=f"{row.name} cannot be ") as refused:
             write(*where, value)
         assert refused.value.code == "range"
 
@@ -67,7 +67,7 @@ def test_words_that_take_any_number_are_these() -> None:
 @cases("row", OF_AXES, ids=lambda row: row.name)
 def test_an_axis_that_there_is_not_is_refused(row: Keyword) -> None:
     read, _ = bound(row, "read")
-    with pytest.raises(Refusal, match="there is no axis 99"):
+    with pytest.raises(Rejected, match="there is no axis 99"):
         read(99)
 
 

@@ -11,7 +11,7 @@ what INKEY gave it.
 
 from __future__ import annotations
 
-from motionlang.lang.asked import Asked, WorldRead
+from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.resolve.names import Names
@@ -26,8 +26,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
 
-    from motionlang.lang.asked import Read
     from motionlang.lang.keyword import Keyword
+    from motionlang.lang.loop_dependencies import Read
     from motionlang.mint.resolve.symbols import Function, Symbol
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
@@ -54,7 +54,7 @@ DRIVEN = {
 FIRST_KEY, LAST_KEY = 32, 126
 
 
-def asked(source: Source) -> Callable[[int], Asked | None]:
+def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
     """Return a function that gives what the loop or PAUSE at a token waits for."""
     module = parse(source)
     names = Names(table(), Problems(module), None)
@@ -79,16 +79,16 @@ class _Survey:
                     self._nodes[node.at] = node
             self._by_labels.update(_by_labels(function))
 
-    def at(self, place: int) -> Asked | None:
+    def at(self, place: int) -> LoopDependencies | None:
         """Return what the loop or PAUSE at a token waits for, None if there is none."""
         node = self._nodes.get(place)
         if isinstance(node, nodes.Pause):
-            return Asked(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
+            return LoopDependencies(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
         if node is not None:
             return self.loop(node)  # type: ignore[arg-type]
         return self.goto(self._by_labels[place]) if place in self._by_labels else None
 
-    def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> Asked:
+    def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
         """Return what a loop statement waits for."""
         conditions: list[nodes.Expr] = [] if isinstance(node, (nodes.For, nodes.Loop)) else [node.condition]
         why = ""
@@ -100,19 +100,19 @@ class _Survey:
         found.counts = isinstance(node, nodes.For)
         return found
 
-    def goto(self, body: list[nodes.Stmt]) -> Asked:
+    def goto(self, body: list[nodes.Stmt]) -> LoopDependencies:
         """Return what a loop of Gotos waits for."""
         jumps = (node for node in walk(body) if isinstance(node, nodes.Jump))
         unless = [node.unless for node in jumps if node.unless is not None]
         return self._asked(body, [*unless, *_deciding(body, LEAVES)], "")
 
-    def _asked(self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str) -> Asked:
+    def _asked(self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str) -> LoopDependencies:
         reached = list(self._reached(body))
         lines = frozenset(self._module.line(node.at) for node in reached)
         if not why and conditions:
             why = " or ".join(dict.fromkeys(map(shown, conditions)))
         within = self.reads([*conditions, *_deciding(reached, None)], reached)
-        return Asked(self.reads(conditions, reached), within, lines, why)
+        return LoopDependencies(self.reads(conditions, reached), within, lines, why)
 
     def reads(self, conditions: list[nodes.Expr], body: list[nodes.Node]) -> frozenset[Read]:
         """Return what the conditions of a loop read; `body` are the nodes of the loop."""

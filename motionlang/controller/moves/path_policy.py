@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from motionlang.planners.lookahead import Pace
 
 
-class Guide:
+class PathPolicy:
     """The pace and the joins of a path, with notifications of its progress.
 
     `scales` are the counts per user unit of each of its axes when the path was described.
@@ -25,7 +25,7 @@ class Guide:
         """Return speed and rates along the path now, user units."""
         raise NotImplementedError
 
-    def joins(self, own: Segment, following: Guide, its: Segment) -> bool:
+    def joins(self, own: Segment, following: PathPolicy, its: Segment) -> bool:
         """True if the path continues into the next one without a stop."""
         raise NotImplementedError
 

@@ -5,14 +5,14 @@ A loop is the commands between the target of a jump back and the jump.
 
 from __future__ import annotations
 
-from motionlang.lang.asked import Asked, WorldRead
+from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
 from motionlang.mccl.resolve.line import Line, lines_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from motionlang.lang.asked import Read
+    from motionlang.lang.loop_dependencies import Read
     from motionlang.mccl.resolve.command import Command
     from motionlang.source import Source
 
@@ -30,7 +30,7 @@ _KINDS = {
 }
 
 
-def asked(source: Source) -> Callable[[int], Asked | None]:
+def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
     """Return a function from the offset of a jump back to the reads of its loop."""
     lines = [line for line in lines_of(source.text) if isinstance(line, Line)]
     macros: dict[int, Line] = {}
@@ -38,7 +38,7 @@ def asked(source: Source) -> Callable[[int], Asked | None]:
         first = line.commands[0]
         if _verb(first) == "define_macro" and first.number is not None:
             macros[first.number] = line.rest(1)
-    found: dict[int, Asked] = {}
+    found: dict[int, LoopDependencies] = {}
     for line in lines:
         own = line.rest(1) if _verb(line.commands[0]) == "define_macro" else line
         for here, command in enumerate(own.commands):
@@ -49,7 +49,7 @@ def asked(source: Source) -> Callable[[int], Asked | None]:
                 reads = frozenset(read for each in commands for read in _read(each))
                 numbers = frozenset((line.number, *(macro.number for macro in called)))
                 why = "in " + ",".join(each.text for each in body)
-                found[own.places[here]] = Asked(reads, reads, numbers, why)
+                found[own.places[here]] = LoopDependencies(reads, reads, numbers, why)
     return found.get
 
 

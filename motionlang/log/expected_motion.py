@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from motionlang.controller.motion.follow import Gear
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.motion.jog import Jog
-from motionlang.controller.motion.profile_playback import Played
+from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.motion.reference import PositionReference, SpeedReference
 from motionlang.controller.moves.cam import CurveFollow
 from motionlang.controller.moves.geometry import Line
@@ -34,18 +34,18 @@ REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.
 SHIFTED = frozenset(("move", "jog", "stop", "Gear"))
 # Profiles of a run that are recorded for its proof; so many equal orders, as in a loop, count as one.
-MOST, MANY_ALIKE = 200_000, 50
+MAX_PROFILES, MANY_EQUAL = 200_000, 50
 # The corner, degrees, that counts as straight: guided paths join if they continue in the same direction, to a
 # thousandth per axis.
 STRAIGHT = 0.1
 _TIME = itemgetter(0)
 
 
-class Orders:
+class ExpectedMotion:
     """The records of a controller: `of` and `data` by axis, one per profile.
 
     A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis
-    was commanded to stop at once, with the keyword. Equal orders are one object. Beyond `MOST` profiles it
+    was commanded to stop at once, with the keyword. Equal orders are one object. Beyond `MAX_PROFILES` profiles it
     `is_full`, and stores nothing more. `unheeded` has, by axis and time, the effect of settings on a profile
     that they have not replaced. `offsets` has, by axis and time, the line and the distance of an OFFSET.
     `begun` has, by axis, the start times of motions with an entry of their own. `stops` has, by axis, the
@@ -131,11 +131,11 @@ class Orders:
             scales.append((now, a.scale.counts, a.scale.zero))
         if order.path is None and order.tie is None and order.points is None:
             known = self._known.get(order)
-            self._count += MANY_ALIKE if known is None else 1
+            self._count += MANY_EQUAL if known is None else 1
             order = self._known.setdefault(order, order)
         else:
-            self._count += MANY_ALIKE
-        if self._count <= MANY_ALIKE * MOST:
+            self._count += MANY_EQUAL
+        if self._count <= MANY_EQUAL * MAX_PROFILES:
             self.of[a.index].append(order)
             self.data[a.index].append(a.datum)
             return
@@ -167,7 +167,7 @@ class Orders:
             more.clear()
         self._known.clear()
 
-    def keep_whole(self) -> None:
+    def finish_updates(self) -> None:
         """Drop orders of profiles that an interrupt prevented.
 
         A profile on the track without an order is not checked.
@@ -302,7 +302,7 @@ class Orders:
             a = action.axes[0]
             began = self._entries.get(action.moves[0])
             leader = action.moves[0]
-            if action.guide is not None or began is None or not _own_speed(a, leader) > 0.0:
+            if action.policy is not None or began is None or not _own_speed(a, leader) > 0.0:
                 return  # while a speed is not above zero every plan is rejected
             wanted = _path(action, leader, self._nth[action], began[1])
             assert wanted.path is not None
@@ -403,7 +403,7 @@ def _paths_ahead(action: PathMove) -> list[PathMove]:
 def _angle_through(action: PathMove) -> float:
     """Return the angle up to which a path may be entered without a stop now."""
     master = action.axes[0]
-    if action.guide is not None:
+    if action.policy is not None:
         return STRAIGHT
     return master.contour_angle if master.contour_mode else 0.0
 
@@ -434,10 +434,10 @@ def _order(a: Axis) -> Order:
         return Order(type(action).__name__, move.line, rates=_rates(a, move), tie=_tie(action))
     if isinstance(action, Gear):
         return _stopped(a, move)
-    if isinstance(action, Played) and action.step:
+    if isinstance(action, Playback) and action.step:
         return Order("step", move.line, *_bounds(a, move), a.shape, step=action.step)
-    if isinstance(action, Played):
-        return Order("Played", move.line, points=action.ordered)
+    if isinstance(action, Playback):
+        return Order("Playback", move.line, points=action.ordered)
     if isinstance(action, SpeedReference) and not a.suspended:
         up, down = action.slopes
         goal = max(-a.max_speed, min(action.velocity, a.max_speed))
@@ -513,16 +513,16 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
     One that is still ahead gets the `run` it belongs to.
     """
     run = run or action.run
-    master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
+    master, leader, axes, policy = action.axes[0], action.moves[0], action.axes, action.policy
     shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
-    if guide is None:
+    if policy is None:
         speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
     else:
-        pace = guide.pace()
+        pace = policy.pace()
         shape, k, ramp = pace.shape, 1.0, pace.ramp
         speed, rates, jerks = pace.speed, (pace.accel, pace.decel), ENDLESS
     most_decel = tuple(each.max_decel for each in axes)
-    if guide is None and run is not None and run.ended and run.hard:
+    if policy is None and run is not None and run.ended and run.hard:
         rates = rates[0], master.error_decel
         most_decel = (INFINITY,) * len(axes) if run.ended == "fault" else most_decel
     rests = any(each.suspended for each in axes) or (run is not None and run.ended != "")

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.servo.discrete import discretise
-from motionlang.servo.foreseen import Foreseen
 from motionlang.servo.servo import Servo
+from motionlang.servo.speculative_points import SpeculativeGenerator
 from motionlang.servo.steps import put
 from motionlang.servo.stretch import run_steps
 
@@ -34,10 +34,10 @@ SEEN = ("encoder", "velocity", "error", "output", "current")
 SHORT = 64
 
 
-class Ahead(Servo):
+class SpeculativeServo(Servo):
     """One axis under servo, simulated ahead of time."""
 
-    points_of = Foreseen
+    points_of = SpeculativeGenerator
 
     @property
     def short(self) -> int:
@@ -62,12 +62,12 @@ class Ahead(Servo):
             done, self._state, self._points = nearer
             self._sample += done
         if self._sample < sample:
-            self.look(sample - self._sample)
+            self.run_block(sample - self._sample)
 
     def _mark(self) -> Mark:
         return self._state, self._sample, self._points, self._row
 
-    def look(self, count: int) -> Array:
+    def run_block(self, count: int) -> Array:
         """Run `count` samples and return a row for each of `SEEN`, in motor coordinates."""
         self._marks, self._stepped = [self._mark()], None
         made = np.empty((len(SEEN), count))

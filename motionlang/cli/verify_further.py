@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 
-def besides(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
+def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
     """Check, or rewrite, the scenarios and the sweep of a program, or one of them."""
     found = [
         _guarded(Verdict(path, "scenario"), _scenario, program, rewrite)

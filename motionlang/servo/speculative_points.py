@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _WORTHWHILE = 100
 
 
-class Foreseen(Generator):
+class SpeculativeGenerator(Generator):
     """A generator whose points do not depend on the number computed at once."""
 
     __slots__ = ()

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @record
-class Place:
+class SourcePosition:
     """A line, its sub ("" if none), and the lines of the calls that led there.
 
     The outermost call is first.
@@ -23,7 +23,7 @@ class Place:
     callers: tuple[int, ...]
 
 
-class Places:
+class SourcePositions:
     """The source positions of a run; each is looked up once."""
 
     def __init__(self, run: Run) -> None:
@@ -31,9 +31,9 @@ class Places:
         # From the compiled program, which has already been parsed, or parsed again.
         outline = None if run.program is None else run.program.outline
         self._blocks, self._lines = (run.dialect.blocks(run.source), {}) if outline is None else outline
-        self._called: dict[tuple[int, tuple[int, ...]], Place] = {}
-        self._at_lines: dict[int, Place] = {}
-        self._known: dict[tuple[int, tuple[int, ...]], Place] = {}
+        self._called: dict[tuple[int, tuple[int, ...]], SourcePosition] = {}
+        self._at_lines: dict[int, SourcePosition] = {}
+        self._known: dict[tuple[int, tuple[int, ...]], SourcePosition] = {}
 
     def line(self, at: int) -> int:
         """Return the line of a source offset."""
@@ -41,7 +41,7 @@ class Places:
             self._lines[at] = self._run.dialect.locate(self._run.source, at)[0]
         return self._lines[at]
 
-    def begin(self, task: str) -> Place | None:
+    def begin(self, task: str) -> SourcePosition | None:
         """Return the first line of a task or an event handler, or of the program, or None."""
         names = f"task {task}".lower(), f"event {task}".lower()
         block = next((block for block in self._blocks if block[0].lower() in names), None)
@@ -59,23 +59,23 @@ class Places:
         inside = [block for block in self._blocks if block[1] <= line <= block[2]]
         return min(inside, key=lambda block: block[2] - block[1])[0] if inside else ""
 
-    def of(self, at: int, callers: tuple[int, ...]) -> Place:
+    def of(self, at: int, callers: tuple[int, ...]) -> SourcePosition:
         """Return the source position of an offset that the offsets of `callers` led to."""
         key = at, callers
         if key not in self._known:
             line = self.line(at)
-            self._known[key] = Place(line, self.sub(line), tuple(map(self.line, callers)))
+            self._known[key] = SourcePosition(line, self.sub(line), tuple(map(self.line, callers)))
         return self._known[key]
 
-    def called(self, line: int, callers: tuple[int, ...]) -> Place:
+    def called(self, line: int, callers: tuple[int, ...]) -> SourcePosition:
         """Return the source position of a line that the lines of `callers` led to."""
         key = line, callers
         if key not in self._called:
-            self._called[key] = Place(line, self.sub(line), callers)
+            self._called[key] = SourcePosition(line, self.sub(line), callers)
         return self._called[key]
 
-    def at_line(self, line: int) -> Place:
+    def at_line(self, line: int) -> SourcePosition:
         """Return the source position of a line with unknown callers."""
         if line not in self._at_lines:
-            self._at_lines[line] = Place(line, self.sub(line), ())
+            self._at_lines[line] = SourcePosition(line, self.sub(line), ())
         return self._at_lines[line]

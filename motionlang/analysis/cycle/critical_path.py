@@ -12,10 +12,10 @@ from functools import cached_property
 from operator import itemgetter, sub
 
 from motionlang.analysis.cycle.motions import Motions
-from motionlang.analysis.cycle.places import Place, Places
 from motionlang.analysis.cycle.polls import Polls
-from motionlang.analysis.cycle.tasks import ended_at, kept_waits, parent_of
-from motionlang.lang.asked import MOVING
+from motionlang.analysis.cycle.source_positions import SourcePosition, SourcePositions
+from motionlang.analysis.cycle.tasks import all_waits, ended_at, parent_of
+from motionlang.lang.loop_dependencies import MOVING
 from motionlang.planners.total import exact_terms
 from motionlang.record import record
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     # One of several links that differ only in their times, with their durations: terms of an exact sum.
     Alike = tuple["Link", list[float]]
     # Its cause, source position, task, axes and the line that waited.
-    About = tuple[str, Place, str, tuple[int, ...], int]
+    About = tuple[str, SourcePosition, str, tuple[int, ...], int]
     Put = Callable[[float], None]
 
 # A wait ends up to this many statements after its cause; nothing else happens in between.
@@ -49,7 +49,7 @@ CAUSES = {
 }
 # Waits for these end because a move ended, if one did.
 MOVED = ("axis", "condition", MOVING)
-NOWHERE = Place(0, "", ())
+NOWHERE = SourcePosition(0, "", ())
 # The end of a wait.
 _UNTIL: Callable[[Wait], float] = itemgetter(3)
 # A list that stays empty: for a source position without a wait, or without a wait for a move.
@@ -69,7 +69,7 @@ class Link:
     begin: float
     end: float
     cause: str
-    place: Place
+    place: SourcePosition
     task: str
     axes: tuple[int, ...]
     waited: int = 0
@@ -92,7 +92,7 @@ class Strip:
     """
 
     def __init__(
-        self, place: Place, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
+        self, place: SourcePosition, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
     ) -> None:
         self.place, self.task, self.phases, self.axes, self.waited = place, task, phases, axes, waited
         self.begins: list[float] = []
@@ -123,12 +123,12 @@ class Strip:
 class _Loops:
     """The loop in which a task computes, followed backwards, and its interval."""
 
-    def __init__(self, chain: Chain, task: str) -> None:
+    def __init__(self, chain: CriticalPath, task: str) -> None:
         self._chain, self._task = chain, task
         self._low, self._high, self._depth = 1.0, 0.0, 0
         self._begun = self._over = _NOTHING
 
-    def take(self, begin: float, end: float, place: Place) -> bool:
+    def take(self, begin: float, end: float, place: SourcePosition) -> bool:
         """Charge computing to its loops; False at a position in a sub that a loop calls."""
         if self._low <= begin and end <= self._high:  # unchanged, the most frequent case
             if len(place.callers) > self._depth:
@@ -143,15 +143,15 @@ class _Loops:
         return True
 
 
-class Chain:
+class CriticalPath:
     """The critical path of one run, from its begin to its end without a gap."""
 
     def __init__(self, run: Run) -> None:
         self.motions = Motions(run)
-        self.places = Places(run)
+        self.places = SourcePositions(run)
         self._run = run
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
-        self._polls = Polls(run, self.motions, kept_waits(run))
+        self._polls = Polls(run, self.motions, all_waits(run))
         self._waits = self._polls.waits
         # Their ends, for tasks other than the only one, which are searched repeatedly.
         self._untils = {
@@ -215,10 +215,10 @@ class Chain:
         loops = _Loops(self, task) if task in self._polls.spans else None
         # Of the last wait at a position: cause, callers and position, and the appenders of begins and ends of
         # computing and of it.
-        known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
+        known: dict[int, tuple[str, tuple[int, ...], SourcePosition, Put, Put, bool, Put, Put]] = {}
         # Of the last move that was waited for there: line, axes, shape, position, and the appenders of begins
         # and ends.
-        moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, Place, Put, Put]] = {}
+        moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, SourcePosition, Put, Put]] = {}
         for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
             _, at, since, until, cause, what, _, callers = wait = waits[last]
             if since >= time or until > time + 1e-12:
@@ -303,13 +303,13 @@ class Chain:
         return self.motions.crossing(axes[0], time) if found is None and cause == MOVING else found
 
     def _compute(
-        self, begin: float, end: float, task: str, place: Place
-    ) -> tuple[float, float, Place | None]:
+        self, begin: float, end: float, task: str, place: SourcePosition
+    ) -> tuple[float, float, SourcePosition | None]:
         """Charge computing to its loops, and outside them to `place`; return a loop.
 
         A position in a sub that a loop calls is nearer than the loop, if the loop was running there.
         """
-        first: tuple[float, float, Place | None] = (1.0, 0.0, None)
+        first: tuple[float, float, SourcePosition | None] = (1.0, 0.0, None)
         waited = begin
         spans = self._polls.spans.get(task, [])
         number = bisect_right(spans, begin, key=itemgetter(1))
@@ -341,7 +341,7 @@ class Chain:
                 return CAUSES["input"]
         return CAUSES[wait[4]]
 
-    def _back(self, motion: Motion, time: float, task: str, waited: Place) -> tuple[str, float]:
+    def _back(self, motion: Motion, time: float, task: str, waited: SourcePosition) -> tuple[str, float]:
         """Charge a move to its line, and earlier moves of the buffer that it waited for.
 
         `waited` is the position that waited.
@@ -407,7 +407,7 @@ class Chain:
         begin = next((turn.time for turn in self._run.machine.log.turns if task in turn.tasks), 0.0)
         return parent, 0.0 if task == parent else begin
 
-    def _first_place(self, task: str) -> Place:
+    def _first_place(self, task: str) -> SourcePosition:
         """Return where a task begins, or its first wait if that is not known."""
         begin = self.places.begin(task)
         if begin is not None:
@@ -417,10 +417,10 @@ class Chain:
 
     # ---------------------------------------------------------------------------------------- charging
 
-    def _strip(self, cause: str, place: Place, task: str) -> Strip:
+    def _strip(self, cause: str, place: SourcePosition, task: str) -> Strip:
         """Return the strip of one phase.
 
-        There is one `Place` object for each source position.
+        There is one `SourcePosition` object for each source position.
         """
         key = id(place), cause, task
         if key not in self._strips:
@@ -428,11 +428,13 @@ class Chain:
             self._strips[key] = Strip(place, task, ((cause, 0.0),), waited)
         return self._strips[key]
 
-    def _add(self, begin: float, end: float, cause: str, place: Place, task: str) -> None:
+    def _add(self, begin: float, end: float, cause: str, place: SourcePosition, task: str) -> None:
         if end > begin:
             self._strip(cause, place, task).add(begin, end)
 
-    def _add_motion(self, motion: Motion, time: float, task: str, waited: Place, begin: float) -> None:
+    def _add_motion(
+        self, motion: Motion, time: float, task: str, waited: SourcePosition, begin: float
+    ) -> None:
         """Add a move from `begin` up to `time`.
 
         The callers of its line are not recorded; if its sub waited for it, those of the wait are used.
@@ -440,7 +442,7 @@ class Chain:
         if time > begin:
             self._strip_of(motion, task, waited, begin).add(begin, time)
 
-    def _strip_of(self, motion: Motion, task: str, waited: Place, begin: float = 0.0) -> Strip:
+    def _strip_of(self, motion: Motion, task: str, waited: SourcePosition, begin: float = 0.0) -> Strip:
         """Return the strip of a move, or of its rest from `begin` on."""
         _, began, line, axes, shape = motion
         place = self.places.at_line(line)

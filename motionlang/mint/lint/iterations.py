@@ -25,7 +25,7 @@ _UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.E
 _BLOCKS = frozenset(("move", "entry", "course", "path"))
 
 
-def check_turns(facts: Facts, add: Add) -> None:
+def check_iterations(facts: Facts, add: Add) -> None:
     """Report the first motion of each loop that every iteration replaces."""
     acts = {id(act.node): act for _, _, act in facts.all_acts()}
     for function in facts.functions:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _SIGNS = frozenset("+-~")
 
 
-class Places:
+class SourceOffsets:
     """Positions of the tokens of a source, from 1; ordinals count from 0."""
 
     __slots__ = ("_lines", "_matches", "_spans", "_tables", "_tokens", "source")

@@ -42,7 +42,7 @@ Invariants.
 - `POS > 50` is false at the exact time of 50, so a PAUSE is also tested just after a solved time (`_AFTER`).
 
 Cost. One test for each value read, plus one append while there is a client. A check solves each distinct
-dependency once. An iteration that reads more than `MOST` values is never skipped. Checks that fail cost
+dependency once. An iteration that reads more than `MAX_NOTES` values is never skipped. Checks that fail cost
 little, by exponential back-off in the clients: after a failed check a loop runs unchecked for 1, 2, 4, …
 iterations, and records nothing.
 """
@@ -61,17 +61,17 @@ if TYPE_CHECKING:
     Note = tuple[Callable[..., float], tuple[Any, ...]]
 
 # An iteration that reads more than this is not worth remembering.
-MOST = 500
+MAX_NOTES = 500
 # The profiler's period: how often a condition is checked if its readings cannot be solved.
 TICK = 1e-3
 # How long after a solved time a condition is checked: `POS > 50` is false at the exact time of 50.
 _AFTER = (0.0, 1e-12, 1e-10, 1e-8)
-_NOBODY_ASKS = (-INFINITY,)
+_NO_DEPENDENCY = (-INFINITY,)
 # The level of a value without a comparison, and that of a running maximum.
-_OF_LOOPS = (_NOBODY_ASKS, (INFINITY,))
+_OF_LOOPS = (_NO_DEPENDENCY, (INFINITY,))
 
 
-class Attention:
+class Dependencies:
     """The dependencies of the running task; `notes` is None without a subscriber.
 
     `read` has the dependencies of all tasks since a subscriber to all readings began; None while there is
@@ -94,11 +94,11 @@ class Attention:
         if read is not None:
             # Only a loop that executes its last iteration can use these levels instead of the exact value.
             read.add((self.at_once, ()) if about[-1:] in _OF_LOOPS else (until, about))
-            if len(read) > MOST:
+            if len(read) > MAX_NOTES:
                 self.read = None
-        if notes is not None and about[-1:] != _NOBODY_ASKS:
+        if notes is not None and about[-1:] != _NO_DEPENDENCY:
             notes.append((until, about))
-            if len(notes) > MOST:
+            if len(notes) > MAX_NOTES:
                 self.rest()  # a client then finds another list than the one it began with
 
     def rest(self) -> None:
@@ -135,14 +135,16 @@ class Attention:
 class Condition(Wait):
     """A wait for a condition: checked at solved times, events, or ticks if unsolvable."""
 
-    __slots__ = ("_attention", "_looked", "_notes", "_solved", "_test")
+    __slots__ = ("_dependencies", "_looked", "_notes", "_solved", "_test")
 
     cause = "condition"
     what = ()
     ends = None
 
-    def __init__(self, attention: Attention, test: Callable[[], object], since: float, why: str) -> None:
-        self._attention, self._test, self.since, self.why = attention, test, since, why
+    def __init__(
+        self, dependencies: Dependencies, test: Callable[[], object], since: float, why: str
+    ) -> None:
+        self._dependencies, self._test, self.since, self.why = dependencies, test, since, why
         self._notes: list[Note] = []
         # When the dependencies were recorded, after how many events, and the time for which they were last
         # solved.
@@ -150,39 +152,39 @@ class Condition(Wait):
 
     def ready(self) -> bool:
         """Return if the condition is true now, or immediately after."""
-        clock = self._attention.clock
+        clock = self._dependencies.clock
         now = clock.now
         self._looked = now, clock.fired
         looks = _AFTER if now == self._solved else _AFTER[:1]
         try:
-            return any(self._look(now + after * max(1.0, now)) for after in looks)
+            return any(self._evaluate(now + after * max(1.0, now)) for after in looks)
         finally:
             clock.now = now
 
     def due(self) -> float:
         """Return the next time at which the condition may change by itself."""
-        clock = self._attention.clock
+        clock = self._dependencies.clock
         now = clock.now
         if self._looked != (now, clock.fired):
             self.ready()  # other tasks have run since
         # After the time that was just checked.
         begin = now + 1e-7 * max(1.0, now) if now == self._solved else now
-        moments = [self._attention.until(begin, [each]) for each in set(self._notes)]
+        moments = [self._dependencies.until(begin, [each]) for each in set(self._notes)]
         moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
         self._solved = moment if moment > now else now + TICK
         return self._solved
 
-    def _look(self, moment: float) -> bool:
+    def _evaluate(self, moment: float) -> bool:
         """Evaluate the condition at a time, and store its dependencies."""
-        attention = self._attention
+        dependencies = self._dependencies
         notes: list[Note] = []
-        before, attention.notes = attention.notes, notes
-        attention.clock.now = moment
+        before, dependencies.notes = dependencies.notes, notes
+        dependencies.clock.now = moment
         try:
             return bool(self._test())
         finally:
-            self._notes = notes if attention.notes is notes else [(attention.at_once, ())]
-            attention.notes = before
+            self._notes = notes if dependencies.notes is notes else [(dependencies.at_once, ())]
+            dependencies.notes = before
 
 
 def next_tick(now: float) -> float:

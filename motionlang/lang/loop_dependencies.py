@@ -26,7 +26,7 @@ KINDS = {
 MOVING = "moving"
 
 
-class Asked:
+class LoopDependencies:
     """The readings that decide the duration of a loop or a wait at a source offset.
 
     `leaves`   the readings in the conditions that end it; none if it only computes
