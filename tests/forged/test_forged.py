@@ -25,7 +25,7 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("planners.parabolic", "parabolic_ramps", "(a - b) * down", "a - b", "parabolas of PMC.mcl"),
     ("planners.jerk", "plan_jerk", "first + slew", "first", "moves in S-ramps.mnt"),
     ("planners.jerk", "plan_jerk", "0.5 * (first + last)", "0.5 / (first + last)", "moves in S-ramps.mnt"),
-    ("planners.transition", "fade", "0.5 * a0", "0.5", "jogs in S-ramps.mnt"),
+    ("planners.transition", "initial_steps", "0.5 * a0", "0.5", "jogs in S-ramps.mnt"),
     ("planners.transition", "distance_of_steps", "0.5", "0.55", "events in S-ramps.mnt"),
     ("planners.ramp_down", "_on_slope", "index + 1", "index - 1", "S-curves of PMC.mcl"),
     ("planners.stop", "plan_velocity", "sign * after", "sign / after", "jogs in S-ramps.mnt"),

@@ -36,8 +36,8 @@ EQUIVALENT: dict[str, str] = {
         "whether a trace of no axis has none or one profile, of the thousands that a stretch may have"
     ),
     "motionlang/servo/discrete.py: exponential: 5 -> 6": ("halved and squared once more, which is the same"),
-    "motionlang/controller/feedback.py: Feedback: _judge: "
-    "was_calm and (not self.calm) -> was_calm or not self.calm": (
+    "motionlang/controller/feedback.py: Feedback: _check_standstill: "
+    "was_calm and (not self.at_standstill) -> was_calm or not self.at_standstill": (
         "one look more at the present sample, which finds nothing new"
     ),
     "motionlang/notes/slip.py: _beyond: 1.0 -> 2.0": ("a piece without an end has one acceleration for ever"),
@@ -93,7 +93,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/curve.py: Profile: positions: len(pieces) - 1 -> len(pieces) + 1": (
         "the last knot is the duration, which the time has been found to lie before"
     ),
-    "motionlang/planners/transition.py: fade: bounds.decel * bounds.decel -> bounds.decel / bounds.decel": (
+    "motionlang/planners/transition.py: initial_steps: bounds.decel * bounds.decel -> bounds.decel / bounds.decel": (
         "v0 beside it is at least as large as what can be lost by rounding there"
     ),
     "motionlang/planners/formula.py: Formula: _turn: last > 0.0 -> last >= 0.0": (
