@@ -85,7 +85,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("asked", "dependencies", "ends", "foreign", "literals", "parsing", "machine", "vocabulary"),
+        ("dependencies", "loop_dependencies", "ends", "foreign", "literals", "parsing", "machine", "vocabulary"),
         ("scheduler",),
     ),
     "controller": (

@@ -39,8 +39,8 @@ _NAMED = frozenset(("const", "dim", "nv"))
 _DECLARE = _NAMED | {"define"}
 # Control words that a statement may follow; after the others stands a condition.
 _BEFORE_STATEMENTS = frozenset(("then", "else", "do", "repeat", "loop", "define"))
-# Commands of MCCL whose parameter is a place in the program.
-_JUMPS = frozenset(("MD", "MC", "MJ", "GT", "JR", "JP"))
+# Verbs of MCCL whose parameter is a macro or a position in the program.
+_JUMPS = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
 # So many addresses are named in a hint.
 MAX_NAMED = 4
 
@@ -285,7 +285,7 @@ def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, To
     """Yield what a statement writes literals to, each literal, and whether it is the whole value."""
     kinds = [kind for kind, _, _ in statement]
     if kinds[0] in ("axis", "command"):
-        yield from _of_command(statement)
+        yield from _of_command(statement, language)
         return
     if kinds[0] == "control":
         if statement[0][1].lower() not in _BEFORE_STATEMENTS:
@@ -319,11 +319,12 @@ def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, To
                     yield base, token, whole
 
 
-def _of_command(statement: list[Token]) -> Iterator[tuple[str, Token, bool]]:
+def _of_command(statement: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
     axis = statement[0][1] if statement[0][0] == "axis" else ""
     command = next((text for kind, text, _ in statement if kind == "command"), "")
     number = next((token for token in statement if token[0] == "number"), None)
-    if command and number is not None and command.upper() not in _JUMPS:
+    row = language.table().get(command)
+    if command and number is not None and (row is None or row.verb not in _JUMPS):
         yield f"{axis}{command.upper()}", number, True
 
 

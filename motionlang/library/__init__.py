@@ -62,7 +62,7 @@ def run(
     from motionlang import execution
 
     for name, value in (("until", until), ("log_size", log_size)):
-        if value is not None and not 0.0 <= value < float("inf"):
+        if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
     return execution.run(
         _checked(program),

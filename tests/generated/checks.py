@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from motionlang import run
+from motionlang.execution import run
 from motionlang.errors import ProgramError
 from motionlang.report import text as report_of
 from motionlang.result import Run

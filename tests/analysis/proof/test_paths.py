@@ -31,7 +31,7 @@ def test_a_line_and_an_arc_that_are_run_through() -> None:
     )
     assert line.duration == pytest.approx(0.1 + 27.5 / 50)
     assert line.corner == pytest.approx(0.0, abs=0.01)
-    assert at_its_end(line) == "runs through"
+    assert at_its_end(line) == "continues"
     assert arc.length == pytest.approx(5 * pi, rel=1e-6)
     assert (arc.entry_speed, arc.exit_speed) == pytest.approx((50.0, 0.0))
     assert (arc.corner, at_its_end(arc)) == (None, "stops: no next path")
@@ -42,7 +42,7 @@ def test_a_line_and_an_arc_that_are_run_through() -> None:
     [
         ("", "0, 40", 90.0, "stops: corner of 90.0°"),
         ("CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 10\n", "30, 30", 45.0, "stops: corner of 45.0°"),
-        ("CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 60\n", "30, 30", 45.0, "runs through"),
+        ("CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 60\n", "30, 30", 45.0, "continues"),
         ("", "20, 0", 0.0, "stops: the paths are not joined"),
         ("", "-20, 0", 180.0, "stops: corner of 180.0°"),
     ],
@@ -85,6 +85,6 @@ def test_the_table() -> None:
         "0.000",
         "stops:",
         "no",
-        "path",
+        "next",
     ]
     assert text.splitlines()[-1].split()[: len(cells)] == cells

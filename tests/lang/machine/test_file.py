@@ -185,8 +185,8 @@ times = 100000
 """
     again, more = "[[input]] repeats before it ends", "every must be more than"
     assert mistakes(text) == [
-        (3, 1, "[[input]] cannot come again before it is over",
-         "give for, how long it lasts, or between, two positions of an axis"),
+        (3, 1, "[[input]] needs a duration to repeat",
+         "give for (a duration) or between (two positions of an axis)"),
         (7, 1, again, f"{more} 2"),
         (14, 1, "[[input]] needs a duration to repeat",
          "give for (a duration) or between (two positions of an axis)"),

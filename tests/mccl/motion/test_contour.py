@@ -264,4 +264,4 @@ def test_an_arc_described_while_a_path_stops_begins_where_it_rests(mccl: Runner)
 def test_a_path_cannot_begin_where_an_axis_runs_on_for_ever(mccl: Runner) -> None:
     result = mccl(f"{HEAD}3MN,2SM3,3VM,3DI0,3GO,1CP1,1MA500,2MA500", until=1.0)
     assert result.output == ["?-2"]
-    assert "axis 2 runs on without an end" in result.diagnostics[0].message
+    assert "axis 2 is jogging: no contour path can start from there" in result.diagnostics[0].message

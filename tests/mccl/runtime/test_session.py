@@ -47,7 +47,7 @@ def test_registers_are_given_from_outside() -> None:
 
 
 def test_a_name_that_is_no_register() -> None:
-    with pytest.raises(Rejected, match="SPEED is no register"):
+    with pytest.raises(Rejected, match="SPEED is not a register"):
         Prompt(SPEED=5.0)
 
 

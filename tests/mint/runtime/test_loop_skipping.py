@@ -334,7 +334,7 @@ def test_a_loop_that_looks_for_what_cannot_happen_is_told(text: str) -> None:
     assert diagnostic.code == "never"
 
 
-IN_VAIN = "and nothing could change what it looks at any more, since"
+IN_VAIN = "which could no longer change, since"
 
 
 def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> None:
@@ -343,7 +343,7 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
     )
     assert result.notes == [f"line 3: ParentTask still polled INX(3), {IN_VAIN} 0.051 s"]
     result = run(Source("a.mnt", "seen = 0\n" + TASKS), cache=False)
-    assert [each.partition(", and")[0] for each in result.notes] == [
+    assert [each.partition(", which")[0] for each in result.notes] == [
         "line 4: ParentTask still polled INX(1)",
         "line 8: first still polled INX(2)",
         "line 16: second still polled INX(3)",

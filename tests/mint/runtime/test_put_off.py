@@ -75,7 +75,7 @@ def test_a_move_that_is_put_off_and_then_finds_no_room_waits_for_it(before: int)
     moves = "MOVER(0) = 1 : MOVER(0) = 1 : GO(0) : MOVER(0) = 1\n"
     fill = "n = n + 1\n" * (before - 8)
     result = ran(f"{FILL}{settings}{moves}{fill}MOVER(0) = 1\nOUTX(0) = 1\n")
-    (full,) = [wait for wait in result.machine.log.waits if "room" in wait.why]
+    (full,) = [wait for wait in result.machine.log.waits if "space" in wait.why]
     (after,) = result.machine.log.outputs
     assert full.since == pytest.approx(before * STATEMENT)
     assert after.time == pytest.approx(full.until + STATEMENT)
