@@ -85,7 +85,16 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("dependencies", "loop_dependencies", "ends", "foreign", "literals", "parsing", "machine", "vocabulary"),
+        (
+            "dependencies",
+            "loop_dependencies",
+            "ends",
+            "foreign",
+            "literals",
+            "parsing",
+            "machine",
+            "vocabulary",
+        ),
         ("scheduler",),
     ),
     "controller": (

@@ -9,8 +9,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from motionlang.execution import run
 from motionlang.errors import ProgramError
+from motionlang.execution import run
 from motionlang.report import text as report_of
 from motionlang.result import Run
 from motionlang.source import Source
