@@ -50,7 +50,7 @@ def test_messages_name_pages_that_exist() -> None:
         for path in (ROOT / "motionlang").rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
-        for name in re.findall(r"docs/[\w/-]+\.\w+", node.value)
+        for name in re.findall(r"docs/[\w/.-]+\.\w+", node.value)
     }
     assert "docs/lint.md" in named
     assert sorted(name for name in named if not (ROOT / name).exists()) == []
