@@ -109,21 +109,21 @@ def run(
     """Run a program: a path, or a `Source` with its text.
 
     `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine file
-    beside the program, if it has one (ProgramError where that is wrong). `until` is the machine time at which the run
+    next to the program, if it has one (ProgramError if that is wrong). `until` is the machine time at which the run
     ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
     names, or for literals by address (lang/literals.py); `show` is called with everything the program prints, `pace`
     with the machine time about to be reached.
-    `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
-    with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
-    data outlives the run. With `prove` what `Run.proof` needs is kept. `log_size` is how many gigabytes the log may
-    take on the disk. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all that
-    was computed before it. `compiled` is what the dialect has made of the source before, for a machine that is as this
-    one wherever `Dialect.compiled_in` says that it matters. With `fast=False` the engine runs without
-    accelerators, as with `MOTIONLANG_FAST=0` in the environment: the result is the same, only later.
-    `inputs`, `analog`, `answers` and `keys` are what the options of `motionlang run` are, as texts or by channel, name
-    or prompt: `inputs={2: "1@0.5"}, answers={"Turns": 200}`. They are laid over the machine file.
-    Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
-    where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
+    `outside` is a world that acts by itself, such as a host; it controls how machine time passes. `begun` is called
+    with the machine when the program begins, for an observer. `nv` is the file in which the program's nv data outlives
+    the run. With `prove` the run stores what `Run.proof` needs. `log_size` limits the log on disk, in gigabytes. An
+    internal error is raised, or with `keep_crash` stored in `Run.crash` next to the results before it. `compiled` is
+    the compiled program of this source for a machine that agrees with this one wherever `Dialect.compiled_in` depends
+    on it. With `fast=False` the engine runs without accelerators, as with `MOTIONLANG_FAST=0` in the environment: the
+    result is the same, only later.
+    `inputs`, `analog`, `answers` and `keys` are those of the options of `motionlang run`, as texts or by channel, name
+    or prompt: `inputs={2: "1@0.5"}, answers={"Turns": 200}`. They override the machine file.
+    Mistakes in the program are reported in `Run.diagnostics`, never raised. Raise OSError if the file cannot be read,
+    ValueError if its name does not identify a dialect or `machine` has an invalid key or value.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)

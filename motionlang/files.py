@@ -220,7 +220,10 @@ def appending(path: str, *, new: bool) -> IO[bytes]:
 
 
 def create(path: str, content: bytes) -> None:
-    """Write a file that is not there yet, whole or not at all; FileExistsError if it is, OSError with its name."""
+    """Write a new file completely, or leave no file.
+
+    Raise FileExistsError if it is there already, OSError with its name for other failures.
+    """
     with open(path, "xb") as file:
         try:
             file.write(content)

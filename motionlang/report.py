@@ -291,7 +291,10 @@ def axes(run: Run) -> list[Row]:
 
 
 def assumptions(run: Run) -> list[str]:
-    """List the unconfirmed assumptions that the program depended on, by their names in docs/fidelity.md."""
+    """List the unconfirmed assumptions that the program depended on.
+
+    They have their names in docs/fidelity.md.
+    """
     from motionlang.assumptions.used import depended_on
 
     return depended_on(run.dialect, run.source.text, run.machine.settings)

@@ -247,7 +247,10 @@ def _lost(result: Run) -> list[Diagnostic]:
 
 
 def tell_guesses(result: Run) -> None:
-    """Warn if the result depends on guesses of the machine file: those that the run has come to."""
+    """Warn if the result depends on guesses of the machine file.
+
+    Only guesses that the run has reached count.
+    """
     machine = result.machine
     settings, found, count = machine.settings, [], 0
     tables: dict[str, list[Mapping[str, object]]] = {
@@ -287,7 +290,7 @@ def _counted(number: int, noun: str) -> str:
 
 
 def tell_unasked(result: Run) -> None:
-    """Warn of answers that no INPUT asked for."""
+    """Warn of answers that no INPUT used."""
     for text in result.machine.unasked():
         result.diagnostics.append(
             Diagnostic(

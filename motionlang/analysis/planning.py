@@ -42,10 +42,10 @@ class Plan:
     def program(
         self, dialect: str = "mint", *, axis: int | None = None, scale: float = 1.0, use_times: bool = False
     ) -> str:
-        """Return the program of the move in "mint" or "mccl"; ValueError for another language.
+        """Return the program of the move in "mint" or "mccl".
 
-        `axis` is the first of the language by default, `scale` the counts of a user unit. With `use_times` a
-        Mint program sets ACCELTIME and DECELTIME instead of rates.
+        Raise ValueError for another language. `axis` is the first of the language by default, `scale` the
+        counts of a user unit. With `use_times` a Mint program sets ACCELTIME and DECELTIME instead of rates.
         """
         if dialect not in WRITERS:
             raise ValueError(f"there is no dialect {dialect!r}: {' or '.join(WRITERS)}")

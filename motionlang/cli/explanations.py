@@ -1,6 +1,7 @@
-"""For the diagnostics that are met most often: a program that gets one, and the program without it.
+"""Examples for the most frequent diagnostics.
 
-Each is Mint unless it begins with a semicolon, which is a comment of MCCL. A test runs both.
+Each is a pair: a program that gets the diagnostic, and the program without it. Each is Mint unless it begins
+with a semicolon, which is a comment of MCCL. A test runs both.
 """
 
 from __future__ import annotations

@@ -49,9 +49,10 @@ def differences(program: str, result: Run) -> list[str]:
 
 
 def update(program: str, result: Run) -> bool:
-    """Rewrite the golden files of a program if its run differs or they have an old schema; True if rewritten.
+    """Rewrite the golden files of a program.
 
-    An OSError names the file.
+    They are rewritten if its run differs or if they have an old schema; True if so. An OSError names the
+    file.
     """
     try:
         if not differences(program, result) and _is_current(golden_files(program)[0]):

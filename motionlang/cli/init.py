@@ -1,4 +1,4 @@
-"""`motionlang init`: a first machine file for a program that was written for a machine."""
+"""`motionlang init`: write a draft machine file for an existing program."""
 
 from __future__ import annotations
 
@@ -61,7 +61,10 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def init_command(arguments: argparse.Namespace) -> int:
-    """Write the machine file of a program, or those of a folder, and run it; return the exit status."""
+    """Write and run the machine file of a program, or those of a folder.
+
+    Return the exit status.
+    """
     if not os.path.isdir(arguments.file):
         return _init(arguments, arguments.file)
     found = programs([arguments.file])
@@ -122,7 +125,10 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
 
 
 def _ask(source: Source, guesses: Guesses, reads: list[WorldRead]) -> dict[str, object]:
-    """Ask a person about each guess; return the settings that they gave, none if they pressed Enter each time."""
+    """Ask a person about each guess and return the settings that they gave.
+
+    There are none if they pressed Enter each time.
+    """
     fixed: dict[str, list[Entry]] = {}
     print(f"{_count(guesses)}. Enter keeps a guess, Ctrl-D keeps all that are left.")
     try:

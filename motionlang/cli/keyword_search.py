@@ -1,4 +1,4 @@
-"""Search of keywords by their descriptions: `motionlang keywords "stop at an input"`."""
+"""Search of keywords by description: `motionlang keywords "stop at an input"`."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _ENDINGS = ("ping", "ting", "ning", "ing", "ed", "es", "s")
 
 
 def search(question: str, tables: Mapping[str, Iterable[Keyword]]) -> tuple[dict[str, list[Keyword]], int]:
-    """Return the keywords that have the most words of a question, by language, and how many are omitted.
+    """Return the keywords that share the most words with a question, by language.
 
-    A word counts if a keyword's name contains it or its description has it in any form. Names come before
-    descriptions, then the order of the table.
+    The second result is how many are omitted. A word counts if a keyword's name contains it or its
+    description has it in any form. Names come before descriptions, then the order of the table.
     """
     words = [_stem(word) for word in dict.fromkeys(_words(question)) if word not in STOP_WORDS]
     scores: list[tuple[int, int, str, Keyword]] = []

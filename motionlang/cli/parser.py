@@ -42,7 +42,10 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = _NEGATIVE
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
-        """Read the options under their present spelling; each old one is reported as a note."""
+        """Read the options under their present spelling.
+
+        Each old spelling is reported as a note.
+        """
         return super().parse_known_args(None if args is None else list(map(self._current, args)), namespace)
 
     def _current(self, word: str) -> str:
@@ -117,10 +120,10 @@ def add_command(
 
 
 def arrange(parser: argparse.ArgumentParser, groups: Mapping[str, str]) -> None:
-    """Show options under headings in help; each group has its title and the names of its options.
+    """Show options under headings in help.
 
-    Options in no group stay under the general heading. Names that the parser does not have are skipped, so
-    that commands can share groups.
+    Each group has its title and the names of its options. Options in no group stay under the general heading.
+    Names that the parser does not have are skipped, so that commands can share groups.
     """
     for title, names in groups.items():
         actions = [parser._option_string_actions.get(f"--{name}") for name in names.split()]

@@ -65,7 +65,10 @@ def add_run(
     what: str = "the program; - reads standard input",
     out: tuple[str, str] | None = None,
 ) -> argparse.ArgumentParser:
-    """Add a command with the options of `run`; `out` is the option that its second argument stands for."""
+    """Add a command with the options of `run`.
+
+    `out` is the option whose value its second argument gives.
+    """
     parser = add_command(commands, name, summary, _run, epilog)
     parser.add_argument("file", metavar="FILE", help=what)
     if out is not None:

@@ -1,4 +1,4 @@
-"""`profile`, `certify`, `prove`, `plot` and `trace`: `run` with the option of that name.
+"""`profile`, `certify`, `prove`, `plot`, `trace`: `run` with that option.
 
 Each has the options of `run` and calls the same code.
 """

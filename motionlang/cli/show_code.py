@@ -1,4 +1,4 @@
-"""`motionlang run FILE --show-code` and `--show-tree`: what a program is compiled to, and its syntax tree."""
+"""`run --show-code` and `--show-tree`: generated code and syntax tree."""
 
 from __future__ import annotations
 

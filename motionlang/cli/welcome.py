@@ -1,4 +1,4 @@
-"""What `motionlang` says without a command: the next steps, with the programs of this folder."""
+"""`motionlang` without a command: next steps, with the programs of this folder."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.views.terminal import printable
 
-# The most programs that are named, and the most files that are looked at.
+# The most programs that are named, and the most files that are read.
 MAX_NAMED, MAX_FILES = 3, 10_000
 
 

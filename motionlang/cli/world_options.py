@@ -47,7 +47,10 @@ def add_world(parser: argparse.ArgumentParser, side: str = "") -> None:
 
 
 def world_of(arguments: argparse.Namespace, side: str = "") -> dict[str, list[str]]:
-    """Return what the options say, by the parameters of `with_entries`; empty without any."""
+    """Return the values of the options by the parameters of `with_entries`.
+
+    The result is empty without any such option.
+    """
     given = {each[1]: getattr(arguments, f"{each[1]}_{side}" if side else each[1]) for each in OPTIONS}
     return {parameter: texts for parameter, texts in given.items() if texts}
 
@@ -55,7 +58,10 @@ def world_of(arguments: argparse.Namespace, side: str = "") -> dict[str, list[st
 def with_world(
     settings: Mapping[str, object], world: Mapping[str, list[str]], file: str
 ) -> dict[str, object] | None:
-    """Return the settings with the entries of the options on top, None if one is wrong and has been reported."""
+    """Return the settings with the entries of the options on top.
+
+    None if an entry is wrong and has been reported.
+    """
     try:
         return with_entries(settings, **world)
     except WrongEntry as error:

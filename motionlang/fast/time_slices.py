@@ -133,7 +133,10 @@ class TimeSlices(Scheduler):
         return went > 0
 
     def _list_waits(self) -> bool:
-        """List the waits of all tasks and their ends; False if a task does not wait, or is alone."""
+        """List the waits of all tasks and their ends.
+
+        False if a task does not wait, or if there is only one task.
+        """
         known: list[Any] = list(map(_WAIT_OF, self.tasks))
         self._known = known
         if None in known or len(known) == 1:
@@ -145,7 +148,10 @@ class TimeSlices(Scheduler):
         return True
 
     def _end_round(self, task: Task, time: float, went: int) -> None:
-        """Leave a round to the scheduler after the slice of a task that does more than wait again."""
+        """Hand a round back to the scheduler after a slice that changes something.
+
+        The task does more in such a slice than wait again.
+        """
         if went + self._went > 1:
             self._calm = 0
         self._stalls = 0

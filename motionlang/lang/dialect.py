@@ -131,7 +131,10 @@ class Dialect:
         raise NotImplementedError
 
     def forms(self, row: Keyword) -> tuple[str, ...]:
-        """Return how a keyword is written, with a for an axis and n for a number; () if the row says it."""
+        """Return how a keyword is written, with a for an axis and n for a number.
+
+        The result is () if the keyword's row states it.
+        """
         return ()
 
     def models(self) -> tuple[str, ...]:
@@ -151,11 +154,14 @@ class Dialect:
         return {}
 
     def world_reads(self, source: Source) -> list[WorldRead]:
-        """Return where a program depends on digital inputs and keys, in the order of its lines."""
+        """Return where a program depends on digital inputs and keys, by line."""
         return []
 
     def driven_by(self, why: str) -> list[str]:
-        """Return the tables and keys of the machine file that could end the wait described by `why`."""
+        """Return the tables and keys of the machine file that could end a wait.
+
+        The text `why` describes the wait.
+        """
         return []
 
     def load(self, payload: bytes) -> Program:

@@ -1,6 +1,7 @@
-"""The options that end a wait which nothing else can end: `--input 2=1@0.5`, `--answer TEXT`, `--keys`.
+"""Options that end a wait: `--input 2=1@0.5`, `--answer TEXT`, `--keys`.
 
-The wait itself says what it is for, or else the condition at its place in the program does.
+They are for a wait that nothing else can end. The wait itself says what it is for, or else the condition at
+its place in the program does.
 """
 
 from __future__ import annotations

@@ -66,7 +66,10 @@ def driven_inputs(settings: Mapping[str, object]) -> set[int] | None:
 
 
 def has_host(source: Source, comment: re.Pattern[str]) -> bool:
-    """True if a comment says `lint: host`: a host reads and writes the global variables of the program."""
+    """True if a comment has `lint: host`.
+
+    A host then reads and writes the global variables of the program.
+    """
     if "lint:" not in source.text.lower():
         return False
     found = ((line, comment.search(line)) for line in source.text.split("\n") if "lint:" in line.lower())

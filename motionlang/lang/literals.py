@@ -1,4 +1,4 @@
-"""Literals of a program by address, so that `--set` and `--vary` reach a number that has no name.
+"""Literals by address: `--set` and `--vary` reach numbers without a name.
 
     SPEED[0]@12    the number that line 12 writes to SPEED of axis 0; SPEED(0)@12 and SPEED.0@12 are the same
     1SV@3          the parameter of the command 1SV in line 3
@@ -37,7 +37,7 @@ _DOTTED = re.compile(r"(\w+?)((?:\.\d+)+)")
 # Words that declare a name, whose value `--set NAME=VALUE` replaces.
 _NAMED = frozenset(("const", "dim", "nv"))
 _DECLARE = _NAMED | {"define"}
-# Control words that a statement may follow; after the others stands a condition.
+# Control words that a statement may follow; a condition follows the others.
 _BEFORE_STATEMENTS = frozenset(("then", "else", "do", "repeat", "loop", "define"))
 # Verbs of MCCL whose parameter is a macro or a position in the program.
 _JUMPS = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
@@ -104,9 +104,10 @@ def literals(source: Source, language: Dialect) -> list[Literal]:
 def edited(
     source: Source, language: Dialect, values: Values, found: Sequence[Literal] | None = None
 ) -> tuple[Source, dict[str, float | str], list[str]]:
-    """Return the program with the values of literals in its text, the values of names, and notes for the report.
+    """Return the edited program, the values of names, and notes for the report.
 
-    `found` are the program's `literals`, if they are known. Raises ProgramError with every address that is wrong.
+    The program has the values of literals in its text. `found` are the program's `literals`, if they are
+    known. Raises ProgramError with every address that is wrong.
     """
     addressed, named = _sorted(source, language, values)
     if not addressed:
@@ -135,10 +136,10 @@ def edited(
 def bound(
     source: Source, language: Dialect, values: Values, found: Sequence[Literal]
 ) -> tuple[Source, dict[str, str]] | None:
-    """Return the program with constants in place of literals, and their names by the names of `values`.
+    """Return the program with constants in place of literals, and their names.
 
-    Such a program is compiled once for many values. None if that is not possible: the language has no constants, or
-    a literal is not the whole value of a keyword.
+    The names are by those of `values`. Such a program is compiled once for many values. None if that is not
+    possible: the language has no constants, or a literal is not the whole value of a keyword.
     """
     if not language.constant:
         return None
@@ -167,7 +168,10 @@ def has_address(values: Values, language: Dialect) -> bool:
 
 
 def _replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
-    """Return a text with other words at some offsets, each with the length of what it replaces."""
+    """Return a text with other words at some offsets.
+
+    Each comes with the length of the text that it replaces.
+    """
     parts, end = [], 0
     for offset, (length, word) in sorted(edits.items()):
         parts += [text[end:offset], word]
@@ -178,7 +182,10 @@ def _replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
 def _sorted(
     source: Source, language: Dialect, values: Values
 ) -> tuple[dict[str, float | str], dict[str, float | str]]:
-    """Separate the values by address from those by name; a keyword is no name unless the program declares it."""
+    """Separate the values by address from those by name.
+
+    A keyword is not a name unless the program declares it.
+    """
     addressed: dict[str, float | str] = {}
     named: dict[str, float | str] = {}
     own: set[str] | None = None
@@ -196,7 +203,10 @@ def _sorted(
 
 
 def _declared(source: Source, language: Dialect) -> set[str]:
-    """Return the words of the statements that declare names, in lower case: a name may be that of a keyword."""
+    """Return the words of the statements that declare names, in lower case.
+
+    A declared name may be that of a keyword.
+    """
     found: set[str] = set()
     end, declares = 0, False
     for kind, text, offset in language.tokens(source.text):
@@ -210,7 +220,10 @@ def _declared(source: Source, language: Dialect) -> set[str]:
 
 
 def _chosen(found: Sequence[Literal], address: str) -> list[Literal]:
-    """Return the literals that an address means; raise ProgramError if there is none, or if it is not clear which."""
+    """Return the literals that an address means.
+
+    Raise ProgramError if there is none, or if the address is ambiguous.
+    """
     if address.startswith("line:"):
         line = int(address[5:])
         here = [each for each in found if each.line == line]
@@ -282,7 +295,10 @@ def _statements(text: str, language: Dialect) -> Iterator[list[Token]]:
 
 
 def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
-    """Yield what a statement writes literals to, each literal, and whether it is the whole value."""
+    """Yield the target of each literal of a statement, and the literal.
+
+    The third item is true if the literal is the whole value.
+    """
     kinds = [kind for kind, _, _ in statement]
     if kinds[0] in ("axis", "command"):
         yield from _of_command(statement, language)
@@ -329,7 +345,10 @@ def _of_command(statement: list[Token], language: Dialect) -> Iterator[tuple[str
 
 
 def _target(statement: list[Token], language: Dialect) -> tuple[str, str, list[Token]]:
-    """Return the word that a statement begins with, its index as text, and the tokens behind both."""
+    """Return the first word of a statement, its index as text, and the tokens.
+
+    The tokens are those behind both.
+    """
     word, index, end = statement[0][1], "", 1
     dotted = _DOTTED.fullmatch(word)
     if dotted is not None:
@@ -357,7 +376,10 @@ def _split(tokens: list[Token]) -> tuple[list[list[Token]], bool]:
 
 
 def _numbers(value: list[Token]) -> Iterator[tuple[Token, bool]]:
-    """Yield the numbers of a value, without those in the brackets of a word; a sign belongs to a lone number."""
+    """Yield the numbers of a value, without those in the brackets of a word.
+
+    A sign belongs to a lone number.
+    """
     if len(value) == 2 and value[0][1] == "-" and value[1][0] == "number":
         (_, _, begin), (_, text, offset) = value
         yield ("number", "-" + " " * (offset - begin - 1) + text, begin), True

@@ -58,7 +58,7 @@ class WorldRead:
               that jumps away at the other level), "test" (any other reading), "event" (a handler) or "key" (a key
               that the program compares with)
     `channel` the number of the input, or the code of the key; None if it is only known at run time
-    `level`   the level that lets the program go on, or makes a test true; None if that cannot be told
+    `level`   the level that lets the program go on, or makes a test true; None if that is unknown
     `line`    the line; `last` is the last line of a loop
     """
 

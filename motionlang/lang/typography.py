@@ -1,6 +1,7 @@
-"""Quotes, dashes and blanks that a word processor puts in the place of the plain ones of a program.
+"""Typographic quotes, dashes and blanks in place of a program's plain ones.
 
-`typographic` names the plain character, and `plain` replaces the typographic one for `check --fix`.
+Word processors insert them. `typographic` names the plain character, and `plain` replaces the typographic one
+for `check --fix`.
 """
 
 from __future__ import annotations
@@ -40,16 +41,20 @@ def typographic(text: str) -> tuple[str, str] | None:
 
 
 def unclosed(text: str) -> tuple[str, str] | None:
-    """Message and hint for a text that begins with a plain quote and has a typographic one; None for others."""
+    """Message and hint for a text with a plain and a typographic quote.
+
+    The text begins with the plain one. None for other texts.
+    """
     closing = _CLOSING.search(text, 1) if text[:1] == '"' else None
     return typographic(closing[0]) if closing else None
 
 
 def plain(line: str) -> tuple[int, str]:
-    """Return the length of the beginning of `line` to replace, and its plain text; (0, "") if that is not certain.
+    """Return the length of the beginning of `line` to replace, and its plain text.
 
-    The text begins at a typographic character, or at the plain quote of a text that a typographic one closes.
-    Of a text in quotes both quotes are replaced. A single quote begins a comment, unless there is a second one.
+    The result is (0, "") if that is not certain. The text begins at a typographic character, or at the plain
+    quote of a text that a typographic one closes. Of a text in quotes both quotes are replaced. A single
+    quote begins a comment, unless there is a second one.
     """
     kind, wanted = TYPOGRAPHIC.get(line[:1], ("", ""))
     if wanted == '"' or line[:1] == '"':

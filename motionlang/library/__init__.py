@@ -1,4 +1,4 @@
-"""The functions of the package for other Python programs: `motionlang.run` and its neighbours.
+"""The functions for other Python programs: `motionlang.run` and its neighbours.
 
 Each is thin: it checks its arguments, and opens the layer that does the work when it is called.
 """
@@ -122,9 +122,10 @@ def check(
 
 
 def profile(program: Program | Run) -> TimeProfile:
-    """Return where the time of a run goes: by line, sub, cause and axis, along the critical path.
+    """Return where the time of a run goes, along the critical path.
 
-    `program` is a `Run`, or a program that is run first. All times are seconds. Raises what `run` raises.
+    The time is split by line, sub, cause and axis. `program` is a `Run`, or a program that is run first. All
+    times are seconds. Raises what `run` raises.
     """
     from motionlang.analysis.cycle.profile import TimeProfile
 
@@ -132,12 +133,13 @@ def profile(program: Program | Run) -> TimeProfile:
 
 
 def diff(old: Side, new: Side, *tolerances: str) -> Difference:
-    """Return the difference between two runs: times, motion, output, events and errors.
+    """Return the difference between two runs.
 
-    Each side is a `Run`, a report, or a program that is run first. Moves, prints and events are aligned by
-    content, so a line that is inserted is no difference. `tolerances` are texts such as "time=1ms",
-    "position=0.01uu" or "speed=2%". The result has `same`, and its differences by kind. Raises ValueError for
-    a wrong tolerance or a report of an unknown version, and what `run` raises.
+    It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program that is
+    run first. Moves, prints and events are aligned by content, so a line that is inserted is no difference.
+    `tolerances` are texts such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and its
+    differences by kind. Raises ValueError for a wrong tolerance or a report of an unknown version, and what
+    `run` raises.
     """
     from motionlang.analysis.diff.reports import checked, difference
     from motionlang.analysis.diff.tolerance import Tolerance
@@ -154,14 +156,14 @@ def compare(
     tolerances: Mapping[str, float] | None = None,
     delay: float | None = None,
 ) -> Comparison:
-    """Compare a recording of a real controller with a run: residuals, lag and overshoot, move by move.
+    """Compare a recording of a real controller with a run.
 
-    `program` is a `Run`, or a program that is run first; `recording` is the path of a table of text.
-    `mapping` gives columns a meaning: {"time": "t*0.001", "position.0": "PosAct"}; a factor turns their
-    numbers into seconds or user units (uu). `tolerances` are the largest residuals allowed, uu, by "position"
-    or "position.0". `delay` is how many seconds the recording is later than the run; it is found without it.
-    Raises ProgramError if there is nothing to compare, ValueError for a wrong mapping, OSError if a file
-    cannot be read, and what `run` raises.
+    The result has residuals, lag and overshoot, move by move. `program` is a `Run`, or a program that is run
+    first; `recording` is the path of a table of text. `mapping` gives columns a meaning: {"time": "t*0.001",
+    "position.0": "PosAct"}; a factor turns their numbers into seconds or user units (uu). `tolerances` are
+    the largest residuals allowed, uu, by "position" or "position.0". `delay` is how many seconds the
+    recording is later than the run; it is found without it. Raises ProgramError if there is nothing to
+    compare, ValueError for a wrong mapping, OSError if a file cannot be read, and what `run` raises.
     """
     from motionlang.analysis.compare.comparison import Mapped, compare
     from motionlang.source import Source
@@ -180,11 +182,11 @@ def compare(
 
 
 def certify(program: Program | Run) -> list[Limit]:
-    """Return how far a run used each limit of its machine file: a line for each limit of each axis.
+    """Return how far a run used each limit of its machine file.
 
-    `program` is a `Run`, or a program that is run first. A limit has `reached`, `time` (s), `line`, `margin`
-    and `verdict`: "within", "exceeded" or "unknown". Raises ValueError if the machine file has no limits, and
-    what `run` raises.
+    There is a line for each limit of each axis. `program` is a `Run`, or a program that is run first. A limit
+    has `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". Raises
+    ValueError if the machine file has no limits, and what `run` raises.
     """
     from motionlang.analysis.certificate import LIMITS, certificate
 
@@ -196,11 +198,11 @@ def certify(program: Program | Run) -> list[Limit]:
 
 
 def prove(program: Program | Run) -> Proof:
-    """Check the motion of a run against the commanded limits, independently of the planner.
+    """Check the motion of a run against the commanded limits.
 
-    `program` is a `Run` made with `prove=True`, or a program that is run first. The result has `holds`,
-    `violations` and `worst`, the largest used fraction of each bound. Raises ValueError for a run without
-    `prove`, and what `run` raises.
+    The check is independent of the planner. `program` is a `Run` made with `prove=True`, or a program that is
+    run first. The result has `holds`, `violations` and `worst`, the largest used fraction of each bound.
+    Raises ValueError for a run without `prove`, and what `run` raises.
     """
     from motionlang.result import Run
 

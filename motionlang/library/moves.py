@@ -1,4 +1,4 @@
-"""The moves of a run as objects: `run.moves[0].duration`, and as a table of polars or pandas."""
+"""The moves of a run: `run.moves[0].duration`, or a polars or pandas table."""
 
 from __future__ import annotations
 
@@ -67,7 +67,10 @@ class Move:
 
 
 class Moves(Table, Sequence[Move]):
-    """The moves of a run in order of start time; also a table, by `to_polars` and `to_pandas`."""
+    """The moves of a run in order of start time.
+
+    They are also a table, by `to_polars` and `to_pandas`.
+    """
 
     __slots__ = ("_rows", "_run")
 
@@ -87,7 +90,10 @@ class Moves(Table, Sequence[Move]):
         return Move(self._rows[index], self._run)
 
     def columns(self) -> dict[str, list[Any]]:
-        """Return the columns by name: the fields of a move except its phases, then those of its motor."""
+        """Return the columns by name.
+
+        The fields of a move except its phases come first, then those of its motor.
+        """
         rows = [
             {name: row.get(name) for name in COLUMNS}
             | {"ended": row.get("ended", "")}

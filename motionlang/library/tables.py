@@ -1,4 +1,7 @@
-"""Rows as a table of polars or pandas, which are imported on use and need not be installed."""
+"""Rows as a table of polars or pandas.
+
+Both are imported on use and need not be installed.
+"""
 
 from __future__ import annotations
 
@@ -36,9 +39,10 @@ class Table:
 
 
 def transposed(rows: list[dict[str, Any]], names: tuple[str, ...] = ()) -> dict[str, list[Any]]:
-    """Return the columns of rows: those of `names` first, then others in order of appearance.
+    """Return the columns of rows.
 
-    A column with integers and floats has floats alone.
+    Those of `names` come first, then others in order of appearance. A column with integers and floats has
+    floats alone.
     """
     found = dict.fromkeys(names)
     for row in rows:

@@ -164,7 +164,10 @@ class Chunks:
         return self.firsts[0] if self.firsts else self.count
 
     def pack(self, rows: list[Any], *tails: list[Any]) -> None:
-        """Pack a chunk in place of the oldest records of each tail; Rejected without space."""
+        """Pack a chunk in place of the oldest records of each tail.
+
+        Raise Rejected without space.
+        """
         place, count = self._store.put(dumps(rows)), len(rows)
         self._total = self.count + len(tails[0])
         self._places.append(place)

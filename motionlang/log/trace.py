@@ -144,12 +144,12 @@ class Trace:
         quantities: Sequence[str] | None = None,
         until: float | None = None,
     ) -> NDArray[np.void]:
-        """Return a structured array, a row each 1/`rate` s and one at the end: `array["axis0_position_uu"]`.
+        """Return a structured array of samples: `array["axis0_position_uu"]`.
 
-        Its fields are `time_s` and those of each axis. `quantities` are "position", "velocity",
-        "acceleration" and "jerk", and with a simulated motor "actual", "following error", "output" and
-        "torque". Raises ValueError, with the choices, for an axis or a quantity that does not exist, for a
-        rate that is not above 0, and above 200 million rows.
+        It has a row each 1/`rate` s and one at the end. Its fields are `time_s` and those of each axis.
+        `quantities` are "position", "velocity", "acceleration" and "jerk", and with a simulated motor
+        "actual", "following error", "output" and "torque". Raises ValueError, with the choices, for an axis
+        or a quantity that does not exist, for a rate that is not above 0, and above 200 million rows.
         """
         for quantity in quantities or ():
             quantity_of(quantity)

@@ -64,7 +64,10 @@ class Mccl(Dialect):
         return listing(source)
 
     def parse(self, source: Source) -> Module:
-        """Return the lines of a text and their commands; ProgramError with all its syntax errors."""
+        """Return the lines of a text and their commands.
+
+        Raise ProgramError with all its syntax errors.
+        """
         from motionlang.errors import ProgramError
         from motionlang.mccl.syntax.tree import NotACommand, parse
 

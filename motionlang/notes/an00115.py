@@ -1,8 +1,9 @@
-"""ABB's note AN00115: the formula behind each figure of a trapezoidal move, and the shapes of its drawings.
+"""ABB's note AN00115: formulas of a trapezoidal move, and its drawings.
 
-The note's letters: D the distance, T the time of the move, Ta, Ts and Td its parts, Sp the slew speed. The distance is
-the area under the speed. If Ta = Td, the triangle of the deceleration, cut off and turned upside down, fits above the
-triangle of the acceleration: the area is then that of the rectangle Sp · (Ta + Ts).
+Each figure has its formula, and each drawing its shapes. The note's letters: D the distance, T the time of
+the move, Ta, Ts and Td its parts, Sp the slew speed. The distance is the area under the speed. If Ta = Td,
+the triangle of the deceleration, cut off and turned upside down, fits above the triangle of the acceleration:
+the area is then that of the rectangle Sp · (Ta + Ts).
 """
 
 from __future__ import annotations

@@ -98,9 +98,10 @@ def plan_course(
 def _eased(
     profile: Profile, stretches: Sequence[tuple[float, Pace]], joins: Sequence[float], slowed: int
 ) -> Profile:
-    """Plan again from the stretch on which a run that began too fast has slowed down, `slowed` before it.
+    """Plan again from the stretch on which a run that began too fast has slowed.
 
-    It was run at the slowest of all up to there, and on that stretch no faster; return the sooner one of both.
+    `slowed` stretches are before it. It was run at the slowest of all up to there, and on that stretch no
+    faster; return the sooner one of both.
     """
     place = total(length for length, _ in stretches[:slowed])
     time = profile.crossing(place)

@@ -89,9 +89,9 @@ def _language(section: Mapping[str, object], gains: Gains, model: str, scale: fl
 
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
-    """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it.
+    """Gains for the bandwidth, or a fraction of it that the plant can have.
 
-    The program's deadband of the output stays.
+    The fractions are a half, a quarter and so on. The program's deadband of the output stays.
     """
     from motionlang.servo.tuning import BeyondPlant, linearised, suggested_loop
 

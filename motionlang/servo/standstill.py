@@ -23,7 +23,10 @@ def extent(place: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
 
 
 class StandstillDetector:
-    """`at_standstill` while the motor is at standstill undisturbed, also before any command."""
+    """Detector of undisturbed standstill of a motor.
+
+    `at_standstill` is also true before any command.
+    """
 
     __slots__ = ("_before", "_rested", "_widest", "at_standstill")
 

@@ -61,7 +61,10 @@ def suggest(
 # Every axis with the same motor, whatever its friction, and every run of it in a session, needs the same.
 @lru_cache(maxsize=256)
 def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
-    """The loop of a suggestion for a `linearised` plant; it has no DAC steps and no deadband of the output."""
+    """The suggested loop for a `linearised` plant.
+
+    It has no DAC steps and no deadband of the output.
+    """
     if not 0.0 < target < inf:
         raise ValueError(f"the bandwidth must be greater than zero, not {target}")
     plain = replace(

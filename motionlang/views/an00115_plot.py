@@ -1,4 +1,7 @@
-"""The drawings of ABB's note AN00115 for any move: the trapezoid, and the rectangle of the same area."""
+"""Drawings of note AN00115 for any move: the trapezoid and its rectangle.
+
+The rectangle has the same area as the trapezoid.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,10 @@ if TYPE_CHECKING:
 
 
 def draw_plan(move: Move, path: str) -> None:
-    """Draw a move into a .png or .svg file; the rectangle only if acceleration and deceleration are equal."""
+    """Draw a move into a .png or .svg file.
+
+    The rectangle is drawn only if acceleration and deceleration are equal.
+    """
     equal = move["accel_time"] == move["decel_time"]
     with drawing(path, WIDTH, 6.4 if equal else 3.4) as figure:
         panels = figure.subplots(2 if equal else 1, 1, sharex=True, squeeze=False)[:, 0]

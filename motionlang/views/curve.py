@@ -21,7 +21,10 @@ COLUMNS = 600
 
 
 def velocity_curve(axis: Axis, end: float) -> str:
-    """Return the velocity of an axis (uu/s) from 0 to `end` seconds; "" if it never moved."""
+    """Return the velocity of an axis (uu/s) from 0 to `end` seconds as a drawing.
+
+    The result is "" if the axis never moved.
+    """
     scale = axis.scale.counts or 1.0
     step = (end or 1.0) / COLUMNS
     spans = [sorted((low / scale, high / scale)) for low, high in velocity_spans(axis, end, COLUMNS)]
@@ -34,7 +37,10 @@ def velocity_curve(axis: Axis, end: float) -> str:
 
 
 def curve(points: Sequence[Point], begin: float, end: float, title: str) -> str:
-    """Return a curve of points (seconds, value) from `begin` to `end`; "" if all values are 0."""
+    """Return a curve of points (seconds, value) from `begin` to `end`.
+
+    The result is "" if all values are 0.
+    """
     low = min(0.0, *(value for _, value in points))
     high = max(0.0, *(value for _, value in points))
     if not 0.0 < high - low < float("inf"):

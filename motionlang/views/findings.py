@@ -102,7 +102,10 @@ def _junit(found: Sequence[Found], command: str) -> str:
 
 
 def escape(text: str) -> str:
-    """Return text as the content of an XML element; `xml.sax` would import an HTTP client."""
+    """Return text as the content of an XML element.
+
+    `xml.sax` would import an HTTP client.
+    """
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 

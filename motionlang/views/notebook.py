@@ -1,4 +1,7 @@
-"""Runs, traces, moves and reports as a notebook shows them: text, tables and the velocity over time."""
+"""Notebook views of runs, traces, moves and reports.
+
+They have text, tables and the velocity over time.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""INPUT answered from standard input: a person at a terminal is asked at once, a pipe has a line for each."""
+"""INPUT answered from standard input.
+
+A person at a terminal is asked immediately, a pipe has a line for each INPUT.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,10 @@ def ask(machine: Machine) -> str | None:
 
 
 def _show_question(terminal: Terminal) -> None:
-    """Show the question where the person sees it: they may not see the program's output."""
+    """Show the question to the person at the terminal.
+
+    They may not see the program's output.
+    """
     if terminal.show is None or not sys.stdout.isatty():
         sys.stderr.write(terminal.begun or "? ")
         sys.stderr.flush()
@@ -41,7 +47,10 @@ def _show_question(terminal: Terminal) -> None:
 
 
 def _show_once(terminal: Terminal, typed: str) -> None:
-    """Leave out `typed` when the program shows it, as the terminal has shown it while it was typed."""
+    """Leave out `typed` when the program shows it.
+
+    The terminal has shown it while it was typed.
+    """
     show = terminal.show
 
     def shown(text: str) -> None:

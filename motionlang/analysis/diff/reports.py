@@ -137,7 +137,10 @@ def end_of(report: Report) -> Move:
 
 
 def checked(report: object) -> dict[str, Any]:
-    """Return a report of either version under its current names; ValueError if it is none or incomplete."""
+    """Return a report of either version under its current names.
+
+    Raise ValueError if it is not a report or is incomplete.
+    """
     if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is not a report of a run")
     report = current(report)

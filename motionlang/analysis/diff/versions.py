@@ -23,7 +23,10 @@ VALUES = {("certificate", "verdict"): {"beyond": "exceeded"}}
 
 
 def current(report: dict[str, Any]) -> dict[str, Any]:
-    """Return a report under the names of version 2; ValueError for a version that is neither 1 nor 2."""
+    """Return a report under the names of version 2.
+
+    Raise ValueError for a version that is neither 1 nor 2.
+    """
     schema = report.get("schema")
     if schema == SCHEMA:
         return report

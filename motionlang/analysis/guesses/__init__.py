@@ -1,4 +1,4 @@
-"""A first machine file for a program: what its inputs, answers, keys and switches might be.
+"""Draft of a machine file: guessed inputs, answers, keys and switches.
 
 The problem: a program from a machine waits for a world that no file describes. Nothing in it says when a part
 arrives, but it says which inputs it waits for, in which order, and what it does before.
@@ -112,7 +112,10 @@ class Guesses:
         return layered(found, self.fixed)
 
     def line(self, result: Run, at: int) -> int:
-        """Return the line of a source offset; finding one costs as much as parsing the program."""
+        """Return the line of a source offset.
+
+        Finding one costs as much as parsing the program.
+        """
         found = self._lines.get(at)
         if found is None:
             found = self._lines[at] = result.dialect.locate(result.source, at)[0]
@@ -121,7 +124,10 @@ class Guesses:
     # ------------------------------------------------------------------------------------------------- inputs
 
     def guard(self, reads: list[WorldRead]) -> None:
-        """Switch on the inputs at whose level 0 the program jumps away, unless it also waits for that level."""
+        """Switch on the inputs at whose level 0 the program jumps away.
+
+        Inputs for whose level 0 it also waits stay unchanged.
+        """
         for read in reads:
             off = any(
                 each.kind in ("wait", "poll") and each.channel == read.channel and not each.level
@@ -137,7 +143,10 @@ class Guesses:
                 self.inputs[read.channel] = {"channel": read.channel, "at": 0.0}
 
     def complete(self, reads: list[WorldRead]) -> bool:
-        """Guess the inputs that the program waits for where it has not come to; False if there are none."""
+        """Guess inputs for the waits that the program has not reached.
+
+        False if there are none.
+        """
         levels: dict[int, set[int | None]] = {}
         for read in reads:
             if read.kind in ("wait", "poll") and read.channel is not None and not self.is_fixed(read.channel):
@@ -154,7 +163,10 @@ class Guesses:
         return any(each["channel"] == channel for each in entries)
 
     def flip(self, channel: int, since: float, result: Run) -> bool:
-        """Let an input have the other level after `since`; False if no form is left for it."""
+        """Let an input have the other level after `since`.
+
+        False if no form of entry is left for it.
+        """
         if self.is_fixed(channel):
             return False
         wanted = 0 if result.controller.inputs[channel] else 1
@@ -180,7 +192,10 @@ class Guesses:
         yield "pulses", {"channel": channel, **PULSES}
 
     def level(self, channel: int, since: float) -> bool:
-        """Give an analogue input the next level after `since`; False if all have been tried."""
+        """Give an analogue input the next level after `since`.
+
+        False if all have been tried.
+        """
         before = self.analogue.get(channel)
         tried = LEVELS.index(before["value"]) + 1 if before is not None else 0
         if tried == len(LEVELS):
@@ -210,7 +225,7 @@ class Guesses:
     # --------------------------------------------------------------------------------------------------- axes
 
     def home(self, axis: int, result: Run) -> bool:
-        """Put the home switch ahead of an axis that runs, or else index marks on its encoder."""
+        """Put the home switch ahead of a moving axis, or index marks on its encoder."""
         a = result.controller.axes[axis]
         velocity = a.profiles[-1].end_velocity / a.scale.counts if a.profiles else 0.0
         if not velocity:
@@ -265,7 +280,10 @@ def guessed(
 
 
 def _improve(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
-    """Change a guess where the program is stuck; False if it is not, or if nothing is left to guess."""
+    """Change a guess where the program is stuck.
+
+    False if it is not stuck, or if nothing is left to guess.
+    """
     lost = [axis for axis, homing in result.controller.homings.items() if homing.in_vain]
     changed = [guesses.home(axis, result) for axis in lost]
     if any(changed):
@@ -324,7 +342,10 @@ def _press(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
 
 
 def _improve_polls(guesses: Guesses, result: Run, reads: list[WorldRead], tasks: list[Task]) -> bool:
-    """Change a guess for a loop on an input that has no guess yet: the program is in it, or its time ran out."""
+    """Change a guess for a loop on an input that has no guess yet.
+
+    The program is in the loop, or its time ran out.
+    """
     polls = [each for each in reads if each.kind == "poll" and each.channel not in guesses.inputs]
     if not polls:
         return False
@@ -342,7 +363,10 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[WorldRead], tasks:
 
 
 def _cause(since: float, result: Run) -> tuple[int, int] | None:
-    """Return the output that was set last before `since` and its level; None if the program did anything between."""
+    """Return the output that was set last before `since`, and its level.
+
+    None if the program did anything in between.
+    """
     log = result.machine.log
     outputs = [
         each for each in log.outputs if since - MAX_LEAD <= each.time <= since and each.channel <= LAST_OUTPUT
@@ -367,7 +391,7 @@ def _entered(guesses: Guesses, result: Run, loop: WorldRead) -> float:
 
 
 def _last_act(result: Run) -> float:
-    """Return when the program last moved an axis, set an output, printed or was answered."""
+    """Return when the program last moved, set an output, printed or was answered."""
     log = result.machine.log
     ends = [move.start_time + move.profile.duration for move in log.moves if move.profile is not None]
     ends += [each.time for each in log.outputs] + [each.time for each in log.prints]
@@ -381,13 +405,19 @@ def _answered_at(result: Run) -> float:
 
 
 def _acted_since_answer(result: Run) -> bool:
-    """True if the program moved or set an output since its last answer, so it asks for the next cycle."""
+    """True if the program moved or set an output since its last answer.
+
+    In that case it asks for the next cycle.
+    """
     time, log = _answered_at(result), result.machine.log
     return any(move.start_time > time for move in log.moves) or any(each.time > time for each in log.outputs)
 
 
 def _said_since_answer(result: Run) -> str:
-    """Return what was printed since the last answer: why it was rejected, and the question."""
+    """Return the text printed since the last answer.
+
+    It has the reason why the answer was rejected, and the question.
+    """
     time = _answered_at(result)
     return "\n".join(each.text for each in result.machine.log.prints if each.time >= time)
 

@@ -1,4 +1,7 @@
-"""The text of a first machine file: guesses, each with the line of the program that needs it, and limits to fill in."""
+"""Text of a draft machine file: guesses, and limits to fill in.
+
+Each guess comes with the line of the program that needs it.
+"""
 
 from __future__ import annotations
 
@@ -72,7 +75,10 @@ def machine_text(source: Source, guesses: Guesses, reads: list[WorldRead], resul
 
 
 def _inputs(source: Source, guesses: Guesses, reads: list[WorldRead]) -> list[str]:
-    """Return a line for each input that the program reads, below the lines of the program that read it."""
+    """Return an entry for each input of the program.
+
+    Comments above an entry quote the lines that read the input.
+    """
     read_at: dict[int, dict[int, None]] = {}
     for read in reads:
         if read.kind != "key" and read.channel is not None:

@@ -25,7 +25,7 @@ class Begin(NamedTuple):
 
     `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before would
     have gone on changing its velocity, for motion that may simply go on as it was planned. `planned` is that for
-    motion that slows down by the same ramps as before: its plan was judged when it was made.
+    motion that slows down by the same ramps as before: its plan was checked when it was made.
     """
 
     velocity: float

@@ -370,7 +370,10 @@ def _check_along(
 
 
 def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, where: str) -> None:
-    """Check that the speed along a path is continuous, and its acceleration if its jerk is limited."""
+    """Check that the speed along a path is continuous.
+
+    Its acceleration is checked too if its jerk is limited.
+    """
     names = ("speed", "acceleration")[: 2 if order.jerks[0] < inf else 1]
     for before, after in pairwise(along):
         for which, name in enumerate(names, 1):

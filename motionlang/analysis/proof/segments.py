@@ -88,7 +88,10 @@ def spans(profile: Profile, begin: float, length: float) -> list[Span]:
 
 
 def combined(parts: Sequence[Span], weights: Sequence[float], origin: float) -> Span:
-    """Return the weighted sum of simultaneous segments with equal waves, counted from an origin."""
+    """Return the weighted sum of simultaneous segments with equal waves.
+
+    Its positions are relative to an origin.
+    """
     sums = [fsum(w * s.piece[k] for w, s in zip(weights, parts, strict=True)) for k in range(5)]
     sums[0] -= origin
     waving = next((s for s in parts if s.piece[4]), parts[0])

@@ -60,7 +60,7 @@ class Row:
 
 
 class Rows(Table):
-    """The rows of a sweep: an iterator in order of arrival, and a table in order of number.
+    """The rows of a sweep: an iterator by arrival, and a table by number.
 
     A table has the rows that were not iterated over yet.
     """
@@ -77,7 +77,10 @@ class Rows(Table):
         return next(self._rows)
 
     def columns(self) -> dict[str, list[Any]]:
-        """Run all variants and return the columns: number, varied values, results, message of the error."""
+        """Run all variants and return the columns of their table.
+
+        The columns are the number, the varied values, the results, and the message of the error.
+        """
         rows = sorted(self._rows, key=lambda row: row.index)
         return transposed(
             [
@@ -191,9 +194,10 @@ def sweep(
     prove: bool = False,
     certify: bool = False,
 ) -> Rows:
-    """Run a program in many variants and return an iterator over their rows, in order of arrival.
+    """Run a program in many variants and return an iterator over their rows.
 
-    The rows are also a table: `sweep(…).to_polars()`. Times are seconds, lengths user units (uu).
+    Rows come in order of arrival. The rows are also a table: `sweep(…).to_polars()`. Times are seconds,
+    lengths user units (uu).
 
     `grid` has the values by name, of the program's own names and, with a dot, of the keys of the machine
     file: lists, or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel":

@@ -122,9 +122,10 @@ class Worker:
             return index, (None,) * len(self._readers), told([Diagnostic("machine-file", str(error))])
 
     def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
-        """The run of a variant with values for literals; None if none of its names is that of a literal.
+        """The run of a variant with values for literals.
 
-        Constants take the places of literals where that makes no difference, so that the program is compiled once.
+        None if none of its names is that of a literal. Constants take the places of literals where that makes
+        no difference, so that the program is compiled once.
         """
         if self._literals is None:
             self._literals = literals(self.source, self._dialect)
@@ -166,7 +167,10 @@ class Worker:
     def _program(
         self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
     ) -> Program:
-        """The program for a machine, compiled once for all that differ in nothing that it depends on."""
+        """The program for a machine.
+
+        It is compiled once for all machines that agree in everything that it depends on.
+        """
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
         key = repr(sorted(deciding.items())) if deciding else ""
         found = self._programs.get(key)

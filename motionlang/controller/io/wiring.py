@@ -67,7 +67,10 @@ class World:
         controller.listeners.append(self._heard, "cleared", "switched", "scale")
 
     def wire_inputs(self, settings: Settings) -> None:
-        """Wire the `[[input]]` and `[[analogue]]` entries of some settings; their times count from now."""
+        """Wire the `[[input]]` and `[[analogue]]` entries of some settings.
+
+        Their times count from now.
+        """
         for entry in _entries(settings, "input"):
             if "output" in entry:
                 self._wire_output(entry)
@@ -184,7 +187,10 @@ class World:
             self._at(at + _number(entry, "for"), lambda: change(False))
 
     def _wire_pulses(self, entry: Entry) -> None:
-        """Wire an `[[input]]` that repeats until the end of the run; each pulse schedules the next one."""
+        """Wire an `[[input]]` that repeats until the end of the run.
+
+        Each pulse schedules the next one.
+        """
         channel, value = int(_number(entry, "channel")), entry.get("value", 1)
         every, length, first = _number(entry, "every"), _number(entry, "for"), _number(entry, "at", 0.0)
         inputs, count = self._controller.inputs, 0

@@ -1,4 +1,4 @@
-"""Entries of the machine file written as short texts: `--input 2=1@0.5`, `--answer "Turns=200"`.
+"""Machine-file entries as texts: `--input 2=1@0.5`, `--answer "Turns=200"`.
 
 A text becomes an entry of `[[input]]`, `[[analogue]]`, `[[answer]]` or `[[key]]`, so an option can do what the
 machine file can and nothing else. The entries are laid over the machine file as a scenario is (`layers.py`).
@@ -67,7 +67,10 @@ def entries(
     answers: Given = (),
     keys: Given = (),
 ) -> dict[str, object]:
-    """Return the entries by table; the settings of the machine file have the names of channels. Raise WrongEntry."""
+    """Return the entries by table.
+
+    The settings of the machine file have the names of channels. Raise WrongEntry for a wrong text.
+    """
     above: dict[str, object] = {
         "input": [e for text in _texts(inputs) for e in _input(text, _names(settings, "input"))],
         "analogue": [_analog(text, _names(settings, "analogue")) for text in _texts(analog)],
@@ -83,7 +86,10 @@ def entries(
 
 
 def _texts(given: Given) -> list[str]:
-    """Return the texts of what a caller gives; a mapping has the channel, name or prompt as its keys."""
+    """Return the texts of what a caller gives.
+
+    A mapping has the channel, name or prompt as its keys.
+    """
     if isinstance(given, (str, int, float)):
         return [_text(given)]
     if not hasattr(given, "items"):
@@ -195,7 +201,10 @@ def _key(text: str) -> Entry:
 
 
 def _times(text: str, form: str) -> tuple[float | None, float | None, float | None]:
-    """Return the begin, the end and the period of `0.5..0.9 every 2`, None for each that is left out."""
+    """Return the begin, the end and the period of `0.5..0.9 every 2`.
+
+    Each is None if it is left out.
+    """
     found = _WHEN.fullmatch(text)
     if found is None or not text.strip():
         raise WrongEntry(f"{_quoted(text)} is not a time", form)

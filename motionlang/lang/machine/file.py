@@ -100,7 +100,10 @@ def read_value(text: str) -> object:
 
 
 def current_key(key: str) -> str:
-    """Return a key under the present name of its section; an old name is reported once as a note."""
+    """Return a key under the present name of its section.
+
+    An old name is reported once as a note.
+    """
     for old, new in OLD_SECTIONS.items():
         if key.startswith(old):
             renamed(f"[{old[:-1]}]", f"[{new[:-1]}]", "machine file")

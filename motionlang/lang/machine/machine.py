@@ -294,7 +294,7 @@ class Machine:
         return found
 
     def unasked(self) -> list[str]:
-        """Return the answers of the settings that no INPUT has asked for."""
+        """Return the answers of the settings that no INPUT has used."""
         answers = self.settings.get("answer", ())
         return [
             text

@@ -46,7 +46,10 @@ class Operator:
         self.add(settings)
 
     def add(self, settings: Mapping[str, object], since: float = 0.0) -> None:
-        """Add the `[[answer]]` and `[[key]]` entries of this terminal; times of keys count from `since`."""
+        """Add the `[[answer]]` and `[[key]]` entries of this terminal.
+
+        Times of keys count from `since`.
+        """
         answers: Sequence[Entry] = settings.get("answer", ())  # type: ignore[assignment]
         self.lines += [
             (str(each["text"]), str(each.get("prompt", "")))
@@ -83,7 +86,10 @@ class Operator:
 
     @property
     def question(self) -> str:
-        """Return the prompt of the INPUT that asks now: the unfinished line, or else the line above it."""
+        """Return the prompt of the INPUT that asks now.
+
+        It is the unfinished line, or else the line above it.
+        """
         begun = self._terminal.begun
         if begun.strip(" ?") or not self._terminal.prints:
             return begun

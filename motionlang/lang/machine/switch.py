@@ -42,7 +42,10 @@ class Switch:
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
-    """Return the problem of a key of `[assumptions]` and a hint, or None if it is valid."""
+    """Return the problem of a key of `[assumptions]` and a hint.
+
+    None if it is valid.
+    """
     name = key.removeprefix(READINGS)
     found = switch(name)
     if found is not None:

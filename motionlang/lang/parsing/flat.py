@@ -56,9 +56,9 @@ class Flat:
         self.pattern = self._symbol(rule)
 
     def outside(self, names: Collection[str] | None = None) -> list[str]:
-        """Return the patterns of the terminals that the rule does not use, except line ends.
+        """Return the patterns of the terminals that the rule does not use.
 
-        `names` limits them to some of the grammar's terminals.
+        Line ends are left out. `names` limits them to some of the grammar's terminals.
         """
         found = (name for name in sorted(self._terminals) if name not in self._used)
         patterns = (self._terminals[name] for name in found if names is None or name in names)
@@ -66,17 +66,21 @@ class Flat:
 
     @property
     def begins(self) -> dict[str, str]:
-        """Map each group that is a terminal to the character with which it begins, if there is only one."""
+        """Map each group that is a terminal to the character with which it begins.
+
+        Groups with several such characters are left out.
+        """
         found = (
             (name, _FIRST.match(self._terminals[name])) for name in self._kept if name in self._terminals
         )
         return {name: match[2].removeprefix("\\") for name, match in found if match and match[2]}
 
     def chunk(self, quoted: str) -> str:
-        """Return the pattern of a text that ends where a match should end, whether it is a match or not.
+        """Return the pattern of a text that ends where a match should end.
 
-        It ends at what the rule does not use, and at the end of the line. The terminal `quoted` begins and ends
-        with the same character; without its end it continues to the end of the line.
+        The text need not be a match. It ends at what the rule does not use, and at the end of the line. The
+        terminal `quoted` begins and ends with the same character; without its end it continues to the end of
+        the line.
         """
         quote = _first(self._terminals[quoted])
         ends = [pattern for pattern in self.outside() if not pattern.startswith(_LINE_START)]

@@ -45,7 +45,10 @@ def shape_parabolic(task: CommandTask, command: Command) -> None:
 
 
 def shape_scurve(task: CommandTask, command: Command) -> None:
-    """Select the sinusoidal S-curve, or with n the trapezoidal one of ramp ratio n (PS, TN1069)."""
+    """Select the sinusoidal S-curve (PS, TN1069).
+
+    With n select the trapezoidal S-curve of ramp ratio n.
+    """
     ramp = float(task.value(command))
     if ramp == 0.0:
         _shape(task, command, "sinusoidal")

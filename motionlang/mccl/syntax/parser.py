@@ -51,7 +51,10 @@ def without_comment(line: str) -> str:
 
 
 def head(text: str) -> tuple[str, str]:
-    """Return the axis number and the mnemonic with which a command begins, "" if it has none."""
+    """Return the axis number and mnemonic with which a command begins.
+
+    The mnemonic is "" if it has none.
+    """
     axis = _AXIS.match(text)
     begin = axis.end() if axis else 0
     mnemonic = _MNEMONIC.match(text, begin)

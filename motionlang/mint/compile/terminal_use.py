@@ -82,7 +82,7 @@ def _shown(b: Body, item: nodes.PrintItem) -> str:
 
 
 def _in_whole_counts(b: Body, node: nodes.Expr, found: Value) -> Value:
-    """Return what a controller would show of a position that is read at the prompt: whole counts.
+    """Return a position as a controller would show it at the prompt: whole counts.
 
     The value that a program reads keeps its fraction.
     """

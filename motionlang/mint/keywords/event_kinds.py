@@ -33,7 +33,10 @@ _NO_LABEL = frozenset(("mblow",))
 
 
 def label_event(name: str) -> tuple[str, int] | None:
-    """Return the kind and number of the event that a v4 label of this name handles, None if it handles none."""
+    """Return the kind and number of the event that a v4 label of this name handles.
+
+    None if it handles none.
+    """
     found = kind_and_number(name)
     return None if found is None or found[0] in _NO_LABEL else found
 

@@ -67,7 +67,10 @@ class Inputs:
         return self._debounce.get(bank, UNDEBOUNCED)
 
     def set_debounce(self, bank: int, samples: int) -> None:
-        """Set the samples of a bank; without debouncing its inputs show their levels at once."""
+        """Set the samples of a bank.
+
+        Without debouncing its inputs show their levels immediately.
+        """
         self._debounce[bank] = samples
         if samples > UNDEBOUNCED:
             return
@@ -97,7 +100,10 @@ class Inputs:
         return shown is not (channel in self._controller.inputs.active_low)
 
     def level(self, channel: int) -> bool:
-        """Return the electrical level: that of the last sample if the bank is debounced, else the present one."""
+        """Return the electrical level of an input.
+
+        It is that of the last sample if the bank is debounced, else the present one.
+        """
         sampled = self._sampled.get(channel)
         return self._controller.inputs[channel] != 0 if sampled is None else sampled[0]
 

@@ -232,7 +232,10 @@ class Ways:
         return is_input and not self._input_may_change(name)
 
     def _shared(self, symbol: Symbol) -> bool:
-        """True if another task, an event or a host may change the variable in the meantime."""
+        """True if the variable may change in the meantime.
+
+        Another task, an event or a host may change it.
+        """
         if symbol.type.name == TIME or symbol.by_ref or symbol in self.facts.hosted:
             return True
         roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}

@@ -294,7 +294,7 @@ def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
 
 
 def _leaves(node: nodes.Node) -> bool:
-    """True for a statement that leads away from the normal course, such as `GoTo Fault`."""
+    """True for a statement that leaves the normal course, such as `GoTo Fault`."""
     return isinstance(node, nodes.End) or (isinstance(node, nodes.Jump) and node.kind == "goto")
 
 
@@ -328,7 +328,10 @@ def _channel(name: nodes.Name) -> int | None:
 
 
 def _whole(node: nodes.Expr) -> int | None:
-    """Return the whole number that an expression is, None if it is only known at run time."""
+    """Return the whole number that is the value of an expression.
+
+    None if it is only known at run time.
+    """
     found = meant(node)
     value: object = found.value if isinstance(found, nodes.Number) else None
     if isinstance(found, nodes.Name):

@@ -71,7 +71,10 @@ def row_of(name: str) -> Keyword:
 
 
 def check(row: Keyword, value: float) -> None:
-    """Raise Rejected if a value is outside the row's range; NaN is outside every range."""
+    """Raise Rejected if a value is outside the row's range.
+
+    NaN is outside every range.
+    """
     low, high = row.low, row.high
     if (low is not None and not value >= low) or (high is not None and not value <= high):
         limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""

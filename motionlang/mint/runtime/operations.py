@@ -105,7 +105,10 @@ class Operations:
         return self.timed(write)
 
     def loading(self, load: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
-        """Return the operation that loads a move, with the fast-path loaders by axis, if any."""
+        """Return the operation that loads a move.
+
+        It comes with the fast-path loaders by axis, if there are any.
+        """
         if plain is None:
             return self.timed(load, True, axes)
         environment = self._environment

@@ -10,7 +10,10 @@ _WORD = re.compile(r"([a-z_]\w*)(\s*[(.[])?", re.IGNORECASE)
 
 
 def driven_by(why: str) -> list[str]:
-    """Return the tables of the machine file that could end a wait, from the text that says what it is for."""
+    """Return the tables of the machine file that could end a wait.
+
+    They are found from the text that describes the wait.
+    """
     return list(
         dict.fromkeys(filter(None, (_section(word, bracket) for word, bracket in _WORD.findall(why))))
     )
