@@ -1,9 +1,10 @@
-"""Growth of work and memory with the size of a program: the exponent over the top decade.
+"""Growth of work and memory with program size.
 
-Each line measures one kind of program at a size and at a tenth of it, in a process each, by counted calls
-(Python and C) of the stage. `growth_x 1.02` means that ten times the program are 10^1.02 times the calls.
-`growth_x_memory` is the peak of the process at the larger size, MB, without that of an empty program.
-Calls do not see copies of long texts or lists within one call; memory and the tests of these copies do.
+The figure is the exponent over the top decade. Each line measures one kind of program at a size and at a
+tenth of it, in a process each, by counted calls (Python and C) of the stage. `growth_x 1.02` means that ten
+times the program are 10^1.02 times the calls. `growth_x_memory` is the peak of the process at the larger
+size, MB, without that of an empty program. Calls do not see copies of long texts or lists within one call;
+memory and the tests of these copies do.
 """
 
 from __future__ import annotations
@@ -28,7 +29,10 @@ SIZES = {"compile": 10_000, "check": 5_000, "run": 5_000}
 
 
 def _lines(text: str) -> Callable[[int], str]:
-    """Return a program of n copies of some lines, in which `@` is the number of the copy."""
+    """Return a program of n copies of some lines.
+
+    `@` stands for the number of the copy.
+    """
     return lambda count: "".join(text.replace("@", str(n)) for n in range(count))
 
 

@@ -1,7 +1,8 @@
-"""Write the tables of options in docs/cli.md from the parsers: `python -m tests.cli_page`.
+"""Write the tables of options in docs/cli.md from the parsers.
 
-The page has hand-written text around parts that begin with `<!-- options: COMMAND -->`, `<!-- commands -->` or
-`<!-- old options -->` and end with `<!-- end -->`. Only these parts are generated.
+Run `python -m tests.cli_page`. The page has hand-written text around parts that begin with `<!-- options:
+COMMAND -->`, `<!-- commands -->` or `<!-- old options -->` and end with `<!-- end -->`. Only these parts are
+generated.
 """
 
 from __future__ import annotations

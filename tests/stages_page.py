@@ -1,4 +1,7 @@
-"""Write docs/contributing/one-statement.md: one statement through every stage (`python -m tests.stages_page`)."""
+"""Write docs/contributing/one-statement.md.
+
+The page follows one statement through every stage. Run `python -m tests.stages_page`.
+"""
 
 from __future__ import annotations
 

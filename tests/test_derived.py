@@ -1,4 +1,7 @@
-"""The recipe of docs/contributing/architecture.md, followed with a made-up keyword in both languages."""
+"""The recipe of docs/contributing/architecture.md with a made-up keyword.
+
+The keyword is added to both languages.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The interface of the package: every name of `__all__`, its arguments, and how its objects print themselves."""
+"""The interface of the package: every name of `__all__`.
+
+Its arguments are covered, and how its objects print themselves.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +57,10 @@ def modules() -> list[str]:
 
 
 def test_no_submodule_hides_a_name() -> None:
-    """A package `motionlang.profile` would replace the function `profile` when it is imported."""
+    """No module of the package hides a function of the library.
+
+    A package `motionlang.profile` would replace the function `profile` when it is imported.
+    """
     for name in modules():
         with contextlib.suppress(MissingExtra, ModuleNotFoundError):  # of an optional library
             importlib.import_module(name)
@@ -151,7 +157,10 @@ def test_a_notebook_shows_the_curve() -> None:
 
 
 def test_a_curve_passes_through_its_speed() -> None:
-    """50 uu/s is the top, -50 uu/s the bottom, and 0 half the height; 2 s are the width of 650."""
+    """50 uu/s is the top, -50 uu/s the bottom, and 0 half the height.
+
+    2 s are the width of 650.
+    """
     from motionlang.views.curve import HEIGHT, curve
 
     drawn = curve([(0.0, 0.0), (1.0, 50.0), (2.0, -50.0)], 0.0, 2.0, "v")
@@ -209,7 +218,10 @@ def test_a_missing_library_is_named(library: str, monkeypatch: pytest.MonkeyPatc
 
 
 def test_a_trace_is_a_structured_array() -> None:
-    """In the middle of 0.1 s at 1000 uu/s² the axis has moved 1000 · 0.05² / 2 = 1.25 uu."""
+    """In the middle of 0.1 s at 1000 uu/s² the axis has moved 1.25 uu.
+
+    1000 · 0.05² / 2 = 1.25.
+    """
     run = motionlang.run(FEED)
     start = run.moves[0].start_time
     rows: Any = run.trace(rate=1000.0, axes=[0], quantities=["position"])

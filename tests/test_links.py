@@ -1,4 +1,7 @@
-"""Links between pages lead to a page and a heading, and messages name pages that exist."""
+"""Links between pages lead to a page and a heading.
+
+Messages name pages that exist.
+"""
 
 from __future__ import annotations
 

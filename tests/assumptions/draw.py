@@ -1,7 +1,8 @@
-"""Draw rows and facts to check against their sources: `python -m tests.assumptions.draw 2026-11-21`.
+"""Draw rows and facts to check against their sources.
 
-The date is the seed, so that anybody can repeat a draw. A row is a keyword with the evidence of its meaning; a fact is
-another fact of a keyword, such as its default. Compare each with the source that it names, and note what claims more.
+Run `python -m tests.assumptions.draw 2026-11-21`. The date is the seed, so that anybody can repeat a draw. A
+row is a keyword with the evidence of its meaning; a fact is another fact of a keyword, such as its default.
+Compare each with the source that it names, and note what claims more.
 """
 
 from __future__ import annotations

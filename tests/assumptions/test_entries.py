@@ -68,7 +68,10 @@ def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
 
 
 def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
-    """`keywords WORD` parses only these entries; each keyword of both languages has the same ones."""
+    """`keywords WORD` parses only these entries.
+
+    Each keyword of both languages has the same ones.
+    """
     for language in ("mint", "mccl"):
         for row in dialect(language).table():
             names = [each.name for each in readings().values() if row.name in each.words]

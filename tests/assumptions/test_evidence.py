@@ -42,7 +42,7 @@ def test_every_meaning_has_a_source() -> None:
 
 
 def test_the_page_shows_the_three_strengths_of_memory() -> None:
-    """As recorded with the recollections: TM of medium, AV of low, MC of high confidence."""
+    """Confidence as recorded with the recollections: TM medium, AV low, MC high."""
     table = dialect("mccl").table()
     for word, strength in (("MC", "high"), ("TM", "medium"), ("AV", "low")):
         row = table.get(word)

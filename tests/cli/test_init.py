@@ -174,7 +174,10 @@ def test_a_folder(cell: Cell) -> None:
 
 
 def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Enter keeps a guess, a wrong line is asked again, and the rest is kept at the end of input."""
+    """Enter accepts a guess, and a wrong line is asked again.
+
+    The remaining guesses are accepted at the end of input.
+    """
 
     class Terminal(io.StringIO):
         def isatty(self) -> bool:

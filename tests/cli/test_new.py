@@ -40,7 +40,10 @@ def test_a_folder_with_programs_gets_their_names(
     ("name", "file"), [("feed", "feed.mnt"), ("feed.mnt", "feed.mnt"), ("feed.mcl", "feed.mcl")]
 )
 def test_a_new_program_runs_and_is_clean(cell: Cell, name: str, file: str) -> None:
-    """Button at 0.5 s, 200 mm at 250 mm/s and 1250 mm/s² in 1 s, 0.1 s gripper, 1 s back: 2.6 s."""
+    """One cycle takes 2.6 s.
+
+    Button at 0.5 s, 200 mm at 250 mm/s and 1250 mm/s² in 1 s, 0.1 s gripper, 1 s back.
+    """
     made = cell("new", name)
     assert made.status == 0
     assert made.out.startswith(f"{file}, feed.machine.toml: written\n  motionlang run {file}\n")

@@ -1,8 +1,9 @@
-"""Eight programs that were written for machines run from nothing: `init`, and at most three edits of its file.
+"""Eight programs written for machines run with `init` and at most three edits.
 
-The programs in examples/old were written before `init`, and are not changed. An edit is one line of the machine file.
-The cycle that each prints, or the time between two of its lines, is worked out here by hand, without the 10 µs that a
-statement takes and the steps in which a loop polls.
+The edits are in the machine file that `init` writes. The programs in examples/old were written before `init`,
+and are not changed. An edit is one line of the machine file. The cycle that each prints, or the time between
+two of its lines, is worked out here by hand, without the 10 µs that a statement takes and the steps in which
+a loop polls.
 """
 
 from __future__ import annotations
@@ -147,7 +148,10 @@ def test_it_runs_from_nothing(cell: Cell, name: str) -> None:
 
 
 def cycle(run: Run, found: str) -> float:
-    """The cycle of a production loop, s: what it prints last, or the time between its last two such lines."""
+    """The cycle of a production loop, s.
+
+    It is what the program prints last, or the time between its last two such lines.
+    """
     printed = [*run.machine.log.prints, *(p for each in run.machine.terminals.values() for p in each.prints)]
     if found == "ms":
         return float(printed[-1].text.removesuffix(" ms").split()[-1]) / 1000

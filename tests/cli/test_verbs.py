@@ -1,4 +1,4 @@
-"""Commands named for what people want: `profile`, `prove`, `certify`, `plot`, `trace` and `notes`."""
+"""Commands by purpose: `profile`, `prove`, `certify`, `plot`, `trace`, `notes`."""
 
 from __future__ import annotations
 

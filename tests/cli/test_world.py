@@ -1,4 +1,7 @@
-"""Inputs, answers and keys on the command line: what happens around a program that was written for a machine."""
+"""Inputs, answers and keys on the command line.
+
+They are events around a program that was written for a machine.
+"""
 
 from __future__ import annotations
 
@@ -112,7 +115,10 @@ def test_a_difference_of_worlds(cell: Cell) -> None:
 
 
 def test_the_prompt(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Times count from the moment at which the line is typed: machine time stands still meanwhile."""
+    """Times count from the moment at which the line is typed.
+
+    Machine time does not advance meanwhile.
+    """
     typed = (
         ".run 1\n.input 3=1@0.5\nPAUSE INX(3)\nPRINT TIME\n.answer 7\nINPUT n\n"
         ".keys A@1\nPAUSE INKEY=65\nPRINT TIME\n"

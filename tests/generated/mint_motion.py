@@ -121,7 +121,10 @@ class MintProgram:
         return f"{name}({axis}) = {self._near(axis, value) if name == 'POSREF' else value}"
 
     def _near(self, axis: int, steps: object) -> str:
-        """A position within thousandths: as a POSREF is there within 1 ms, it could be run at 60,000 uu/s otherwise."""
+        """A position within thousandths.
+
+        A POSREF is reached within 1 ms, so a finer one could be run at 60,000 uu/s.
+        """
         return f"POSDEMAND({axis}) + {steps} / 1000"
 
     def _go(self, axis: int) -> str:

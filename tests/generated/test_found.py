@@ -759,7 +759,10 @@ def test_a_slave_stays_where_the_demand_of_its_master_is_taken_to_the_motor(tie:
 
 
 def test_a_path_away_from_zero_is_resumed_before_it_rests() -> None:
-    """It brakes from 20 to 15 and back in 0.05 s each, 0.25 behind a path that is not suspended, which takes 0.7 s."""
+    """It brakes from 20 to 15 and back in 0.05 s each.
+
+    That is 0.25 behind a path that is not suspended, which takes 0.7 s.
+    """
     suspend = "WAIT = 300\nSUSPEND(0) = 1\nWAIT = 50\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
     result = proved(f"{RATES}POS(0) = 500\nVECTORR(0, 1) = 6, 8 : GO(0)\n{suspend}")
     assert places(result, 0, 1) == [506.0, 8.0]
@@ -768,7 +771,10 @@ def test_a_path_away_from_zero_is_resumed_before_it_rests() -> None:
 
 @pytest.mark.parametrize("wait", [66, 79, 92])
 def test_a_run_that_ends_as_a_master_comes_to_its_reference(wait: int) -> None:
-    """The slave, at rest then, is twice as far on the other side; the clock rounds each of these times differently."""
+    """The slave, at rest then, is twice as far on the other side.
+
+    The clock rounds each of these times differently.
+    """
     tie = "MASTERSOURCE(2) = _msPOS : MASTERCHANNEL(2) = 0\nFOLLOW(2) = -2\n"
     move = f"SPEED(0) = 15\nMOVER(0) = 40 : GO(0)\nWAIT = {wait}\nPOSREF(0) = -29\n"
     result = proved(tie + move, statement=1e-5)
@@ -779,7 +785,10 @@ BLENDS = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : BLENDMODE(0) = 1 : B
 
 
 def test_a_path_that_begins_suspended_is_not_late_for_a_blend() -> None:
-    """The first path, 0.05 s before its end, can stop no sooner; the next takes 0.1 + 0.35 + 0.2 s once resumed."""
+    """The first path, 0.05 s before its end, can stop no sooner.
+
+    The next takes 0.1 + 0.35 + 0.2 s once resumed.
+    """
     suspend = "WAIT = 2050\nDECEL(0) = 50 : SUSPEND(0) = 1\nWAIT = 500\nSUSPEND(0) = 0\n"
     paths = "VECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = 0, 5\nGO(0)\n"
     result = proved(f"{BLENDS}BLENDDISTANCE(0) = 0.05\n{paths}{suspend}PAUSE IDLE(0)\n")
@@ -787,9 +796,9 @@ def test_a_path_that_begins_suspended_is_not_late_for_a_blend() -> None:
 
 
 def test_a_path_near_its_peak_keeps_its_speed_when_that_of_an_axis_is_lowered() -> None:
-    """A jerk of 1000 leads to its peak v over a half of 2.1, within v / 100 + 0.1 s: there is no room to brake before.
+    """A jerk of 1000 leads to its peak v over a half of 2.1, within v / 100 + 0.1 s.
 
-    So (v / 100 + 0.1) * v is 2.1. The lower speed would be 3 / 0.6.
+    There is no room to brake before. So (v / 100 + 0.1) * v is 2.1. The lower speed would be 3 / 0.6.
     """
     settings = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100 : PROFILEMODE(0) = 1\n"
     jerks = "ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
@@ -800,9 +809,10 @@ def test_a_path_near_its_peak_keeps_its_speed_when_that_of_an_axis_is_lowered() 
 
 
 def test_a_rate_that_came_too_late_stays_so_when_another_setting_is_written() -> None:
-    """At 0.1 s it speeds up at 100 with a jerk of 1000; at one of 10 it would be past 20 before that is taken back.
+    """At 0.1 s it speeds up at 100 with a jerk of 1000.
 
-    Its speed of 10 takes 0.2 s and 1.0 on either side. The override is not for a move in FEEDRATEMODE 0.
+    At a jerk of 10 it would be past 20 before that is taken back. Its speed of 10 takes 0.2 s and 1.0 on
+    either side. The override is not for a move in FEEDRATEMODE 0.
     """
     settings = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : PROFILEMODE(0) = 1\n"
     jerks = "ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\nMOVER(0) = 20 : GO(0)\n"
@@ -812,23 +822,30 @@ def test_a_rate_that_came_too_late_stays_so_when_another_setting_is_written() ->
 
 
 def test_a_jog_that_is_stopped_after_a_nanosecond() -> None:
-    """Its S-curve has hardly begun: the ramps of the stop last less than the time of the clock is rounded by."""
+    """Its S-curve has hardly begun.
+
+    The ramps of the stop are shorter than the rounding of the clock.
+    """
     result = proved("1MN\n1SV1629,1SA500,1DS10000\n1PS0.2\n1VM,1GO,1ST\n", "mcl")
     assert abs(places(result, 1)[0]) < 1e-20
 
 
 @pytest.mark.parametrize(("deadband", "place"), [("9", 0.0), ("0.001", 20.0)])
 def test_gains_are_suggested_for_a_loop_with_a_deadband(deadband: str, place: float) -> None:
-    """20 counts need less than 9 V: if that counts as none the motor stays; 1 mV leaves it near its target."""
+    """20 counts need less than 9 V.
+
+    If that counts as none the motor stays; 1 mV leaves it near its target.
+    """
     result = with_motor(f"1MN\n1OB{deadband},1MR20,1WS0.2\n1TP\n", "mcl", 1)
     assert result.diagnostics == []
     assert float(result.output[0].split()[-1]) == pytest.approx(place, abs=3.0)
 
 
 def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
-    """It goes up to v with a jerk of 10⁶, in 2 * sqrt(v / 10⁶) s, and down at 31. The way is half of v times the time.
+    """It goes up to v with a jerk of 10⁶, in 2 * sqrt(v / 10⁶) s, and down at 31.
 
-    Each of the 190 plans begins at the rounded position of the one before.
+    The distance is half of v times the time. Each of the 190 plans begins at the rounded position of the one
+    before.
     """
     program = (
         "TIMEREVENT = 20\nDECEL(0) = 31\nPROFILEMODE(0) = 1 : MOVEA(0) = 57\nGO(0)\nPAUSE IDLE(0)\n"
@@ -842,7 +859,10 @@ def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
 
 
 def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
-    """SRAMP at a SPEED of 0 is for ramps of no time: the move, at 25, is a trapezoid of 1 / 25 + 25 / 10⁵ s."""
+    """SRAMP at a SPEED of 0 is for ramps of no time.
+
+    The move, at 25, is a trapezoid of 1 / 25 + 25 / 10⁵ s.
+    """
     result = proved(
         "FEEDRATEPARAMETER(0, 0) = 25\nSRAMP(0) = 50\nSPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
     )
@@ -850,7 +870,10 @@ def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
 
 
 def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:
-    """The arc ends 4 + sqrt(80) * sin(-atan2(4, 8) - 48.119°) behind; the cycle before ends with a rest of 40."""
+    """The arc ends 4 + sqrt(80) * sin(-atan2(4, 8) - 48.119°) behind.
+
+    The cycle before ends with a rest of 40.
+    """
     table = "Dim rise(5) As Float = 4, 10, 25, 20, 0\nMASTERCHANNEL(2) = 1\n"
     cam = f"{table}CAMTABLE(2, rise, NULL) : MASTERDISTANCE(2) = 40\n"
     arc = "CAM(2) = 4 : GO(2)\nCIRCLER(0, 1) = -8, 4, -48.119 : GO(0)\nPAUSE IDLE(0)\n"

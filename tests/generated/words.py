@@ -71,7 +71,10 @@ def _readings() -> tuple[str, ...]:
 
 
 def _example(row: Keyword) -> list[str]:
-    """The lines of an example. A loop that ends at 3 would have no end behind an example that has left 4."""
+    """The lines of an example.
+
+    A loop that ends at 3 would have no end behind an example that has left 4.
+    """
     lines = row.example.split("\n")
     return ["i = 0", *lines] if "i = i + 1" in row.example else lines
 

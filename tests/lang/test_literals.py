@@ -35,7 +35,10 @@ def addresses(program: str, language: str = "mint") -> dict[str, str]:
 
 
 def test_the_literals_of_mint() -> None:
-    """Neither conditions, channels nor comments have literals; a sign belongs to a lone number."""
+    """Neither conditions, channels nor comments have literals.
+
+    A sign belongs to a lone number.
+    """
     assert addresses(DRILL) == {
         "SPEED[0]@1": "100",
         "SPEED[1]@1": "50",
@@ -52,7 +55,10 @@ def test_the_literals_of_mint() -> None:
 
 
 def test_the_literals_of_mccl() -> None:
-    """The number of a macro is none, nor is a register; a command that comes twice in a line has a number."""
+    """The number of a macro is not a literal, nor is that of a register.
+
+    A command that comes twice in a line has a number.
+    """
     assert addresses(FEED, "mccl") == {
         "1SV@1": "100",
         "1SA@1": "1000",
@@ -108,7 +114,10 @@ def test_an_address_without_a_line_is_every_write() -> None:
 
 
 def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
-    """Without the declaration `--set wait=…` replaced the first WAIT and left the others."""
+    """`--set wait=…` sets the declared name, not the keyword.
+
+    Without the declaration it replaced the first WAIT and not the others.
+    """
     text = "WAIT = 10\nWAIT = 10\nPRINT TIME"
     assert motionlang.run(Source("a.mnt", text), overrides={"Wait": 30}).output == ["60"]
     own = "Const step As Float = 2\nPRINT step"  # the word of For … To … Step
@@ -157,7 +166,10 @@ def test_a_run_is_that_of_the_edited_text() -> None:
 
 
 def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
-    """A variant without an error runs the compiled program with constants; -5 is refused by the edited one."""
+    """A variant without an error runs the compiled program with constants.
+
+    -5 is refused by the edited program.
+    """
     speeds = (50, 100, -5, 250)
     job = Sweep(Source("a.mnt", STROKE), {"SPEED[0]@1": list(speeds)}, keep=["time", "prints", "moves"]).job
     worker = Worker(job)

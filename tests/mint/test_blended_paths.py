@@ -132,7 +132,10 @@ def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
 def test_a_path_follows_on_when_the_one_between_is_cancelled(
     mode: str, cancelled: int, begins: float
 ) -> None:
-    """The first of 40 is at 30 after 0.1 s for 0.5 and 2.95 s for 29.5, and at its end 1 s later at full speed."""
+    """The first of 40 is at 30 after 0.1 s for 0.5 and 2.95 s for 29.5.
+
+    It is at its end 1 s later at full speed.
+    """
     result = proved(
         f"SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : MOVEBUFFERSIZE(1) = 3 : {mode}\n"
         "VECTORR(0, 1) = 40, 0\nCIRCLER(1, 2) = -8, 3, 92\nVECTORR(0, 1) = 40, 0\nGO(0)\n"
@@ -175,7 +178,10 @@ def test_random_blends_are_consistent() -> None:
 
 @pytest.mark.parametrize("seed", [787, 829, 1132, 1515])
 def test_a_path_waits_for_the_longest_of_those_that_are_blended(seed: int) -> None:
-    """The path before it is over while the one before that is still run, and its end rounds to just behind."""
+    """The path before it is over while the one before that is still run.
+
+    Its end rounds to just behind.
+    """
     consistent(seed)
 
 

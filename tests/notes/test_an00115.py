@@ -1,4 +1,4 @@
-"""AN00115: the formula behind each figure of a move, and the areas of the note's drawings."""
+"""AN00115: formulas of a move's figures, and the areas of the drawings."""
 
 from __future__ import annotations
 
@@ -57,7 +57,10 @@ def test_each_figure_has_its_formula(name: str) -> None:
 
 
 def test_every_formula_holds_for_a_move() -> None:
-    """Of the first example all eight figures are known; the triangle's formulas are those of a move without slew."""
+    """All eight figures of the first example are known.
+
+    The triangle's formulas are those of a move without slew.
+    """
     move = solve_move(None, distance=12.0, speed=8.0, accel=16.0, decel=16.0)
     short = solve_move(None, distance=4.0, slew_time=0.0, accel=16.0, decel=16.0)
     for name, _, text, value in an00115.FORMULAS:

@@ -141,10 +141,11 @@ def test_no_course_is_faster_of_many() -> None:
 
 
 def test_a_run_that_slowed_down_for_one_stretch_speeds_up_on_the_next() -> None:
-    """At 30 it comes to a stretch for 10 and brakes with a jerk of 1000 for the 0.04 s that the stretch takes.
+    """At 30 it comes to a stretch for 10 and brakes with a jerk of 1000.
 
-    It is then at 30 - 500 * 0.04² = 29.2 and braking at 40. That fades in another 0.04 s, and in 2 * 0.04 s it is back
-    at 30. The last 6 are those of a stop, in 30 / 100 + 100 / 1000 s.
+    It brakes for the 0.04 s that the stretch takes. It is then at 30 - 500 * 0.04² = 29.2 and braking at 40.
+    That fades in another 0.04 s, and in 2 * 0.04 s it is back at 30. The last 6 are those of a stop, in 30 /
+    100 + 100 / 1000 s.
     """
     first = 30.0 * 0.04 - 1000.0 * 0.04**3 / 6.0
     limits = {"accel": 100.0, "decel": 100.0, "accel_jerk": 1000.0, "decel_jerk": 1000.0}

@@ -1,4 +1,7 @@
-"""From any velocity and acceleration: nothing jumps, the limits met, and the end is the one asked for."""
+"""Transitions from any velocity and acceleration.
+
+Nothing jumps, the limits are met, and the end is the required one.
+"""
 
 from __future__ import annotations
 

@@ -173,7 +173,10 @@ def test_live_mode_lets_the_machine_catch_up_with_the_wall(monkeypatch: pytest.M
 
 
 def test_a_position_at_the_prompt_is_in_whole_counts() -> None:
-    """GO takes 10 µs, in which the axis moves ½·1·(1e-5)² uu: less than a count, which a controller cannot show."""
+    """GO takes 10 µs, in which the axis moves ½·1·(1e-5)² uu.
+
+    That is less than a count, which a controller cannot show.
+    """
     session = Session(dialect("mint"))
     session.feed("SCALEFACTOR(0) = 1000 : SPEED(0) = 10 : ACCEL(0) = 1 : MOVER(0) = 100 : GO(0)")
     assert session.feed("PRINT POS(0)") == "0.0000\n"

@@ -1,1 +1,1 @@
-"""What the five documents say, and what reproduces it."""
+"""Statements of the five documents, and the command that reproduces each."""

@@ -1,4 +1,7 @@
-"""The table of the source documents: `python -m tests.sources.page` writes docs/sources.md."""
+"""The table of the source documents.
+
+`python -m tests.sources.page` writes docs/sources.md.
+"""
 
 from __future__ import annotations
 
@@ -26,9 +29,10 @@ to compute: they say why. A `calc` row is the formula with the document's figure
 
 
 class Entry(NamedTuple):
-    """One line of a document: `shows` is what the output of `command` has, `test` the test that holds it.
+    """One line of a document.
 
-    Of a context entry `command` is the reason why there is nothing to compute.
+    `shows` is what the output of `command` has, `test` the test that holds it. Of a context entry `command`
+    is the reason why there is nothing to compute.
     """
 
     document: str
@@ -41,7 +45,10 @@ class Entry(NamedTuple):
 
 
 def entries() -> list[Entry]:
-    """Return all entries, in the order of the documents; AssertionError for a line of another form."""
+    """Return all entries, in the order of the documents.
+
+    Raise AssertionError for a line of another form.
+    """
     found: list[Entry] = []
     names: dict[str, str] = {}
     document = section = ""

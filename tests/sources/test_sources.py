@@ -20,7 +20,10 @@ COMMANDS = [each for each in ENTRIES if not each.command.startswith(("calc ", "p
 
 @cache
 def output(command: str) -> str:
-    """What the commands of a row print; `printf 'TEXT' > FILE` writes a file."""
+    """Return the output of a row's commands.
+
+    `printf 'TEXT' > FILE` writes a file.
+    """
     found = ""
     for part in command.split("; "):
         written = re.fullmatch(r"printf '(.*)' > (\S+)", part)
@@ -32,7 +35,10 @@ def output(command: str) -> str:
 
 
 def has(text: str, shows: tuple[str, ...]) -> bool:
-    """Whether the texts follow one another, with runs of blanks as one."""
+    """True if the texts follow one another.
+
+    Runs of blanks count as one.
+    """
     pattern = ".*?".join(re.escape(" ".join(each.split())) for each in shows)
     return re.search(pattern, " ".join(text.split()), re.DOTALL) is not None
 

@@ -1,4 +1,4 @@
-"""Reports and golden files of version 1 are read under the field names of version 2."""
+"""Reports and golden files of version 1 get the field names of version 2."""
 
 from __future__ import annotations
 

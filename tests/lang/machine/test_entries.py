@@ -111,7 +111,10 @@ def test_they_replace_the_entries_of_the_machine_file() -> None:
 
 
 def test_an_input_repeats_until_the_end_of_the_run() -> None:
-    """On from 1.2 s for 0.6 s, every 1.2 s: the third rise is at 3.6 s, and eight hours have 24 000 of them."""
+    """On from 1.2 s for 0.6 s, every 1.2 s: the third rise is at 3.6 s.
+
+    Eight hours have 24 000 rises.
+    """
     text = (
         "Dim n\nFor n = 1 To 3\nPAUSE INX(2)\nPRINT TIME\nPAUSE Not INX(2)\nPRINT TIME\nNext\n"
         "WAIT = 7200000\nPAUSE INX(2)"
@@ -123,7 +126,10 @@ def test_an_input_repeats_until_the_end_of_the_run() -> None:
 
 
 def test_answers_go_to_the_question_that_they_name() -> None:
-    """The question of an INPUT without a prompt is the line above it; what names no question goes to the rest."""
+    """The question of an INPUT without a prompt is the line above it.
+
+    An answer that names no question goes to the remaining INPUTs.
+    """
     text = 'INPUT "Turns ", a\nPRINT "WIRE DIA?"\nINPUT b\nINPUT "Width ", c\nPRINT a; " "; b; " "; c'
     run = motionlang.run(Source("m.mnt", text), answers=["5", "dia=2", "Turns=1"])
     assert run.output == ["Turns 1", "WIRE DIA?", "2", "Width 5", "1.0000 2.0000 5.0000"]

@@ -1,6 +1,7 @@
-"""The grammars are the only source of the syntax: the product follows a changed grammar once its tables are written.
+"""The grammars are the only source of the syntax.
 
-Each experiment changes a grammar in a copy of the package, writes the tables and runs a program.
+The product follows a changed grammar once its tables are written. Each experiment changes a grammar in a copy
+of the package, writes the tables and runs a program.
 """
 
 from __future__ import annotations
@@ -31,7 +32,10 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def product(copy: Path, tmp_path: Path) -> Product:
-    """Write a program, change a grammar by replacing texts, write the tables, and run the command line."""
+    """Change a grammar by replacing texts, then run a program with it.
+
+    The program and the tables are written first.
+    """
 
     def start(grammar: str, changes: dict[str, str], name: str, program: str, *words: str) -> object:
         path, text = copy / "grammars" / grammar, (ROOT / "grammars" / grammar).read_text(encoding="utf-8")

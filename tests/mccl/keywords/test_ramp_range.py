@@ -1,4 +1,7 @@
-"""The range of PSn, 0 < n < 0.5 by TN1069: check, run, message and page agree on it."""
+"""The range of PSn is 0 < n < 0.5 by TN1069.
+
+Check, run, message and page agree on it.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Compilation is linear in the number of labels, jumps and variables, in calls and in memory."""
+"""Compilation is linear in the number of labels, jumps and variables.
+
+It is so in calls and in memory.
+"""
 
 from __future__ import annotations
 
@@ -123,7 +126,10 @@ def names_without_a_use(count: int) -> str:
 
 @pytest.mark.parametrize("write", [names_without_a_value, names_without_a_use])
 def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) -> None:
-    """Twice the wrong names are twice the work, though each search compares with all of them."""
+    """Twice the wrong names are twice the work.
+
+    Each search compares with all names, and still the total is linear.
+    """
     assert callable(write)
     calls_of(lambda: check(Source("a.mnt", write(10))))
     once, twice = (calls_of(partial(check, Source("a.mnt", write(n)))) for n in (400, 800))

@@ -19,7 +19,10 @@ edges = st.lists(st.integers(1, 200), min_size=1, max_size=12, unique=True).map(
 
 
 def sampled(times: list[int], samples: int) -> list[tuple[int, bool]]:
-    """When the state changes, in half milliseconds: at so many samples of a level, one each millisecond."""
+    """Time of the state change, in half milliseconds.
+
+    It comes after so many samples of a level, one each millisecond.
+    """
     found, state, level, count = [], False, False, 0
     for now in range(300):
         level = level is not (now in times)
@@ -108,7 +111,10 @@ def first_seen(samples: int, text: str = "INX(0)") -> str:
 
 
 def test_one_sample_is_no_debouncing() -> None:
-    """Manual MN1270 p. 95: 1, the default, reads the input when called; 2 needs two samples, at 11 and 12 ms."""
+    """1, the default, reads the input when called (manual MN1270 p. 95).
+
+    2 needs two samples, at 11 and 12 ms.
+    """
     assert [first_seen(samples) for samples in (1, 2, 3, 10)] == ["10", "12", "13", "20"]
     assert run(Source("a.mnt", "PRINT INPUTDEBOUNCE, IDB(1)"), cache=False).output == ["11"]
 

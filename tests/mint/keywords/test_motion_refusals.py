@@ -69,7 +69,10 @@ def test_what_can_be_known_is_told_beforehand(program: str, message: str) -> Non
 
 
 def test_a_rejected_home_leaves_the_axis_free() -> None:
-    """The brake holds the axis. Once it is released the axis moves, and its soft limit stops it at 15 of 20."""
+    """The brake holds the axis.
+
+    Once it is released the axis moves, and its soft limit stops it at 15 of 20.
+    """
     program = (
         "SOFTLIMITFORWARD(0) = 15 : SOFTLIMITREVERSE(0) = -15\n"
         "MOTORBRAKE(0) = 1\nHOME(0) = 3\nMOTORBRAKE(0) = 0\n"
