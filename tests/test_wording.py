@@ -29,12 +29,11 @@ class Exempt(NamedTuple):
 
 
 EXCEPTIONS = (
-    Exempt("docs/architecture.md", 25, "for contributors, not reworded yet"),
-    Exempt("docs/decisions.md", 112, "for contributors, not reworded yet"),
-    Exempt("docs/proof.md", 9, "for contributors, not reworded yet"),
+    Exempt("docs/cli.md", 1, "quotes the help of --deceleration, which is counted as a message"),
+    Exempt("docs/contributing/decisions.md", 114, "for contributors, not reworded yet"),
 )
 # Banned words in messages, which may only become fewer.
-MAX_IN_MESSAGES = 243
+MAX_IN_MESSAGES = 111
 
 
 @cache
