@@ -46,7 +46,7 @@ MCCL = "1MN,2MN,1SV5000,1SA50000,1DS50000\n1MR500,WA0.05,2MR300,1WS,2WS\n1VM,1GO
 # Where it is interrupted: anywhere, and where a move is written to the log and its track.
 PLACES = {
     "anywhere": ("/motionlang/controller/", "/motionlang/lang/"),
-    "log": ("/controller/core.py", "/motionlang/log/orders.py", "/motionlang/log/log.py"),
+    "log": ("/controller/core.py", "/motionlang/log/expected_motion.py", "/motionlang/log/log.py"),
 }
 
 
