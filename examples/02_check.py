@@ -1,4 +1,7 @@
-"""Check a program without running it: every mistake, with its line and what to type instead."""
+"""Check a program without running it.
+
+Every mistake is reported, with its line and a suggested fix.
+"""
 
 from motionlang import Source, check
 

@@ -1,4 +1,7 @@
-"""Use the moves of a run as columns; `run.moves.to_polars()` and `.to_pandas()` make data frames."""
+"""Use the moves of a run as columns.
+
+`run.moves.to_polars()` and `.to_pandas()` make data frames.
+"""
 
 import motionlang
 

@@ -1,4 +1,7 @@
-"""Certify the limits of a machine, and prove the motion against the commanded limits."""
+"""Certify the limits of a machine, and verify the motion.
+
+The proof compares the motion with the commanded limits.
+"""
 
 from motionlang import Source, certify, prove, run
 
