@@ -42,7 +42,7 @@ OPTIONS = (
     ("acceleration", "A", "acceleration, counts/s² (100000)"),
     ("velocity", "V", "velocity, counts/s (40000)"),
     ("distance", "S", "distance, counts (40000)"),
-    ("deceleration", "D", "deceleration, counts/s²; as the acceleration where nothing else is said"),
+    ("deceleration", "D", "deceleration, counts/s²; default: the acceleration"),
     (
         "ramp",
         "N",
