@@ -75,6 +75,17 @@ def add_run(
         parser.add_argument(out[0], metavar="OUT", help=out[1])
     add_machine(parser)
     add_world(parser)
+    _add_report(parser)
+    _add_trace(parser, out)
+    _add_picture(parser, out)
+    _add_checks(parser)
+    _add_code(parser)
+    arrange(parser, GROUPS)
+    return parser
+
+
+def _add_report(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the report and of the time that a run takes."""
     parser.add_argument(
         "--report",
         choices=REPORTS,
@@ -102,6 +113,10 @@ def add_run(
         metavar="FACTOR",
         help="run at FACTOR × real time; FACTOR defaults to 1",
     )
+
+
+def _add_trace(parser: argparse.ArgumentParser, out: tuple[str, str] | None) -> None:
+    """Add the options of the trace."""
     if out is None or out[0] != "trace":
         parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
     parser.add_argument(
@@ -132,6 +147,10 @@ def add_run(
         metavar="HZ",
         help=f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex boards)",
     )
+
+
+def _add_picture(parser: argparse.ArgumentParser, out: tuple[str, str] | None) -> None:
+    """Add the options of the picture."""
     if out is None or out[0] != "plot":
         parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
     parser.add_argument(
@@ -156,6 +175,10 @@ def add_run(
         metavar="X,Y",
         help="draw the path of two or three axes, coloured by speed, instead of curves over time",
     )
+
+
+def _add_checks(parser: argparse.ArgumentParser) -> None:
+    """Add the options of files, of checks and of the time profile."""
     parser.add_argument(
         "--nv",
         metavar="FILE",
@@ -204,6 +227,10 @@ def add_run(
             "to sign; exit 1 if a limit is exceeded. FILE may be a folder. Includes --prove"
         ),
     )
+
+
+def _add_code(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the code."""
     parser.add_argument(
         "--show-code",
         action="store_true",
@@ -216,8 +243,6 @@ def add_run(
         "--show-tree", action="store_true", help="print the syntax tree of the program; do not run it"
     )
     parser.add_argument("--no-cache", action="store_true", help="compile again and do not store the result")
-    arrange(parser, GROUPS)
-    return parser
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:

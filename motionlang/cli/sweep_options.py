@@ -90,6 +90,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="a variant fails if it exceeds a limit of the machine file",
     )
+    _add_output(parser)
+    arrange(parser, GROUPS)
+
+
+def _add_output(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the search and of the output."""
+    add = parser.add_argument
     add("--minimise", metavar="EXPR", help="find the variant with the smallest value")
     add("--maximise", metavar="EXPR", help="find the variant with the largest value")
     add("--where", metavar="EXPR", help="consider only variants for which this is true")
@@ -123,7 +130,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="worker processes; default: one per core",
     )
-    arrange(parser, GROUPS)
 
 
 def _count(text: str) -> int:
