@@ -108,34 +108,19 @@ def run(
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
-    `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine file
-    next to the program, if it has one (ProgramError if that is wrong). `until` is the machine time at which the run
-    ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
-    names, or for literals by address (lang/literals.py); `show` is called with everything the program prints, `pace`
-    with the machine time about to be reached.
-    `outside` is a world that acts by itself, such as a host; it controls how machine time passes. `begun` is called
-    with the machine when the program begins, for an observer. `nv` is the file in which the program's nv data outlives
-    the run. With `prove` the run stores what `Run.proof` needs. `log_size` limits the log on disk, in gigabytes. An
-    internal error is raised, or with `keep_crash` stored in `Run.crash` next to the results before it. `compiled` is
-    the compiled program of this source for a machine that agrees with this one wherever `Dialect.compiled_in` depends
-    on it. With `fast=False` the engine runs without accelerators, as with `MOTIONLANG_FAST=0` in the environment: the
-    result is the same, only later.
-    `inputs`, `analog`, `answers` and `keys` are those of the options of `motionlang run`, as texts or by channel, name
-    or prompt: `inputs={2: "1@0.5"}, answers={"Turns": 200}`. They override the machine file.
-    Mistakes in the program are reported in `Run.diagnostics`, never raised. Raise OSError if the file cannot be read,
-    ValueError if its name does not identify a dialect or `machine` has an invalid key or value.
+    `motionlang.run` has the public parameters and describes them, with the errors it raises. The others are for
+    this package. `pace` is called with the machine time about to be reached. `outside` is a world that acts by
+    itself, such as a host; it controls how machine time passes. `begun` is called with the machine when the program
+    begins, for an observer. An internal error is
+    raised, or with `keep_crash` stored in `Run.crash` next to the results before it. `compiled` is the compiled
+    program of this source for a machine that agrees with this one wherever `Dialect.compiled_in` depends on it.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
     remarks: list[str] = []
     wrong: list[Diagnostic] = []
     if overrides and compiled is None:
-        from motionlang.lang.literals import edited
-
-        try:
-            source, overrides, remarks = edited(source, language, overrides)
-        except ProgramError as error:
-            wrong, overrides = error.diagnostics, None
+        source, overrides, remarks, wrong = _with_literals(source, language, overrides)
     settings = checked_settings(machine) if machine is not None else settings_next_to(program)
     if inputs or analog or answers or keys:
         from motionlang.lang.machine.entries import with_entries
@@ -166,18 +151,7 @@ def run(
         result.notes += remarks
         if compiled.size > size:
             _keep(compiled, entry)
-    if result.machine.nv is not None:
-        result.machine.nv.close()
-    result.machine.close_terminals()
-    result.time = result.machine.clock.now
-    if settings:
-        tell_guesses(result)
-    if "answer" in settings and result.status in ("ended", "until"):
-        tell_unasked(result)
-    if result.status == "ended" and any(key.startswith("budget.") for key in settings):
-        from motionlang.analysis.cycle.budget import over_budget
-
-        result.diagnostics += over_budget(result, settings)
+    _finish(result, settings)
     return result
 
 
@@ -216,6 +190,34 @@ def _perform(
         report_keywords_without_effect(result)
     if result.machine.nv is not None:
         save_nonvolatile(result)
+
+
+def _with_literals(
+    source: Source, language: Dialect, overrides: Mapping[str, float | str]
+) -> tuple[Source, Mapping[str, float | str] | None, list[str], list[Diagnostic]]:
+    """Return a source with its addressed literals replaced, the other overrides, remarks, and errors."""
+    from motionlang.lang.literals import edited
+
+    try:
+        return *edited(source, language, overrides), []
+    except ProgramError as error:
+        return source, None, [], error.diagnostics
+
+
+def _finish(result: Run, settings: Mapping[str, object]) -> None:
+    """Close what a run has opened, and report what follows from its end."""
+    if result.machine.nv is not None:
+        result.machine.nv.close()
+    result.machine.close_terminals()
+    result.time = result.machine.clock.now
+    if settings:
+        tell_guesses(result)
+    if "answer" in settings and result.status in ("ended", "until"):
+        tell_unasked(result)
+    if result.status == "ended" and any(key.startswith("budget.") for key in settings):
+        from motionlang.analysis.cycle.budget import over_budget
+
+        result.diagnostics += over_budget(result, settings)
 
 
 def end_of(settings: Mapping[str, object]) -> float:

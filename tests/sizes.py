@@ -42,7 +42,7 @@ STATEMENTS = {
 # runs.
 TRACE = r"""
 import json, sys
-from motionlang import run
+from motionlang.execution import run
 from motionlang.source import Source
 name, text = sys.argv[1:]
 whole, running, active = set(), set(), [False]
