@@ -195,7 +195,10 @@ def _perform(
 def _with_literals(
     source: Source, language: Dialect, overrides: Mapping[str, float | str]
 ) -> tuple[Source, Mapping[str, float | str] | None, list[str], list[Diagnostic]]:
-    """Return a source with its addressed literals replaced, the other overrides, remarks, and errors."""
+    """Return a source with addressed literals replaced.
+
+    With it come the other overrides, remarks, and the errors of an address.
+    """
     from motionlang.lang.literals import edited
 
     try:
