@@ -18,12 +18,12 @@ from motionlang.result import (
     interrupted,
     open_nonvolatile,
     report_futile_waits,
+    report_guesses,
     report_keywords_without_effect,
     report_never_started,
     report_stuck,
+    report_unasked,
     save_nonvolatile,
-    tell_guesses,
-    tell_unasked,
 )
 from motionlang.source import STDIN, Source
 
@@ -214,9 +214,9 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
     result.machine.close_terminals()
     result.time = result.machine.clock.now
     if settings:
-        tell_guesses(result)
+        report_guesses(result)
     if "answer" in settings and result.status in ("ended", "until"):
-        tell_unasked(result)
+        report_unasked(result)
     if result.status == "ended" and any(key.startswith("budget.") for key in settings):
         from motionlang.analysis.cycle.budget import over_budget
 

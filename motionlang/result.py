@@ -246,7 +246,7 @@ def _lost(result: Run) -> list[Diagnostic]:
     return found
 
 
-def tell_guesses(result: Run) -> None:
+def report_guesses(result: Run) -> None:
     """Warn if the result depends on guesses of the machine file.
 
     Only guesses that the run has reached count.
@@ -289,7 +289,7 @@ def _counted(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}{'es' if noun.endswith('s') else 's'}"
 
 
-def tell_unasked(result: Run) -> None:
+def report_unasked(result: Run) -> None:
     """Warn of answers that no INPUT used."""
     for text in result.machine.unasked():
         result.diagnostics.append(

@@ -75,8 +75,10 @@ def new_command(arguments: argparse.Namespace) -> int:
     """Write both files and say what to do next; 1 if one exists or cannot be written."""
     name = arguments.name if os.path.splitext(arguments.name)[1] else f"{arguments.name}.mnt"
     language = dialect_of(name)
+    parser: Parser = arguments.parser
+    if os.path.basename(arguments.name)[:1] in ("", "."):
+        parser.error("NAME needs a name, such as feed")
     if language is None:
-        parser: Parser = arguments.parser
         parser.error(f"{name}: the suffix is neither of Mint (.mnt) nor of MCCL (.mcl)")
     text, axis = TEXTS[language.name]
     machine = os.path.splitext(name)[0] + MACHINE_SUFFIX

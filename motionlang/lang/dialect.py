@@ -82,6 +82,11 @@ class Dialect:
     cached = False
     # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
     constant = ""
+    # Control words that declare a name, and those that a statement may follow, where a condition follows others.
+    declaring: frozenset[str] = frozenset()
+    before_statements: frozenset[str] = frozenset()
+    # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.
+    jumps: frozenset[str] = frozenset()
 
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None

@@ -34,13 +34,6 @@ _ADDRESS = re.compile(
     r"(\d*[A-Za-z_]\w*)(?:\.(\d+(?:\.\d+)*)|\[([^\[\]]*)\]|\(([^()]*)\))?(?:@(\d+))?(?::(\d+))?"
 )
 _DOTTED = re.compile(r"(\w+?)((?:\.\d+)+)")
-# Words that declare a name, whose value `--set NAME=VALUE` replaces.
-_NAMED = frozenset(("const", "dim", "nv"))
-_DECLARE = _NAMED | {"define"}
-# Control words that a statement may follow; a condition follows the others.
-_BEFORE_STATEMENTS = frozenset(("then", "else", "do", "repeat", "loop", "define"))
-# Verbs of MCCL whose parameter is a macro or a position in the program.
-_JUMPS = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
 # So many addresses are named in a hint.
 MAX_NAMED = 4
 
@@ -212,7 +205,7 @@ def _declared(source: Source, language: Dialect) -> set[str]:
     for kind, text, offset in language.tokens(source.text):
         if "\n" in source.text[end:offset] or (kind == "separator" and text == ":"):
             declares = False
-        declares = declares or (kind == "control" and text.lower() in _DECLARE)
+        declares = declares or (kind == "control" and text.lower() in language.declaring)
         if declares and kind in ("word", "control"):
             found.add(text.lower())
         end = offset + len(text)
@@ -304,7 +297,7 @@ def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, To
         yield from _of_command(statement, language)
         return
     if kinds[0] == "control":
-        if statement[0][1].lower() not in _BEFORE_STATEMENTS:
+        if statement[0][1].lower() not in language.before_statements:
             return
         statement = statement[1:]
     if not statement or statement[0][0] != "word":
@@ -340,7 +333,7 @@ def _of_command(statement: list[Token], language: Dialect) -> Iterator[tuple[str
     command = next((text for kind, text, _ in statement if kind == "command"), "")
     number = next((token for token in statement if token[0] == "number"), None)
     row = language.table().get(command)
-    if command and number is not None and (row is None or row.verb not in _JUMPS):
+    if command and number is not None and (row is None or row.verb not in language.jumps):
         yield f"{axis}{command.upper()}", number, True
 
 

@@ -31,6 +31,8 @@ class Mint(Dialect):
     first_axis = 0
     cached = True
     constant = "Const {} = {}"
+    declaring = frozenset(("const", "define", "dim", "nv"))
+    before_statements = frozenset(("define", "do", "else", "loop", "repeat", "then"))
 
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None

@@ -73,3 +73,10 @@ def test_a_folder_that_does_not_exist_is_an_error(cell: Cell) -> None:
     ran = cell("new", "no/feed")
     assert ran.status == 1
     assert ran.err.startswith("error[file]: ")
+
+
+@pytest.mark.parametrize("name", ["", "folder/", ".mnt"])
+def test_a_program_needs_a_name(name: str, cell: Cell) -> None:
+    ran = cell("new", name)
+    assert ran.status == 2
+    assert "NAME needs a name, such as feed" in ran.err

@@ -98,7 +98,7 @@ class Worker:
         self.job, self.source = job, Source(job.name, job.text)
         self._dialect = dialect(job.dialect)
         self._readers = [quantity(name) for name in job.keep]
-        self._programs: dict[str, Program] = {}
+        self._programs: dict[tuple[bool, str], Program] = {}
         self._literals: list[Literal] | None = None
         # The program with constants in place of literals, and their names; None where that is not possible.
         self._bound: tuple[Source, dict[str, str]] | None = None
@@ -169,10 +169,11 @@ class Worker:
     ) -> Program:
         """The program for a machine.
 
-        It is compiled once for all machines that agree in everything that it depends on.
+        It is compiled once for all machines that agree in everything that it depends on, with constants in
+        place of literals or without.
         """
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
-        key = repr(sorted(deciding.items())) if deciding else ""
+        key = source is self.source, repr(sorted(deciding.items())) if deciding else ""
         found = self._programs.get(key)
         if found is None:
             if len(self._programs) >= MAX_PROGRAMS:

@@ -9,7 +9,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.lint.channels import check_channels
-from motionlang.mccl.lint.checks import lint
+from motionlang.mccl.lint.checks import CALLS, lint
 from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.source import Source
 
-# Verbs that need a defined macro.
-_CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
+# Jumps within a line.
 _JUMPS = frozenset({"jump", "jump_by"})
 _DEFINES = "define_macro"
 
@@ -150,7 +149,7 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
     defined = {line.commands[0].number for line in lines if _defines(line)}
     for line in lines:
         for k, command in enumerate(line.commands):
-            if command.row is None or command.row.verb not in _CALLS or problem(command):
+            if command.row is None or command.row.verb not in CALLS or problem(command):
                 continue
             number = command.number
             if number is not None and number not in defined:

@@ -33,7 +33,8 @@ _DO_REST = frozenset({"do_if_on", "do_if_off"})
 # Commands after which a line does not continue, and those that jump within it.
 _LEAVES = frozenset({"jump_macro", "leave"})
 _TURNS = frozenset({"repeat", "jump", "jump_by"})
-_CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
+# Verbs that need a defined macro.
+CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 
 
 def lint(lines: list[Line], add: Add) -> None:
@@ -181,7 +182,7 @@ def _moved_by(command: Command, bodies: dict[int | None, Line], seen: set[int]) 
     verb = _verb(command)
     if verb in _MOVES:
         return {command.axis}
-    if verb not in _CALLS:
+    if verb not in CALLS:
         return set()
     body = bodies.get(command.number)
     if body is None or command.number is None:
