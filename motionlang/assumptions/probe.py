@@ -164,15 +164,15 @@ def _reach(probe: Probe, motion: Motion) -> str:
     """Return how far a separate question moves its axes; it states if they return."""
     both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
     axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
-    where = "they stand" if both else "it stands"
-    within = f"within {motion.distance:g} user units of where {where}"
+    where = "their positions" if both else "its position"
+    within = f"within {motion.distance:g} user units of {where}"
     return f"It moves {axes} {within}. Enable what moves; stop it as any motion."
 
 
 def _promise(language: str, motion: Motion | None) -> str:
     if motion is None:
         return "It moves nothing and writes no setting. It can be stopped at any time."
-    within = f"It moves axis {motion.axis} within {motion.distance:g} user units of where it stands"
+    within = f"It moves axis {motion.axis} within {motion.distance:g} user units of its position"
     if language == "mint":
         return f"{within}, and puts back what it writes. The axis must be enabled. Stop it as any motion."
     speed = f"leaves its velocity at {motion.distance / 2:g}"

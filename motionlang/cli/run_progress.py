@@ -60,7 +60,7 @@ def _describer(machine: Machine) -> Callable[[], str]:
     def describe() -> str:
         nonlocal before
         now = machine.clock.now
-        line = run_line(now, monotonic() - began, machine.moves_made, stands=now == before)
+        line = run_line(now, monotonic() - began, machine.moves_made, is_computing=now == before)
         before = now
         return line
 

@@ -287,7 +287,7 @@ class Axis:
         return -1.0 if self.move is None else self.end_of_motion()
 
     @property
-    def stands(self) -> bool:
+    def is_at_standstill(self) -> bool:
         """True if it is idle, or in a motion that rests unless another axis moves.
 
         Following is such a motion.

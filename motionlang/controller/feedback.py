@@ -61,7 +61,7 @@ from motionlang.servo.lookahead import (
     rests_as_seen,
     seen,
 )
-from motionlang.servo.replay import apply, run_to, sample_at, stands
+from motionlang.servo.replay import apply, run_to, sample_at, stays_at_rest
 from motionlang.servo.settings import make_plant
 from motionlang.servo.speculative import SpeculativeServo, seen_of
 from motionlang.servo.standstill import StandstillDetector, extent
@@ -446,7 +446,7 @@ class Feedback:
         servo, was_calm = self._servo, self.at_standstill
         assert servo is not None
         new = None
-        if stands(servo, self._long, servo.sample):
+        if stays_at_rest(servo, self._long, servo.sample):
             new = extent(sight.encoder[-self._long :], sight.output[-self._long :])
         self._stillness.check(new, LONG)
         if self.at_standstill and now > servo.sample and servo.state == servo.began:

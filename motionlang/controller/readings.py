@@ -74,7 +74,7 @@ class Readings:
         """Return the axes that are not idle; slaves only if they move."""
         found = []
         for number, axis in self.axes.items():
-            if not axis.stands:
+            if not axis.is_at_standstill:
                 found.append(number)
         return found
 
@@ -151,7 +151,7 @@ class Readings:
     def is_still(self, axis: int) -> bool:
         """True if the axis and its simulated motor, if any, are at standstill for good."""
         a = self.axes[axis]
-        return a.stands and (a.feedback is None or a.feedback.at_standstill)
+        return a.is_at_standstill and (a.feedback is None or a.feedback.at_standstill)
 
     def target(self, axis: int) -> float:
         return self.axes[axis].target
@@ -203,14 +203,14 @@ class Readings:
         ends = [self.axes[axis].end_of_move for axis in axes]
         return ends[0] if len(ends) == 1 else lambda: max([end() for end in ends], default=-1.0)
 
-    def stands(self, axis: int) -> bool:
+    def is_at_standstill(self, axis: int) -> bool:
         """True if the axis is idle, or follows a master at standstill."""
-        return self.axes[axis].stands
+        return self.axes[axis].is_at_standstill
 
     def standing_time(self, axis: int) -> float:
         """When the axis will be at standstill, idle or not, if nothing else happens."""
         a = self.axes[axis]
-        return self.clock.now if a.stands else a.end_of_motion()
+        return self.clock.now if a.is_at_standstill else a.end_of_motion()
 
     def crossing_time(self, axis: int, position: float) -> float:
         """Return when the axis will pass `position`; infinite if this motion never does.

@@ -75,7 +75,7 @@ def check_points(points: Sequence[Point], start: float | None = None) -> list[Ba
         found.append(
             BadPoint(
                 0,
-                f"the move begins at {first.position:g} but the motor stands at {start:g}",
+                f"the move begins at {first.position:g} but the motor is at {start:g}",
                 f"the drive would command a step of {first.position - start:g} counts at once",
                 severe=False,
             )

@@ -190,9 +190,9 @@ class FastAxis(Axis):
         return self.in_motion or self._move is not None
 
     @property
-    def stands(self) -> bool:
+    def is_at_standstill(self) -> bool:
         """True if it is idle, or in a motion that rests unless another axis moves."""
-        return not self.in_motion and super().stands
+        return not self.in_motion and super().is_at_standstill
 
     def position(self, time: float) -> float:
         """The commanded position at `time`; without a simulated motor also the actual one."""

@@ -226,8 +226,8 @@ class Flow:
             return self._keyword(node)
         if found.kind == "const" and isinstance(found.const, (int, float)):
             return found.type.name, intervals.constant(found.const)
-        if node.stands is not None:
-            return self._value(node.stands, state)
+        if node.definition is not None:
+            return self._value(node.definition, state)
         if found.type.name == INTEGER:
             return INTEGER, intervals.INTEGER
         return FLOAT, intervals.ANY

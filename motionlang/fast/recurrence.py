@@ -98,10 +98,10 @@ class Recurrence:
         for task in tasks:
             number = self._states.get(task)
             if number is None:
-                stands = task.state(self._alive)
-                if stands is None:
+                own = task.state(self._alive)
+                if own is None:
                     return
-                number = self._states[task] = self._number(stands)
+                number = self._states[task] = self._number(own)
             state.append(number)
         lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
         longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)

@@ -211,7 +211,7 @@ class Table:
         for row in self.rows:
             for spelling in filter(None, (row.name, row.short)):
                 key = spelling.lower()
-                assert key not in self._by_name, f"{spelling} stands twice in the table"
+                assert key not in self._by_name, f"{spelling} is in the table twice"
                 self._by_name[key] = row
         self._by_name.update((row.name, row) for row in hidden)
 

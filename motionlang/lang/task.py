@@ -121,7 +121,7 @@ def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait
     names = ", ".join(str(axis) for axis in waited)
     return Wait(
         since,
-        lambda: all(controller.stands(axis) for axis in waited),
+        lambda: all(controller.is_at_standstill(axis) for axis in waited),
         lambda: max((controller.standing_time(axis) for axis in waited), default=since),
         f"for axis {names} to be idle",
         "axis",

@@ -44,7 +44,7 @@ _TIME = itemgetter(0)
 class ExpectedMotion:
     """The records of a controller: `of` and `data` by axis, one per profile.
 
-    A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis
+    A datum is how far the zero of the axis has been moved. `standstills` has the axes and times at which an axis
     was commanded to stop at once, with the keyword. Equal orders are one object. Beyond `MAX_PROFILES` profiles it
     `is_full`, and stores nothing more. `unheeded` has, by axis and time, the effect of settings on a profile
     that they have not replaced. `offsets` has, by axis and time, the line and the distance of an OFFSET.
@@ -61,7 +61,7 @@ class ExpectedMotion:
         self.data: dict[int, list[float]] = {
             number: [a.datum] * len(a.profiles) for number, a in axes.items()
         }
-        self.stands: dict[tuple[int, float], str] = {}
+        self.standstills: dict[tuple[int, float], str] = {}
         self.unheeded: dict[tuple[int, float], Order] = {}
         self._scales: dict[int, list[tuple[float, float, float]]] = {number: [] for number in axes}
         self.offsets: dict[tuple[int, float], tuple[int, float]] = {}
@@ -143,7 +143,7 @@ class ExpectedMotion:
         for kept in (
             self.of,
             self.data,
-            self.stands,
+            self.standstills,
             self._nth,
             self._angles,
             self._plans,
@@ -379,7 +379,7 @@ class ExpectedMotion:
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Record an immediate stop of an axis."""
-        self.stands[a.index, self._controller.clock.now] = ended
+        self.standstills[a.index, self._controller.clock.now] = ended
         if a.move is not None:
             self._stop(a, ended)
 

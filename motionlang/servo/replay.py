@@ -54,11 +54,11 @@ def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
         state = servo.state
         yield servo.run(count)
         rest = sample + 1 - servo.sample
-        if rest > BLOCK and servo.state == state and stands(servo, BLOCK, sample):
+        if rest > BLOCK and servo.state == state and stays_at_rest(servo, BLOCK, sample):
             servo.skip(rest)
 
 
-def stands(servo: Servo, count: int, until: int) -> bool:
+def stays_at_rest(servo: Servo, count: int, until: int) -> bool:
     """True if the command rests for the last `count` samples and on to `until`."""
     starts, rate = servo.track.starts, servo.loop.servo_rate
     since = (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate

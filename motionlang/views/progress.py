@@ -176,14 +176,14 @@ def is_shown(stream: TextIO) -> bool:
     return is_terminal(stream) and os.environ.get("TERM") != "dumb"
 
 
-def run_line(time: float, elapsed: float, moves: int, *, stands: bool = False) -> str:
+def run_line(time: float, elapsed: float, moves: int, *, is_computing: bool = False) -> str:
     """Return the progress of a run: machine time, speed relative to real time, moves.
 
-    `stands` means that the machine time has not changed since the last line, because a loop adds up its time
+    `is_computing` means that the machine time has not changed since the last line, because a loop adds up its time
     only when it waits.
     """
     factor = time / elapsed if elapsed > 0.0 else 0.0
     pace = f"{factor:,.0f}".replace(",", " ") if factor >= 10.0 else f"{factor:.1f}"
     count = f"{moves:,} moves".replace(",", " ") if moves != 1 else "1 move"
-    what = "computing" if stands else f"{pace} × real time"
+    what = "computing" if is_computing else f"{pace} × real time"
     return f"{clock_time(round(time, 1))} of machine time · {what} · {count} · Ctrl-C ends it"

@@ -104,10 +104,10 @@ def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
 def test_a_question_that_moves_says_how_far(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     status, text, _ = probe(tmp_path, capsys, "mint.second-offset", "--motion", "20")
     assert status == 0
-    assert "It moves axis 0 within 20 user units of where it stands" in text
+    assert "It moves axis 0 within 20 user units of its position" in text
     status, text, _ = probe(tmp_path, capsys, "mint.follow-0", "--motion", "20")
     assert "the axes do not come" in text
-    assert "It moves axes 0 and 1 within 20 user units of where they stand" in text
+    assert "It moves axes 0 and 1 within 20 user units of their positions" in text
     assert "puts back" not in text
 
 

@@ -139,7 +139,7 @@ def test_what_cannot_be_done_is_status_1(words: list[str], message: str) -> None
 def test_a_start_elsewhere_is_a_warning() -> None:
     answer = pvt("export", "--scurve", "1000", "--time", "100", "--start", "7")
     assert answer.status == 0
-    assert answer.err.startswith("warning[range]: point 0: the move begins at 0 but the motor stands at 7\n")
+    assert answer.err.startswith("warning[range]: point 0: the move begins at 0 but the motor is at 7\n")
 
 
 def test_refined_points_are_written_and_read(tmp_path: Path) -> None:

@@ -100,7 +100,7 @@ def test_good_points_have_nothing_said_about_them() -> None:
 
 def test_a_start_elsewhere_is_a_step() -> None:
     (bad,) = check_points([GOOD, END], start=100.0)
-    assert bad.reason == "the move begins at 0 but the motor stands at 100"
+    assert bad.reason == "the move begins at 0 but the motor is at 100"
     assert bad.consequence == "the drive would command a step of -100 counts at once"
     assert not bad.severe
 

@@ -101,7 +101,7 @@ def orders(result: Run) -> list[object]:
         each._replace(tie=each.tie and each.tie._replace(master=each.tie.master.index, curve=None))  # type: ignore[arg-type]
         for each in (order for orders in kept.of.values() for order in orders)
     ]
-    return [found, kept.data, kept.stands]
+    return [found, kept.data, kept.standstills]
 
 
 def held_apart(text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, object] | None) -> list[Run]:

@@ -140,4 +140,4 @@ def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
 )
 def test_how_far_a_run_has_come(arguments: tuple[float, float, int], line: str) -> None:
     assert run_line(*arguments) == f"{line} · Ctrl-C ends it"
-    assert "machine time · computing · " in run_line(*arguments, stands=True)
+    assert "machine time · computing · " in run_line(*arguments, is_computing=True)

@@ -118,8 +118,8 @@ def _planned(run: Run, move: Move) -> float:
     """Return when the run of joined paths of an entry began, and was planned as one."""
     while (before := run.path_before(move)) is not None and before.profile is not None:
         end = before.start_time + before.profile.duration
-        stands = not before.profile.velocity(before.profile.duration)
-        if stands or abs(move.start_time - end) > ROUNDED * (1.0 + end):
+        at_rest = not before.profile.velocity(before.profile.duration)
+        if at_rest or abs(move.start_time - end) > ROUNDED * (1.0 + end):
             break
         move = before
     return move.start_time

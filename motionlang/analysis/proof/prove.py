@@ -177,7 +177,7 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
 
 def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     """Return the command that makes the velocity jump; "" if there is none."""
-    if (a.index, a.starts[i]) in run.orders.stands:
+    if (a.index, a.starts[i]) in run.orders.standstills:
         return "an immediate stop: cancelled, disabled, or at a limit"
     order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
     if order.tie is not None and order.tie.ramp and order.tie.takes_up(earlier.tie):

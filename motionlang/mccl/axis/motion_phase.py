@@ -71,7 +71,7 @@ def at_target_time(controller: Controller, axis: AxisState) -> float:
     number = axis.number
     if controller.axes[number].feedback is not None:
         return controller.settled_time(number)
-    if controller.stands(number):
+    if controller.is_at_standstill(number):
         # A slave is at rest from the moment its master is.
         since = axis.rested if controller.is_idle(number) else controller.axes[number].starts[-1]
         return since + axis.deadband_delay

@@ -65,7 +65,7 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
         bits |= PHASE
     if axis.breakpoint_reached:
         bits |= REACHED
-    if controller.stands(number):
+    if controller.is_at_standstill(number):
         bits |= TRAJECTORY_COMPLETE
     else:
         until = next_turn(controller, number)
@@ -110,7 +110,7 @@ def _auxiliary(board: Board, axis: AxisState) -> tuple[int, float]:
 def _profile(board: Board, axis: AxisState) -> tuple[int, float]:
     controller, number = board.controller, axis.number
     bits = SHAPES[str(controller.setting(number, "shape"))]
-    if controller.stands(number):
+    if controller.is_at_standstill(number):
         return bits, INFINITY
     name, until = phase(controller, number)
     if name == "accel":

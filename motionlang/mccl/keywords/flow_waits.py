@@ -34,7 +34,7 @@ def wait_stop(task: CommandTask, command: Command) -> Wait | None:
     controller = task.board.controller
     now = controller.clock.now
     axes = [axis.number for axis in task.axes(command)]
-    if all(controller.stands(axis) for axis in axes):
+    if all(controller.is_at_standstill(axis) for axis in axes):
         return _dwell(task, command, now)
     task.then = lambda time: _dwell(task, command, time)
     return wait_idle(controller, now, axes)

@@ -131,7 +131,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
             assert symbol.const is not None
             return literal(symbol.const)
         if symbol.kind == "define" and node.args is None:
-            return NOTHING if node.stands is None else value(b, node.stands)
+            return NOTHING if node.definition is None else value(b, node.definition)
         if symbol.kind == "sub":
             from motionlang.mint.compile.calls import call
 
@@ -289,7 +289,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
     """Return text, type and sizes of a member as a whole; report an error."""
     if type(node.value) is nodes.Name and node.value.symbol is None:
         if node.value.args is None and node.value.row is not None:
-            b.problem("syntax", f"behind the dot of {node.value.name} stands a number, not a name", node,
+            b.problem("syntax", f"{node.value.name} needs a number after the dot, not a name", node,
                       f"write {node.value.name}[{node.field}]")  # fmt: skip
         else:
             unknown(b, node.value)

@@ -228,8 +228,8 @@ def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
         for node in walk(body):
             yield node
             more: Sequence[object] = ()
-            if isinstance(node, nodes.Name) and node.stands is not None:
-                more = [node.stands]
+            if isinstance(node, nodes.Name) and node.definition is not None:
+                more = [node.definition]
             elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub":
                 more = node.symbol.home.body
             elif isinstance(node, nodes.Jump) and node.kind == "gosub":

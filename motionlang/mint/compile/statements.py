@@ -99,7 +99,7 @@ def _assign(b: Body, node: nodes.Assign) -> None:
     target: nodes.Expr = node.target
     if type(target) is nodes.Name and target.args is None:
         known = b.targets.get(target.name)
-        if known is not None and target.stands is None:
+        if known is not None and target.definition is None:
             text, kind, scalar = known
             b.names.append(scalar.python)
             _give(b, node, text, kind, scalar)

@@ -334,10 +334,10 @@ class Follower:
 
     def _stop(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        stands = axis.motion == IDLE or act.row.does("abrupt")
+        stops = axis.motion == IDLE or act.row.does("abrupt")
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
         axis = replace(
-            axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept, loaded=None
+            axis, motion=IDLE if stops else UNKNOWN, fresh=False, waiting=0, target=kept, loaded=None
         )
         return replace(axis, target=None, frame=None) if act.row.does("datum") else axis
 
@@ -409,8 +409,8 @@ class Follower:
         if type(node) is not nodes.Name:
             return state
         if node.symbol is not None:
-            known = isinstance(node.stands, nodes.Name)
-            return self._refined(node.stands, truth, state) if known else state  # type: ignore[arg-type]
+            known = isinstance(node.definition, nodes.Name)
+            return self._refined(node.definition, truth, state) if known else state  # type: ignore[arg-type]
         row = node.row
         if row is None or row.verb != "is_idle":
             return state

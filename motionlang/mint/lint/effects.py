@@ -218,8 +218,8 @@ class Facts:
                 function.result and function.result.name == symbol.name and written
             ):
                 yield Act("call", None, name, values=name.args, callee=symbol.home)
-            elif name.stands is not None:
-                for inner in walk([name.stands]):
+            elif name.definition is not None:
+                for inner in walk([name.definition]):
                     if type(inner) is nodes.Name:
                         yield from self._word(function, inner, False, [])
             return

@@ -139,9 +139,9 @@ class Ways:
 
     def _inner(self, name: nodes.Name) -> list[nodes.Name]:
         """Return a name, or the names in the expression that its Define stands for."""
-        if name.stands is None:
+        if name.definition is None:
             return [name]
-        return [each for each in walk([name.stands]) if type(each) is nodes.Name]
+        return [each for each in walk([name.definition]) if type(each) is nodes.Name]
 
     def _stands(self, words: list[nodes.Name]) -> bool:
         rows = [each.row for each in words]

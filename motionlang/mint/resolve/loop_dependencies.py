@@ -123,7 +123,7 @@ class _Survey:
         rest: list[nodes.Node] = list(conditions)
         while rest:
             for node in self._reached([rest.pop()]):
-                if isinstance(node, nodes.Name) and node.stands is None:
+                if isinstance(node, nodes.Name) and node.definition is None:
                     symbol = node.symbol
                     if symbol is None:
                         found.update(_read(node, node.row))
@@ -160,8 +160,8 @@ class _Survey:
                 if not isinstance(node, nodes.Name):
                     continue
                 symbol = node.symbol
-                if node.stands is not None:
-                    bodies.append([node.stands])
+                if node.definition is not None:
+                    bodies.append([node.definition])
                 elif symbol is not None and symbol.kind == "sub" and symbol not in seen:
                     seen.add(symbol)
                     bodies.append(symbol.home.body)

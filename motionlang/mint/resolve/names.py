@@ -24,7 +24,8 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` wo
 
 Data (`symbols.py`). A `Symbol` has a kind, a type and a Python spelling that is unique in the program. A `Scope` is a
 dict with the scope around it: a sub, then the task around it, then the module. A `Function` becomes one Python
-function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `stands`, the expression. An
+function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`,
+the expression. An
 unknown name gets none of these; the compiler reports it with a suggestion.
 
 Invariants.
@@ -405,7 +406,7 @@ class Names:
             for name in names:
                 name.symbol = symbol
                 name.row = row
-                name.stands = None
+                name.definition = None
             if symbol is None or symbol.kind in (
                 "variable",
                 "parameter",
@@ -484,15 +485,15 @@ class Names:
             return
         self._defined_depth += depth
         self._replacing.append(define)
-        stands: nodes.Expr = copied(define.node)  # type: ignore[assignment]
-        for inner in walk([stands]):
+        definition: nodes.Expr = copied(define.node)  # type: ignore[assignment]
+        for inner in walk([definition]):
             if isinstance(inner, nodes.Name):
                 symbol = function.scope.find(inner.name)
                 inner.resolve(symbol, self.table.get(inner.name) if symbol is None else None)
                 self._use_name(function, inner)
         self._replacing.pop()
         self._defined_depth -= depth
-        node.stands = stands
+        node.definition = definition
 
     def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
         for argument, parameter in zip(node.args or (), callee.parameters, strict=False):

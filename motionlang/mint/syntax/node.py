@@ -39,17 +39,19 @@ class Resolved(Node):
     """A name and what it refers to, which `resolve.names` records once for each use.
 
     `symbol` is the declaration or assignment of that name in the program. `row` is the keyword of that name
-    if there is no symbol. Both are None for an unknown name. `stands` is the expression that a Define gives
+    if there is no symbol. Both are None for an unknown name. `definition` is the expression that a Define gives
     the name, copied for each use.
     """
 
-    __slots__ = ("row", "stands", "symbol")
+    __slots__ = ("definition", "row", "symbol")
 
     row: Keyword | None
-    stands: Expr | None
+    definition: Expr | None
     symbol: Symbol | None
 
-    def resolve(self, symbol: Symbol | None, row: Keyword | None = None, stands: Expr | None = None) -> Self:
+    def resolve(
+        self, symbol: Symbol | None, row: Keyword | None = None, definition: Expr | None = None
+    ) -> Self:
         """Record what the name refers to."""
-        self.symbol, self.row, self.stands = symbol, row, stands
+        self.symbol, self.row, self.definition = symbol, row, definition
         return self

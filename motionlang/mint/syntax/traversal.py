@@ -51,8 +51,8 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
 
 def meant(node: nodes.Expr) -> nodes.Expr:
     """Return the expression that a Define gives a name; any other node unchanged."""
-    while isinstance(node, Name) and node.args is None and node.stands is not None:
-        node = node.stands
+    while isinstance(node, Name) and node.args is None and node.definition is not None:
+        node = node.definition
     return node
 
 
