@@ -1,0 +1,86 @@
+"""Import cycles between the files of a folder: each is listed with its reason.
+
+An import for types only counts as well, since a reader follows it just the same.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections import defaultdict
+from pathlib import Path
+
+from tests.trees import tree_of
+
+PACKAGE = Path(__file__).parent.parent / "motionlang"
+
+# Folder and files of a group, and why they know each other. The table may only become shorter.
+GROUPS: dict[tuple[str, str], str] = {
+    (".", "report result"): "a run makes its report on request, and a report is made from a run",
+    ("controller", "accelerators axis axis_verbs core feedback joined move readers readings"):
+        "a controller owns its axes, an axis its move and its motor; each part asks its owner",
+    ("controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
+    ("controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
+    ("lang", "dependencies task"): "a task records what it reads; what it read decides when it goes on",
+    ("log", "__init__ log moves"): "the folder's `__init__` has the formats that the log and its moves share",
+    ("mccl/runtime", "board loop_log poll task"): "a board runs tasks, and a task commands its board",
+    ("mint/compile", "body loop_times polling splitting"): "a body is handed to those who write a part of it",
+    ("mint/compile", "calls expressions keyword_use path_use terminal_use unsimulated_use words"):
+        "an expression may be a keyword, whose arguments are expressions",
+    ("mint/compile", "for_loops loops statements"): "a loop is a statement, and contains statements",
+    ("mint/compile", "compiler error_recovery"): "to find further mistakes, a program is compiled again without a line",
+    ("mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
+                      "table_motion_splines"):
+        "cams, splines and compensation share their tables, followers and triggers their masters",
+    ("mint/keywords", "presets presets_moves"): "a preset begins a move; a preset move is that of a preset",
+    ("mint/resolve", "handlers names"): "the resolver of names finds handlers, which are looked up by name",
+    ("mint/runtime", "binding changes environment errors events input_values loop_log loop_skipping operations "
+                     "power_up task task_state waits"):
+        "the environment of a program owns its tasks, events and operations; each is handed its environment",
+    ("mint/syntax", "chain given node nodes"): "each kind of node contains expressions, which are nodes",
+    ("planners", "crossing cubics curve formula sequence"):
+        "the kinds of profile are made from each other: a sequence of formulas, the cubics of a curve",
+    ("repl", "commands session"): "a command changes the session that runs it",
+}  # fmt: skip
+
+
+def imports_of(path: Path) -> set[Path]:
+    """Return the files of its folder that a file imports anywhere."""
+    found = set()
+    for node in ast.walk(tree_of(path)):
+        if not isinstance(node, ast.ImportFrom) or not (node.module or "").startswith("motionlang"):
+            continue
+        base = PACKAGE.joinpath(*str(node.module).split(".")[1:])
+        for name in node.names:
+            choices = (
+                base / f"{name.name}.py",
+                base / name.name / "__init__.py",
+                base.with_suffix(".py"),
+                base / "__init__.py",
+            )
+            found |= {next((file for file in choices if file.exists()), path)}
+    return {file for file in found if file.parent == path.parent and file != path}
+
+
+def groups() -> set[tuple[str, str]]:
+    """Return folder and names of the files that reach each other by imports."""
+    by_folder = defaultdict(list)
+    for path in sorted(PACKAGE.rglob("*.py")):
+        by_folder[path.parent].append(path)
+    found = set()
+    for folder, paths in by_folder.items():
+        reached = {path: imports_of(path) for path in paths}
+        for middle in paths:
+            for path in paths:
+                if middle in reached[path]:
+                    reached[path] |= reached[middle]
+        for path in paths:
+            members = sorted(
+                other.stem for other in paths if other in reached[path] and path in reached[other]
+            )
+            if members:
+                found.add((folder.relative_to(PACKAGE).as_posix(), " ".join(members)))
+    return found
+
+
+def test_files_that_import_each_other_are_listed_with_a_reason() -> None:
+    assert groups() == GROUPS.keys()
