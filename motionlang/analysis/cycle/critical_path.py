@@ -34,6 +34,11 @@ if TYPE_CHECKING:
     # Its cause, source position, task, axes and the line that waited.
     About = tuple[str, SourcePosition, str, tuple[int, ...], int]
     Put = Callable[[float], None]
+    # Of a wait at a position: cause, callers and position, the appenders of begins and ends of computing, if a
+    # motion may have ended it, and its own appenders.
+    WaitedAt = tuple[str, tuple[int, ...], SourcePosition, Put, Put, bool, Put, Put]
+    # Of a move that was waited for: line, axes and shape, the position, and the appenders of begins and ends.
+    MovedAt = tuple[tuple[int, tuple[int, ...], Profile | Recipe], SourcePosition, Put, Put]
 
 # A wait ends up to this many statements after its cause; nothing else happens in between.
 STATEMENTS = 2.5
@@ -56,7 +61,7 @@ _UNTIL: Callable[[Wait], float] = itemgetter(3)
 _UNUSED: list[float] = []
 _NOTHING = _UNUSED.append
 UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
-UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
+UNMOVED = None, NOWHERE, _NOTHING, _NOTHING
 
 
 @record
@@ -213,22 +218,16 @@ class CriticalPath:
         rank = len(ends) - 1  # of the last motion that was over by then
         waits = self._waits.get(task, [])
         loops = _Loops(self, task) if task in self._polls.spans else None
-        # Of the last wait at a position: cause, callers and position, and the appenders of begins and ends of
-        # computing and of it.
-        known: dict[int, tuple[str, tuple[int, ...], SourcePosition, Put, Put, bool, Put, Put]] = {}
-        # Of the last move that was waited for there: line, axes, shape, position, and the appenders of begins
-        # and ends.
-        moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, SourcePosition, Put, Put]] = {}
+        known: dict[int, WaitedAt] = {}  # of the last wait at a position
+        moved: dict[int, MovedAt] = {}  # of the last move that was waited for there
         for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
             _, at, since, until, cause, what, _, callers = wait = waits[last]
             if since >= time or until > time + 1e-12:
                 continue  # it was not over by then
             kind, caller, place, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
             if kind != cause or caller != callers:
-                place, of_motion = self.places.of(at, callers), cause in MOVED
-                began, ended = self._strip("computing", place, task).columns
-                begun, over = self._strip(CAUSES[cause], place, task).columns
-                known[at] = cause, callers, place, began, ended, of_motion, begun, over
+                known[at] = self._at(at, cause, callers, task)
+                _, _, place, began, ended, of_motion, begun, over = known[at]
             if until < time:
                 if loops is None or not loops.take(until, time, place):
                     began(until)
@@ -261,26 +260,35 @@ class CriticalPath:
                     began(end)
                     ended(time)
                 time = end
-            line_before, axes_before, shape_before, where, started, arrived = moved.get(at, UNMOVED)
+            known_move, where, started, arrived = moved.get(at, UNMOVED)
+            earlier = waits[last - 1][3] if last else 0.0
+            in_between = begin - near <= since and earlier <= begin + near < until
             if (
-                line == line_before
-                and axes == axes_before
-                and place is where
-                and begin - near <= since
-                and begin + near < until
-                and not (last and begin + near < waits[last - 1][3])
-                and shape == shape_before
-            ):  # the task itself began it, the most frequent case  # fmt: skip
+                in_between and place is where and known_move == (line, axes, shape)
+            ):  # the task itself began it
                 started(begin)
                 arrived(time)
                 time = begin
                 continue
             motion = end, begin, line, axes, shape
-            moved[at] = line, axes, shape, place, *self._strip_of(motion, task, place).columns
+            moved[at] = (line, axes, shape), place, *self._strip_of(motion, task, place).columns
             other, time = self._back(motion, time, task, place)
             if other != task:
                 return other, time
         return self._started(task, time) if time > 0.0 else (task, time)
+
+    def _at(self, at: int, cause: str, callers: tuple[int, ...], task: str) -> WaitedAt:
+        """Return what waits of one cause at a position have in common."""
+        place = self.places.of(at, callers)
+        computing = self._strip("computing", place, task).columns
+        return (
+            cause,
+            callers,
+            place,
+            *computing,
+            cause in MOVED,
+            *self._strip(CAUSES[cause], place, task).columns,
+        )
 
     def _started(self, task: str, time: float) -> tuple[str, float]:
         """Go from `time`, before the first wait of a task, back to its start.
