@@ -88,7 +88,7 @@ class Playback(Action):
         move = a.move
         assert move is not None
         a.target = move.target = a.profiles[-1].end
-        move.action = Stopping()
+        move.action = _StoppingOnPath()
         return True
 
     def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
@@ -181,6 +181,13 @@ class Playback(Action):
     def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
         self._is_paced = True
         return Reparametrised(pace, path, shape)
+
+
+class _StoppingOnPath(Stopping):
+    """Coming to rest on a profile, whose accelerations may exceed the rates of the axis."""
+
+    __slots__ = ()
+    keeps_rates = False
 
 
 def _to_the_end(path: Profile, pace: Profile) -> Profile:
