@@ -206,6 +206,47 @@ def test_a_jog_takes_over_from_a_spline_at_no_more_than_the_rate_of_the_axis(sto
     assert jog.peak_speed == pytest.approx(jog.start_velocity + 100.0**2 / (2.0 * 1000.0))
 
 
+SLOPES = "DRIVESPEEDMAX(0) = 1000 : SPEEDREFACCELTIME(0) = 500 : SPEEDREFACCELJERKENDTIME(0) = 10\n"
+SLOPES += "SPEEDREFENABLE(0) = 1\n"
+
+
+@pytest.mark.parametrize("stop", ["", "STOP(0)\n"])
+def test_a_speed_reference_takes_over_from_a_spline_at_no_more_than_its_rate(stop: str) -> None:
+    """At 2 ms the spline is at 6 * 10/0.02 * 0.1 * 0.9 = 270 with 120 000.
+
+    The slope's 1000/0.5 s decay in 10 ms and lead to 280. The other 20 take 20/2000 s and half of the edge.
+    """
+    program = f"{SLOPES}{STEEP}{stop}SPEEDREF(0) = 300\nWAIT = 200\nCANCEL(0)\n"
+    result = proved(program)
+    *_, slope, _ = result.controller.axes[0].profiles
+    assert slope.velocity(0.01) == pytest.approx(280.0, abs=0.01)
+    assert slope.knots[-2] == pytest.approx(0.01 + 0.01 + 0.005, abs=1e-6)
+
+
+def test_a_speed_reference_goes_on_by_its_slope_at_another_zero() -> None:
+    """To 100 at 2000 with an edge of 10 ms takes 0.05 + 0.005 s.
+
+    After 20 ms the position is set, and 35 ms remain.
+    """
+    program = f"{SLOPES}SPEEDREF(0) = 100\nWAIT = 20\nPOS(0) = 5\nWAIT = 200\nCANCEL(0)\n"
+    *_, rest, _ = proved(program).controller.axes[0].profiles
+    assert rest.knots[-2] == pytest.approx(0.035, abs=1e-6)
+
+
+def test_a_speed_reference_whose_slope_is_lowered_passes_its_velocity() -> None:
+    """After 20 ms at 2000 it is at 40, of 45.
+
+    At a slope of 500 the 2000 decay in 40 ms and add 40. The 35 beyond 45 come back at DECELTIME 1000.
+    """
+    lower = (
+        "SPEEDREFACCELTIME(0) = 2000 : SPEEDREFDECELTIME(0) = 1000\nSPEEDREF(0) = 45\nWAIT = 200\nCANCEL(0)\n"
+    )
+    result = proved(f"{SLOPES}SPEEDREF(0) = 100\nWAIT = 20\n{lower}")
+    *_, slope, _ = result.controller.axes[0].profiles
+    assert slope.velocity(0.04) == pytest.approx(80.0, abs=1e-3)
+    assert slope.knots[-2] == pytest.approx(0.04 + 0.035, abs=1e-5)
+
+
 def test_a_jog_the_other_way_slows_down_by_an_s_ramp_at_once() -> None:
     """It decelerates at 1215 all the way to rest: the jog's speed applies from 12 on."""
     move = "DECEL(0) = 1215\nMOVER(0) = 50 : GO(0)\nWAIT = 500\nINCA(0) = 0\nPROFILEMODE(0) = 1\n"

@@ -7,6 +7,7 @@ from itertools import pairwise
 from math import fsum, isfinite, sqrt
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.proof.axes import PLANNED
 from motionlang.analysis.proof.checker import SLACK, Uses, position
 from motionlang.analysis.proof.flanks import last_change
 from motionlang.analysis.proof.segments import Span, derivatives
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from motionlang.log.order import Order, Tie
     from motionlang.log.track import WholeTrack
     from motionlang.planners import Profile
+
+    Slopes = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 # Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)
@@ -207,10 +210,10 @@ def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
                 return
 
 
-def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def check_reference(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, shifted: bool) -> None:
     """Check that a position reference ends at its position, and a speed in its time.
 
-    A speed is reached by its slopes.
+    A speed is reached by its slopes. A profile that was `shifted` is the one before at a new zero.
     """
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
     if order.slopes is None:
@@ -223,9 +226,10 @@ def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     if endless and not order.goal:
         proof.breaks(order.line, f"{where}: it never reaches its end")
     uses = Uses(proof)
-    fades = order.slopes[0 if entry.acceleration * entry.velocity >= 0.0 else 1][2]
-    eased = abs(entry.acceleration) if fades else 0.0
-    came = abs(entry.velocity) + eased * max(end for _, _, end in order.slopes)
+    bent = _carried(run, a, i, order)
+    fading = _fading(entry.velocity, bent, order.slopes)
+    eased = abs(bent) if fading else 0.0
+    came = max(abs(entry.velocity), abs(entry.velocity + 0.5 * bent * fading))
     for piece, begin, finish in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
         span = Span(begin, finish - begin if isfinite(finish) else 1.0, piece)
         uses.compare("speed", span.peak(1), max(order.speed, came))
@@ -234,7 +238,11 @@ def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
             uses.compare("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
     uses.tell(order.line, where, " counts")
     took = profile.knots[-2] if endless else profile.knots[-1]
-    wanted = _reference_time(entry.velocity, _carried(a, i), order.goal, order.slopes)
+    if shifted and order == run.orders.of[a.index][i - 1]:
+        before = a.profiles[i - 1]
+        wanted = max(0.0, last_change(before) - (a.starts[i] - a.starts[i - 1]))
+    else:
+        wanted = _reference_time(entry.velocity, bent, order.goal, order.slopes)
     if abs(took - wanted) > wanted * SLACK + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s, expected {wanted:g} s")
     if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
@@ -242,23 +250,33 @@ def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
         proof.breaks(order.line, f"{where}: {words}")
 
 
-def _carried(a: WholeTrack, i: int) -> float:
-    """Return the initial acceleration of profile i, from the one before.
+def _carried(run: Run, a: WholeTrack, i: int, order: Order) -> float:
+    """Return the initial acceleration of a reference's profile i, from the one before.
 
-    Its own may begin with another one, if a slope has no edge.
+    Its own may begin with another one, if a slope has no edge. From a table, a master or another reference it
+    takes over at most the rate of its slope.
     """
-    if not i or not a.profiles[i - 1].pieced:
-        return 0.0
     before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
-    return before.at(elapsed).acceleration if elapsed < last_change(before) else 0.0
+    if not i or elapsed >= last_change(before):
+        return 0.0
+    state, kind = before.at(elapsed), run.orders.of[a.index][i - 1].kind
+    if kind in (*PLANNED, "rest", "path") or a.starts[i] not in run.orders.begun[a.index]:
+        return state.acceleration
+    rate = order.rates[0 if state.acceleration * state.velocity >= 0.0 else 1]
+    return max(-rate, min(state.acceleration, rate))
 
 
-def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:
+def _fading(v0: float, a0: float, slopes: Slopes) -> float:
+    """Return the time in which an initial acceleration decays, 0 at a slope without an edge."""
+    rate, _, end = slopes[0 if a0 * v0 >= 0.0 else 1]
+    return abs(a0) * end / rate
+
+
+def _reference_time(v0: float, a0: float, v1: float, slopes: Slopes) -> float:
     """Return the time between two velocities; an initial acceleration decays first."""
     up, down = slopes
-    rate, _, end = up if a0 * v0 >= 0.0 else down
-    if a0 and end:
-        fading = abs(a0) * end / rate
+    fading = _fading(v0, a0, slopes)
+    if fading:
         return fading + _reference_time(v0 + 0.5 * a0 * fading, 0.0, v1, slopes)
     if v0 * v1 < 0.0:
         return _slope_time(abs(v0), down) + _slope_time(abs(v1), up)

@@ -111,7 +111,7 @@ def prove(
                 elif order.points is not None:
                     check_points(proof, a, i, order)
                 elif order.kind == "reference":
-                    check_reference(proof, a, i, order)
+                    check_reference(proof, run, a, i, order, shifted)
             if i:
                 _check_join(proof, run, a, i)
     check_settings(proof, run)
