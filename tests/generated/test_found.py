@@ -924,3 +924,16 @@ def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:
     result = proved(cam + arc)
     height = 4.0 - sqrt(80.0) * sin(atan2(4.0, 8.0) + radians(48.119))
     assert places(result, 1, 2) == pytest.approx([height, 0.0])
+
+
+def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
+    """Axis 1 brakes at 50 over its 3, from sqrt(2 * 50 * 3); axis 0 brakes to that at 100.
+
+    The stop is planned from 20 at 1.6 s on, which a suspension at 1.61 s cannot hasten.
+    """
+    paths = "MAXDECEL(1) = 50\nVECTORR(0, 1) = 30.5, 0\nVECTORR(0, 1) = 0, 3\nGO(0)\n"
+    suspend = "WAIT = 1610\nSUSPEND(0) = 1\nPAUSE VELDEMANDPATH(0) = 0\n"
+    result = proved(f"{RATES}{CONTOUR}{paths}{suspend}")
+    assert places(result, 0, 1) == pytest.approx([30.5, 3.0])
+    corner = sqrt(300.0)
+    assert result.time == pytest.approx(1.6 + (20.0 - corner) / 100.0 + corner / 50.0, abs=1e-5)

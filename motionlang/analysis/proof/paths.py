@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
+from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, nextafter, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import SLACK, Uses
@@ -201,14 +201,16 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
         return False
     begin, end = master.starts[i - 1], master.starts[i]
     entries = [(run.axes[number], k) for number, k in zip(path.members, path.scales, strict=True)]
-    first, last = (
-        fsum(
-            (a.profiles[a.place(begin)].velocity(time - a.starts[a.place(begin)]) / k) ** 2
-            for a, k in entries
-        )
-        for time in (begin, end)
-    )
-    return first < last * (1.0 - SLACK)
+    first, last = 0.0, 0.0
+    power = 0.0
+    for a, k in entries:
+        n = a.place(begin)
+        profile, length = a.profiles[n], end - a.starts[n]
+        state = profile.at(min(length, nextafter(profile.duration, 0.0)))
+        first += (profile.velocity(begin - a.starts[n]) / k) ** 2
+        last += (state.velocity / k) ** 2
+        power += state.velocity * state.acceleration / k**2
+    return power >= 0.0 and first < last * (1.0 - SLACK)
 
 
 def check_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
