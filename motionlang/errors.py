@@ -113,11 +113,12 @@ class Diagnostic:
 
     `column` 0 means that only the line is known, `line` 0 that the complete file is meant. `count` is how
     often a run has met it, from the machine time `first` to `last`. `fix` is the correction of the marked
-    text if it is unambiguous, or "".
+    text if it is unambiguous, or "". `candidates` are texts that may have been meant in its place.
     """
 
     __slots__ = (
-        "code", "column", "count", "first", "fix", "hint", "last", "length", "line", "message", "severity",
+        "candidates", "code", "column", "count", "first", "fix", "hint", "last", "length", "line", "message",
+        "severity",
     )  # fmt: skip
 
     def __init__(
@@ -131,10 +132,12 @@ class Diagnostic:
         hint: str = "",
         severity: str = "error",
         fix: str = "",
+        candidates: Sequence[str] = (),
     ) -> None:
         assert code in CODES, code
         self.code, self.message, self.line, self.column = code, message, line, column
         self.length, self.hint, self.severity, self.fix = length, hint, severity, fix
+        self.candidates = tuple(candidates)
         self.count, self.first, self.last = 1, 0.0, 0.0
 
     def __repr__(self) -> str:
@@ -275,6 +278,7 @@ LIBRARIES = {
     "mcap": ("mcap", "mcap"),
     "can": ("can", "python-can"),
     "canopen": ("can", "canopen"),
+    "pygls": ("lsp", "pygls"),
     "serial": ("serial", "pyserial"),
     "shtab": ("completion", "shtab"),
 }

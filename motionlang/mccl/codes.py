@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
 # From the table that the MX driver was written with (after PMC's manual).
 MEANINGS: dict[int, str] = {
     0: "no error",
@@ -42,9 +46,17 @@ ASSIGNED_TWICE = -17
 class Fault(Exception):
     """The controller answers a command with `?code`.
 
-    `kind` is one of `errors.CODES`.
+    `kind` is one of `errors.CODES`. `candidates` are the commands that may have been meant.
     """
 
-    def __init__(self, code: int, message: str, hint: str = "", kind: str = "command-error") -> None:
+    def __init__(
+        self,
+        code: int,
+        message: str,
+        hint: str = "",
+        kind: str = "command-error",
+        candidates: Sequence[str] = (),
+    ) -> None:
         self.code, self.message, self.hint, self.kind = code, message, hint, kind
+        self.candidates = tuple(candidates)
         super().__init__(message)

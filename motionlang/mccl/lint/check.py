@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.lang.typography import plain
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
 # Jumps within a line.
 _JUMPS = frozenset({"jump", "jump_by"})
 _DEFINES = "define_macro"
+_WORD = re.compile("[A-Za-z]+")
 
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
@@ -165,7 +168,10 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
 def _diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") -> Diagnostic:
     line, column, length = locate(source, at)
     code = f" (?{fault.code}: {codes.MEANINGS[fault.code]})" if fault.code else ""
-    fix = ""
+    fix, candidates = "", []
+    if fault.candidates:
+        text = source.line(line)[column - 1 : column - 1 + length]
+        candidates = [_WORD.sub(each, text, count=1) for each in fault.candidates]
     if fault.kind == "syntax":
         text = source.line(line)[column - 1 :]
         end = stuck(text[:length])[0]
@@ -181,4 +187,5 @@ def _diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") 
         hint=fault.hint,
         severity=severity,
         fix=fix,
+        candidates=candidates,
     )

@@ -156,10 +156,11 @@ def _no_command(text: str) -> Command:
 
 
 def _unknown(word: str) -> Fault:
-    from motionlang.mccl.resolve.nearest import hint
+    from motionlang.mccl.resolve.nearest import candidates, hint
 
     name = word if len(word) > 2 else word.upper()
-    return Fault(codes.UNRECOGNISED, f"there is no command {name}", hint(word), "unknown-word")
+    message = f"there is no command {name}"
+    return Fault(codes.UNRECOGNISED, message, hint(word), "unknown-word", candidates(word))
 
 
 def _no_parameter(rest: str, row: Keyword) -> Fault:

@@ -147,7 +147,7 @@ def warn_of_misspellings(whole: SharedData) -> None:
                 meant = bracketed(symbol.name, whole.table) or near
                 whole.problems.add(
                     "unknown-word", f"{symbol.name} is assigned but never read", symbol.at,
-                    f"did you mean {meant}? If it is a variable, declare it with Dim",
+                    f"did you mean {meant}? If it is a variable, declare it with Dim", candidates=(meant,),
                 )  # fmt: skip
 
 

@@ -7,7 +7,7 @@ of the checks in this package. A comment in the program can silence a warning.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.lint import has_host, silence
@@ -75,12 +75,14 @@ def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[D
     facts = Facts(names, table(), has_host(module.places.source, COMMENT))
     found: dict[tuple[str, int, str], Diagnostic] = {}
 
-    def add(code: str, message: str, at: int, hint: str = "") -> None:
+    def add(code: str, message: str, at: int, hint: str = "", candidates: Sequence[str] = ()) -> None:
         place = module.line(at), module.column(at)
         length = module.length(at)
         found.setdefault(
             (code, at, message),
-            Diagnostic(code, message, *place, length=length, hint=hint, severity="warning"),
+            Diagnostic(
+                code, message, *place, length=length, hint=hint, severity="warning", candidates=candidates
+            ),
         )
 
     reach = Reach(facts, settings)

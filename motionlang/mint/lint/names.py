@@ -63,7 +63,7 @@ def _unused_variable(facts: Facts, symbol: Symbol, suggestions: _Suggestions, ad
         what = f"is assigned but never read{' elsewhere' if symbol.uses > 0 else ''}"
     near = None if symbol.declared else suggestions.alike(symbol, lambda each: each.uses > 0)
     hint = f"did you mean {near}?" if near else ""
-    add("unused-variable", f"{symbol.name} {what}", symbol.at, hint)
+    add("unused-variable", f"{symbol.name} {what}", symbol.at, hint, (near,) if near else ())
 
 
 def _no_value(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
@@ -79,6 +79,7 @@ def _no_value(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add)
         f"{symbol.name} is read but never assigned: it is always {value}",
         symbol.at,
         hint,
+        (near,) if near else (),
     )
 
 

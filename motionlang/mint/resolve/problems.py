@@ -6,7 +6,7 @@ from motionlang.errors import Diagnostic, ProgramError, nearest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
 
     from motionlang.lang.keyword import Table
     from motionlang.mint.syntax.nodes import Module
@@ -33,18 +33,35 @@ class Problems:
         return len(self.found) >= MAX_PROBLEMS and self._wrong
 
     def add(
-        self, code: str, message: str, at: int, hint: str = "", severity: str = "error", fix: str = ""
+        self,
+        code: str,
+        message: str,
+        at: int,
+        hint: str = "",
+        severity: str = "error",
+        fix: str = "",
+        candidates: Sequence[str] = (),
     ) -> None:
         """Record a problem; each code is reported once for a position.
 
-        `fix` is the text that would replace the token.
+        `fix` is the text that would replace the token, `candidates` are texts that might.
         """
         if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
             line, column, length = self._place(at)
             self.found.setdefault(
                 (code, at),
-                Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity, fix=fix),
+                Diagnostic(
+                    code,
+                    message,
+                    line,
+                    column,
+                    length=length,
+                    hint=hint,
+                    severity=severity,
+                    fix=fix,
+                    candidates=candidates,
+                ),
             )
 
     def unknown(
@@ -64,7 +81,10 @@ class Problems:
             return
         meant = bracketed(word, table) if table is not None else None
         near = meant or nearest(word, words())
-        self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise, fix=meant or "")
+        hint = f"did you mean {near}?" if near else otherwise
+        # A candidate replaces the marked text, so that has to be the word.
+        candidates = (near,) if near and not meant and self.text(at).lower() == word.lower() else ()
+        self.add("unknown-word", message, at, hint, fix=meant or "", candidates=candidates)
 
     def of_the_run(self) -> list[Diagnostic]:
         """Return the warnings that a run also reports, of keywords that may end it early."""

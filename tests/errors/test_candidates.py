@@ -1,0 +1,31 @@
+"""Names that may have been meant, as data.
+
+An editor offers them, and `check --fix` does not apply them.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.dialect import dialect
+from motionlang.source import Source
+from tests.cases import cases
+
+# Language, text, the text that the first such finding marks, and what may have been meant.
+MEANT = (
+    ("mint", "SPEDE = 3\n", "SPEDE", ("SPEED",)),
+    ("mint", "counter = 2\nPrint cuonter\n", "cuonter", ("counter",)),
+    ("mint", "Dim a As Integr\na = 1 : Print a\n", "Integr", ("Integer",)),
+    ("mccl", "MD1,WA1\nMD2,1RM100\nXA5\n", "XA5", ("AX5",)),
+    ("mint", "Event ONEROR\nEnd Event\n", "Event", ()),  # the whole heading is marked
+)  # fmt: skip
+
+
+@cases("language, text, marked, meant", MEANT)
+def test_a_misspelt_name_has_candidates(
+    language: str, text: str, marked: str, meant: tuple[str, ...]
+) -> None:
+    source = Source("a", text)
+    found = [each for each in dialect(language).check(source) if each.candidates or not meant]
+    assert [each.candidates for each in found[:1]] == [meant]
+    line = source.line(found[0].line)
+    assert line[found[0].column - 1 :].startswith(marked)
+    assert all(not each.fix for each in found)
