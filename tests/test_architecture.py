@@ -80,6 +80,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "statement_time",
             "lint",
             "listing",
+            "names",
             "nesting",
             "run_errors",
             "dialect",

@@ -29,10 +29,10 @@ LAZY = {
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
     "mccl/__init__.py": "keywords keywords.row keywords.switchable lint.check models "
-    "resolve.loop_dependencies resolve.listing "
+    "resolve.definitions resolve.loop_dependencies resolve.listing "
     "runtime.program runtime.session syntax.parser syntax.tokens syntax.tree",
     "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
-    "models program resolve.loop_dependencies runtime.wait_sources syntax.extent syntax.parser",
+    "models program resolve.definitions resolve.loop_dependencies runtime.wait_sources syntax.extent syntax.parser",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
     "mint/program.py": "compile.compiler syntax.parser",

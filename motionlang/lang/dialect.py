@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
+    from motionlang.lang.names import Names
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.source import Source
@@ -132,6 +133,13 @@ class Dialect:
         """Return all errors and warnings without a run.
 
         `settings` are those of the machine file.
+        """
+        raise NotImplementedError
+
+    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
+        """Return the definitions, uses and blocks of a text.
+
+        Lines that cannot be read have none.
         """
         raise NotImplementedError
 

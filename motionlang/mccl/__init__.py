@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
+    from motionlang.lang.names import Names
     from motionlang.lang.program import Program
     from motionlang.mccl.syntax.tree import Module
     from motionlang.source import Source
@@ -89,6 +90,11 @@ class Mccl(Dialect):
         from motionlang.mccl.keywords.row import forms
 
         return forms(row)
+
+    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
+        from motionlang.mccl.resolve.definitions import names
+
+        return names(source, settings)
 
     def models(self) -> tuple[str, ...]:
         from motionlang.mccl.models import MODELS

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
+    from motionlang.lang.names import Names
     from motionlang.lang.program import Program
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
@@ -83,6 +84,11 @@ class Mint(Dialect):
         from motionlang.mint.lint import check
 
         return check(source, settings)
+
+    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
+        from motionlang.mint.resolve.definitions import names
+
+        return names(source)
 
     def models(self) -> tuple[str, ...]:
         from motionlang.mint.models import NAMES, PRODUCTS

@@ -5,14 +5,13 @@ from __future__ import annotations
 from motionlang.errors import ProgramError
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.keywords import table
-from motionlang.mint.syntax.parser import parse
+from motionlang.mint.syntax.recovery import readable
 from motionlang.mint.syntax.tables import TABLES
-from motionlang.source import Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
-    from motionlang.mint.syntax.nodes import Module
+    from motionlang.source import Source
 
 # Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by a
 # removed line.
@@ -32,9 +31,6 @@ _OF_A_STATEMENT = frozenset(
         "division-by-zero",
     }
 )
-# The maximum number of attempts. Removing a line that opens a block makes others unreadable: its end, then
-# the lines between.
-_TURNS = 4
 
 
 def with_other_lines(
@@ -46,7 +42,7 @@ def with_other_lines(
     it are not reported.
     """
     lines = source.text.split("\n")
-    module, taken = _readable(source.name, lines, unreadable)
+    module, taken = readable(source, unreadable)
     if module is None:
         return unreadable
     names = {name for number in taken for name in _names(lines[number - 1])}
@@ -56,22 +52,6 @@ def with_other_lines(
         more = [each for each in error.diagnostics if _stands(each, lines, names)]
         return ProgramError([*unreadable.diagnostics, *more])
     return unreadable
-
-
-def _readable(name: str, lines: list[str], error: ProgramError) -> tuple[Module | None, set[int]]:
-    """Return the tree of a text without its unreadable lines, and their numbers.
-
-    The tree is None if the rest cannot be parsed either.
-    """
-    taken: set[int] = set()
-    for _ in range(_TURNS):
-        taken.update(each.line for each in error.diagnostics)
-        kept = ("" if number in taken else line for number, line in enumerate(lines, 1))
-        try:
-            return parse(Source(name, "\n".join(kept))), taken
-        except ProgramError as again:
-            error = again
-    return None, taken
 
 
 _WORDS = ("NAME", "DOTTED")

@@ -1,0 +1,124 @@
+"""The blocks of a text, by its tokens alone, also where it is half typed.
+
+`turns` names each token that opens, continues or closes a block. The formatter counts them, and `blocks` pairs
+them.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+OPEN, MIDDLE, CLOSE = "open", "middle", "close"
+# Kinds of token before which a keyword of a block is something else: the end of a block, or a label.
+_NOT_OPENING = frozenset(("END", "EXIT", "HASH", "GOTO", "GOSUB", "RUN", "DOT", "AS"))
+# Kinds of token after which such a keyword is a name: `event = 3`.
+_OF_A_NAME = frozenset(("EQUAL", "LPAR", "LSQB", "DOT"))
+_WATCHED = frozenset((*OPENERS, *CLOSERS, "END"))
+# Kinds of token after which a statement begins.
+_STARTS = frozenset(("_NL", "COLON"))
+
+
+@record
+class Turn:
+    """A token that opens, continues or closes a block of a kind of `OPENERS`.
+
+    `count` is the number of blocks that it closes: 2 for `Next i, j`.
+    """
+
+    at: int
+    what: str
+    kind: str
+    count: int = 1
+
+
+@record
+class Span:
+    """A block from its opening token to the last token of its end.
+
+    `name` is the token of its name, -1 if it has none.
+    """
+
+    kind: str
+    first: int
+    last: int
+    name: int
+
+
+def turns(kinds: Sequence[str]) -> Iterator[Turn]:
+    """Yield the tokens that open, continue or close a block.
+
+    One-line Ifs are not blocks.
+    """
+    inline = -1  # the tokens up to here belong to a one-line If
+    for at, kind in enumerate(kinds):
+        if kind not in _WATCHED:
+            continue
+        before = kinds[at - 1] if at else "_NL"
+        if kind == "END":
+            closed = kinds[at + 1] if at + 1 < len(kinds) else ""
+            if closed in OPENERS and before not in _NOT_OPENING and (closed != "IF" or at > inline):
+                yield Turn(at, CLOSE, closed)
+        elif before in _NOT_OPENING:
+            continue
+        elif kind in DECLARATIONS:
+            if before in _STARTS and kinds[at + 1] not in _OF_A_NAME:
+                yield Turn(at, OPEN, kind)
+        elif kind == "IF":
+            if before == "ELSE" and _begins_line(kinds, at - 1):
+                continue  # an ElseIf, reported with its Else
+            end = _line_end(kinds, at)
+            if at > inline and "THEN" in kinds[at:end] and not _is_block(kinds, at, end):
+                inline = end
+            elif at > inline:
+                yield Turn(at, OPEN, kind)
+        elif kind in ("ELSE", "ELSEIF", "CASE"):
+            if at > inline and before != "SELECT":
+                yield Turn(at, MIDDLE, CLOSERS[kind])
+        elif kind == "NEXT":
+            end = next((i for i in range(at, len(kinds)) if kinds[i] in _STARTS), len(kinds))
+            yield Turn(at, CLOSE, "FOR", 1 + kinds[at:end].count("COMMA"))
+        elif kind in CLOSERS:
+            yield Turn(at, CLOSE, CLOSERS[kind])
+        else:
+            yield Turn(at, OPEN, kind)
+
+
+def blocks(kinds: Sequence[str]) -> list[Span]:
+    """Return the closed blocks of a text in the order of their beginnings."""
+    found: list[Span] = []
+    opened: list[Turn] = []
+    for turn in turns(kinds):
+        if turn.what == OPEN:
+            opened.append(turn)
+            continue
+        for _ in range(turn.count if turn.what == CLOSE else 0):
+            place = next((i for i in range(len(opened) - 1, -1, -1) if opened[i].kind == turn.kind), -1)
+            if place < 0:
+                break
+            first = opened[place]
+            del opened[place:]
+            named = first.kind in DECLARATIONS and kinds[first.at + 1] not in _STARTS
+            last = turn.at + (kinds[turn.at] == "END")
+            found.append(Span(first.kind, first.at, last, first.at + 1 if named else -1))
+    return sorted(found, key=lambda each: each.first)
+
+
+def _begins_line(kinds: Sequence[str], at: int) -> bool:
+    return at == 0 or kinds[at - 1] == "_NL"
+
+
+def _line_end(kinds: Sequence[str], at: int) -> int:
+    while at < len(kinds) and kinds[at] not in ("_NL", "$END"):
+        at += 1
+    return at
+
+
+def _is_block(kinds: Sequence[str], at: int, end: int) -> bool:
+    """True if nothing but colons follows the Then of an If on its line."""
+    then = next(i for i in range(at, end) if kinds[i] == "THEN")
+    return all(kind == "COLON" for kind in kinds[then + 1 : end])

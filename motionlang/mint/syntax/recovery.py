@@ -1,0 +1,33 @@
+"""The tree of a text with errors: unreadable lines are blanked until it parses."""
+
+from __future__ import annotations
+
+from motionlang.errors import ProgramError
+from motionlang.mint.syntax.parser import parse
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.syntax.nodes import Module
+
+# The maximum number of attempts. Blanking a line that opens a block makes others unreadable: its end, then
+# the lines between.
+_ATTEMPTS = 4
+
+
+def readable(source: Source, error: ProgramError) -> tuple[Module | None, set[int]]:
+    """Return the tree of a text without its unreadable lines, and their numbers.
+
+    Blanks replace the lines, so positions in the rest stay the same. `error` has the mistakes of the text. The
+    tree is None if the rest cannot be parsed either.
+    """
+    lines = source.text.split("\n")
+    taken: set[int] = set()
+    for _ in range(_ATTEMPTS):
+        taken.update(each.line for each in error.diagnostics)
+        kept = (" " * len(line) if number in taken else line for number, line in enumerate(lines, 1))
+        try:
+            return parse(Source(source.name, "\n".join(kept))), taken
+        except ProgramError as again:
+            error = again
+    return None, taken
