@@ -75,6 +75,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         (
             "keyword",
             "gains",
+            "highlight",
             "program",
             "task",
             "statement_time",

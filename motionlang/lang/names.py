@@ -53,7 +53,8 @@ class Definition:
 class Block:
     """A sub, a task, a handler, a loop or a branch.
 
-    `span` is from its first to its last token. `name` is "" for a block without one, and `at` the span of its name, or of the keyword that opens it.
+    `span` is from its first to its last token. `name` is "" for a block without one, and `at` the span of its
+    name, or of the keyword that opens it.
     """
 
     kind: str

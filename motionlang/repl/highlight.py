@@ -10,8 +10,8 @@ from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.styles import Style
 
 from motionlang.lang.dialect import Dialect
+from motionlang.lang.highlight import pieces
 from motionlang.repl.commands import is_command
-from motionlang.views.highlight import pieces
 
 STYLE = Style.from_dict(
     {

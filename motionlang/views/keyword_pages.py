@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.assumptions.keyword_facts import facts
 from motionlang.assumptions.questions import of_word
-from motionlang.views.keywords import facts
 from motionlang.views.words import dialect_name
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import tokenize
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from motionlang.views.highlight import pieces
+from motionlang.lang.highlight import pieces
 from motionlang.views.terminal import cells, printable, styled
 
 if TYPE_CHECKING:

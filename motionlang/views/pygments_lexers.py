@@ -11,7 +11,7 @@ from pygments.lexer import Lexer
 from pygments.token import Comment, Error, Generic, Keyword, Name, Number, String, Text
 
 from motionlang.lang.dialect import dialect
-from motionlang.views.highlight import pieces
+from motionlang.lang.highlight import pieces
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

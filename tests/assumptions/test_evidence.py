@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.assumptions.facts import listed, of_word
+from motionlang.assumptions.keyword_facts import TRUST, facts
 from motionlang.lang.dialect import dialect, dialects
-from motionlang.views.keywords import TRUST, facts
 from tests.assumptions.draw import FACTS, ROWS, drawn, line
 
 # The type library has names, arguments, types and read or write: no meaning, short form, default or range.

@@ -5,10 +5,10 @@ Check, run, message and page agree on it.
 
 from __future__ import annotations
 
+from motionlang.assumptions.keyword_facts import facts
 from motionlang.mccl import DIALECT
 from motionlang.mccl.keywords import table
 from motionlang.source import Source
-from motionlang.views.keywords import facts
 from tests.cases import cases
 from tests.mccl.conftest import Runner
 

@@ -1,4 +1,4 @@
-"""Highlighting for the prompt and for Pygments.
+"""The kinds of all pieces of a text, for highlighting.
 
 The dialect splits a text into tokens; the rows of its table define the keywords.
 """
