@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from motionlang.errors import Diagnostic
+    from motionlang.lang.debugging import Hook
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.entries import Given
     from motionlang.lang.program import Program
@@ -101,6 +102,7 @@ def run(
     log_size: float | None = None,
     compiled: Program | None = None,
     fast: bool | None = None,
+    hook: Hook | None = None,
     inputs: Given = (),
     analog: Given = (),
     answers: Given = (),
@@ -111,7 +113,7 @@ def run(
     `motionlang.run` has the public parameters and describes them, with the errors it raises. The others are for
     this package. `pace` is called with the machine time about to be reached. `outside` is a world that acts by
     itself, such as a host; it controls how machine time passes. `begun` is called with the machine when the program
-    begins, for an observer. An internal error is
+    begins, for an observer. `hook` makes it a debug build, which calls it before statements. An internal error is
     raised, or with `keep_crash` stored in `Run.crash` next to the results before it. `compiled` is the compiled
     program of this source for a machine that agrees with this one wherever `Dialect.compiled_in` depends on it.
     """
@@ -133,6 +135,7 @@ def run(
         overrides=overrides,
         accelerators=accelerators(fast),
     )
+    virtual.hook = hook
     result = Run(source, language, virtual)
     if wrong:
         result.diagnostics, result.status = wrong, "fault"
@@ -274,7 +277,7 @@ def _entry(source: Source, language: Dialect, machine: Machine) -> compile_cache
     return compile_cache.program_entry(
         package,
         language.name,
-        "" if machine.accelerators.ranges is None else "fast",
+        "debug" if machine.hook is not None else "" if machine.accelerators.ranges is None else "fast",
         repr(sorted(machine.settings.items())),
         source.name,
         source.text,
@@ -293,7 +296,10 @@ def _compile(
     if payload is not None:
         return language.load(payload)
     try:
-        compiled = language.compile(source, settings, result.machine.accelerators.ranges)
+        if result.machine.hook is not None:
+            compiled = language.debug(source, settings)
+        else:
+            compiled = language.compile(source, settings, result.machine.accelerators.ranges)
     except (KeyboardInterrupt, Terminated) as error:
         result.diagnostics.append(interrupted(result, None, error))
         result.status = "interrupted"

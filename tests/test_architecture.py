@@ -73,6 +73,7 @@ BESIDE: tuple[set[str], ...] = (
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
         (
+            "debugging",
             "keyword",
             "gains",
             "highlight",

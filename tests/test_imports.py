@@ -35,7 +35,7 @@ LAZY = {
     "models program resolve.definitions resolve.loop_dependencies runtime.wait_sources syntax.extent syntax.parser",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
-    "mint/program.py": "compile.compiler syntax.parser",
+    "mint/program.py": "compile.compiler runtime.debugging syntax.parser",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
     "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",
     "planners/packed.py": "extrapolation rate reparametrised sequence superposition",
@@ -55,6 +55,7 @@ LAZY = {
     "log/stream.py": "records",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
+    "mccl/runtime/program.py": "runtime.debugging",
     "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",
     "mint/keywords/buffer.py": "keywords.following_masters",
     "mint/resolve/names.py": "resolve.flattening",

@@ -108,6 +108,13 @@ class Dialect:
         """Compile for runs with many `values` of its names; like `compile` by default."""
         return self.compile(source, settings, ranges)
 
+    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Return a program that counts its statements, for a machine with a `hook`.
+
+        It does the same as that of `compile`, bit for bit. Raises ProgramError with all errors of the text.
+        """
+        raise NotImplementedError
+
     def parse(self, source: Source) -> object:
         """Return the syntax tree of a text; ProgramError with all its syntax errors."""
         raise NotImplementedError

@@ -30,6 +30,11 @@ class Program:
         return False
 
     @property
+    def places(self) -> Sequence[int]:
+        """The source offsets of the statements of a debug build, at which it can stop."""
+        return ()
+
+    @property
     def warnings(self) -> Sequence[Diagnostic]:
         """Warnings to report before a run."""
         return ()

@@ -46,6 +46,11 @@ class Mccl(Dialect):
 
         return MacroFile(source)
 
+    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        from motionlang.mccl.runtime.program import MacroFile
+
+        return MacroFile(source, debug=True)
+
     def listing(
         self,
         source: Source,

@@ -42,6 +42,11 @@ class Mint(Dialect):
 
         return compile_source(source, settings, ranges=ranges)
 
+    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        from motionlang.mint.program import compile_source
+
+        return compile_source(source, settings, debug=True)
+
     def parse(self, source: Source) -> Module:
         from motionlang.mint.syntax.parser import parse
 

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Outline
     from motionlang.lang.task import Task
+    from motionlang.mint.compile.stops import Stops
     from motionlang.mint.runtime.code_units import Code
     from motionlang.source import Source
-
 
 # The maximum number of programs with other values that are cached for further runs.
 MAX_STORED = 64
@@ -44,7 +44,9 @@ class MintProgram(Program):
         warnings: Sequence[Diagnostic] = (),
         given: Mapping[str, bool] | None = None,
         outline: bytes = b"",
+        stops: Stops | None = None,
     ) -> None:
+        self.stops = stops  # the source offsets of statements and the variables, in a debug build
         self._outline = outline  # packed, because it is rarely needed
         self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
         self.given = given or {}
@@ -75,6 +77,7 @@ class MintProgram(Program):
             self.settings,
             self._warnings,
             self._outline,
+            self.stops,
         )
         return dumps(everything)
 
@@ -87,6 +90,10 @@ class MintProgram(Program):
 
         blocks, lines = loads(self._outline)
         return blocks, dict(zip(self.code.places, lines, strict=True))
+
+    @property
+    def places(self) -> Sequence[int]:
+        return () if self.stops is None else self.stops[0]
 
     def start(self, machine: Machine) -> Task:
         """Return the parent task, bound to `machine`.
@@ -108,7 +115,10 @@ class MintProgram(Program):
                 return self._with(others, machine.accelerators.ranges).run(machine, values)
         if overrides:
             ranges = machine.accelerators.ranges
-            return compile_source(self._source, self.settings, overrides, ranges=ranges).run(machine)
+            debug = self.stops is not None
+            return compile_source(self._source, self.settings, overrides, ranges=ranges, debug=debug).run(
+                machine
+            )
         return self.run(machine)
 
     def _with(self, values: Mapping[str, float | str], ranges: Ranges | None) -> MintProgram:
@@ -156,11 +166,19 @@ class MintProgram(Program):
         namespace.update(E=environment, P=environment.say, T=environment.operations.now)
         if values:
             namespace.update({given_name(name): value for name, value in values.items()})
-        cells = code.link(namespace, environment.time_cells)
+        hook = machine.hook
+        cells = code.link(namespace, environment.time_cells, () if hook is None else hook.cells)
         environment.variables = lambda: [cell.cell_contents for cell in cells]
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()
+        if self.stops is not None:
+            from motionlang.mint.runtime.debugging import Inspection, stopper
+
+            assert hook is not None, "a debug build needs a machine with a hook"
+            namespace["B"] = stopper(hook, environment)
+            shared = dict(zip(code.shared, cells, strict=True))
+            hook.inspection = Inspection(environment, self.stops[1], shared)
         task = environment.tasks[PARENT] = MintTask(PARENT, environment.blocks["main"], environment)
         task.timer = environment.timer
         return task
@@ -172,16 +190,17 @@ def compile_source(
     overrides: Mapping[str, float | str] | None = None,
     given: Mapping[str, bool] | None = None,
     ranges: Ranges | None = None,
+    debug: bool = False,
 ) -> MintProgram:
     """Compile the program of a text, with `overrides` in place of its own values.
 
-    Raises ProgramError with all errors.
+    With `debug` it counts its statements. Raises ProgramError with all errors.
     """
     from motionlang.mint.compile.compiler import compile_text
 
-    compiled = compile_text(source, settings, overrides, given, ranges)
-    warnings = compiled.problems.of_the_run()
-    return MintProgram(compiled.code, source.name, source.text, settings, warnings, given, compiled.outline)
+    compiled = compile_text(source, settings, overrides, given, ranges, debug)
+    code, outline, warnings = compiled.code, compiled.outline, compiled.problems.of_the_run()
+    return MintProgram(code, source.name, source.text, settings, warnings, given, outline, compiled.stops)
 
 
 def compile_given(
@@ -219,8 +238,8 @@ def load(payload: bytes) -> MintProgram:
     """Return the program from which `MintProgram.payload` was made."""
     from marshal import loads
 
-    code, name, text, settings, warnings, outline = loads(payload)
-    program = MintProgram(loaded(code), name, text, settings, outline=outline)
+    code, name, text, settings, warnings, outline, stops = loads(payload)
+    program = MintProgram(loaded(code), name, text, settings, outline=outline, stops=stops)
     program._warnings = warnings
     return program
 

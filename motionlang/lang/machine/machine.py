@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from motionlang.controller.io.wiring import World
     from motionlang.controller.move import Move
     from motionlang.errors import Diagnostic
+    from motionlang.lang.debugging import Hook
     from motionlang.lang.machine.nonvolatile import NonVolatile
     from motionlang.lang.machine.operator import Operator
     from motionlang.lang.scheduler import Scheduler
@@ -55,6 +56,7 @@ class Machine:
         "assumed",
         "clock",
         "diagnostics",
+        "hook",
         "instruction_time",
         "log",
         "model",
@@ -85,6 +87,8 @@ class Machine:
         self.accelerators = accelerators
         self.settings = dict(settings or {})
         get = self.settings.get
+        # Called before statements of a debug build.
+        self.hook: Hook | None = None
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
         # The assumptions that this controller settles differently from the default, by name.

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.triggers.watch import Watch
+    from motionlang.lang.debugging import Hook
     from motionlang.lang.machine.machine import Machine
     from motionlang.mccl.models import Model
     from motionlang.mccl.motion.edge_search import Seek
@@ -57,6 +58,8 @@ class Board:
         self.readings = machine.readings
         self.write: Callable[[str], None] = machine.terminal.write
         self.complain = complain
+        # Called before each command of a debug build.
+        self.hook: Hook | None = None
         self._seen: dict[tuple[int, str], Diagnostic] = {}
         self.numbers = tuple(sorted(self.controller.axes))
         self.axes = {number: AxisState(number, self.model, self.controller) for number in self.numbers}

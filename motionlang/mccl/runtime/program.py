@@ -26,11 +26,15 @@ INFINITY = float("inf")
 class MacroFile(Program):
     """The lines of a file."""
 
-    __slots__ = ("lines", "source")
+    __slots__ = ("debug", "lines", "source")
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, source: Source, debug: bool = False) -> None:
+        self.source, self.debug = source, debug
         self.lines = list(lines_of(source.text))
+
+    @property
+    def places(self) -> list[int]:
+        return [at for line in self.lines if isinstance(line, Line) for at in line.places]
 
     @property
     def is_doubtful(self) -> bool:
@@ -50,6 +54,12 @@ class MacroFile(Program):
 
         machine.model = machine.model or written_for(self.source.name)
         board = Board(machine, complain)
+        if self.debug:
+            from motionlang.mccl.runtime.debugging import Inspection
+
+            board.hook = machine.hook
+            assert board.hook is not None, "a debug build needs a machine with a hook"
+            board.hook.inspection = Inspection(board)
         task = FileTask(self, board)
         task.override(machine.overrides)
         return task

@@ -142,6 +142,9 @@ class CommandTask(Task):
         if wait is not None:
             return now, wait
         board, cost, lacks, gated = self.board, self.cost, self.lacks, self.gated
+        hook = board.hook
+        if hook is not None:
+            number, first = hook.cells[0], hook.first
         loop_log = self.loop_log
         clock, left = board.controller.clock, SLICE
         if len(board.tasks) > 1:
@@ -165,6 +168,10 @@ class CommandTask(Task):
                 clock.now = now
             if gated and (wait := self._gate(line)) is not None:
                 return now, wait
+            if hook is not None:
+                number.cell_contents = begun = number.cell_contents + 1
+                if begun >= first.cell_contents:
+                    hook.consider(self, now, line.places[pc])
             if pc > loop_log.end:
                 loop_log.passed()
             # One command. It is inlined, because a call would be a tenth of its cost.

@@ -5,7 +5,7 @@ The source map has the source offset of each line of Python.
 
 from __future__ import annotations
 
-from motionlang.mint.compile import jumps
+from motionlang.mint.compile import jumps, stops
 from motionlang.mint.compile.calls import whole_stack
 from motionlang.mint.compile.expressions import counted
 from motionlang.mint.compile.first_values import fresh
@@ -13,7 +13,7 @@ from motionlang.mint.compile.lines import ROOM, Line, names_in, text_of
 from motionlang.mint.compile.splitting import SIZE
 from motionlang.mint.resolve.handlers import label_handlers
 from motionlang.mint.resolve.symbols import FLOAT, Function, Symbol
-from motionlang.mint.runtime.code_units import FILE, TIME, Code, Unit
+from motionlang.mint.runtime.code_units import COUNTING, FILE, TIME, Code, Unit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ class _Units:
     """
 
     def __init__(self, shared: Sequence[str]) -> None:
-        self.shared = frozenset((*TIME, *shared))
+        self.shared = frozenset((*TIME, *COUNTING, *shared))
         self.made: list[Unit] = []
         self.risky: set[Unit] = set()
         self.places = [0]
@@ -206,7 +206,7 @@ def _dispatched(whole: SharedData, b: Body) -> list[Line]:
     name = jumps.dispatcher(function)
     counted = function.counted
     texts = [f"def {name}(pc{f', {ROOM}' if counted else ''}):"]
-    texts += [f" {text}" for text in _shared_names(whole, {*TIME, *own}, b.outside - own)]
+    texts += [f" {text}" for text in _shared_names(whole, {*TIME, *_count(whole), *own}, b.outside - own)]
     out = [Line(b.indent, text, function.at, names=[*b.outside]) for text in texts] + b.lines
     texts = []
     handlers = label_handlers(function)
@@ -243,6 +243,16 @@ def _shared_names(whole: SharedData, own: set[str], outer: set[str]) -> list[str
     return [f"nonlocal {', '.join(sorted(own | outer))}"]
 
 
+def _count(whole: SharedData) -> tuple[str, ...]:
+    """Return the names of a debug build that its functions assign to."""
+    return COUNTING[:1] if whole.debugging is not None else ()
+
+
+def _variables(function: Function) -> list[Symbol]:
+    """Return the variables of a function that hold data of the program."""
+    return [symbol for symbol in _own(function) if symbol.home is function]
+
+
 def _own(function: Function) -> list[Symbol]:
     """Return the variables of a function."""
     mine = [s for s in function.scope.names.values() if s.kind in ("variable", "parameter")]
@@ -256,14 +266,19 @@ def _head(whole: SharedData, b: Body) -> list[Line]:
     outside = set() if function.jumps else set(b.outside)
     if function.kind in ("task", "event") or is_unit:
         outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))
-    texts = _shared_names(whole, set("t" if function.plain else TIME), outside)
+    texts = _shared_names(whole, {*("t" if function.plain else TIME), *_count(whole)}, outside)
     out = [Line(b.indent - 1, f"def {function.python}({', '.join(_parameters(function))}):", function.at)]
     out += [Line(b.indent, text, function.at, names=[*outside, *TIME]) for text in texts]
     if not (whole.typed and function is whole.names.main):
         out += [Line(b.indent, text, function.at) for text in _own_variables(function, b)]
+    if whole.debugging is not None:
+        own = _variables(function)
+        stops.describe(whole.debugging, function, own)
+        names = [symbol.python for symbol in own]
+        out += [Line(b.indent, text, function.at, names=names) for text in [stops.cells(b, own)] if text]
     inside = [part for part in b.parts if part.inside]
     known = _known_in(function) if inside else set()
-    time = set(TIME if not function.plain else "t")
+    time = {*(TIME if not function.plain else "t"), *_count(whole)}
     for part in inside:
         out += part.written(time | (known & part.names), b.indent - 1)
     return out

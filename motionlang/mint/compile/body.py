@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.loop_times import Region
     from motionlang.mint.compile.polling import Poll
     from motionlang.mint.compile.splitting import Part
+    from motionlang.mint.compile.stops import Debugging
     from motionlang.mint.resolve.names import Names
     from motionlang.mint.resolve.problems import Problems
     from motionlang.mint.resolve.symbols import Type
@@ -155,6 +156,7 @@ class SharedData:
         "axes",
         "axis_texts",
         "checks",
+        "debugging",
         "guarded",
         "line",
         "names",
@@ -184,6 +186,8 @@ class SharedData:
         self.typed, self.suffix = names.typed, suffix
         # Returns the ranges of a function's variables; None if they are not analysed.
         self.ranges: Ranges | None = None
+        # What a debugger may know of the program; None if it has no stops.
+        self.debugging: Debugging | None = None
         self.told = told  # keywords whose values the machine file gives
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []

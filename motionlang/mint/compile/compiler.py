@@ -19,6 +19,7 @@ from motionlang.mint.compile.assembly import assemble, assemble_line
 from motionlang.mint.compile.body import Body, SharedData
 from motionlang.mint.compile.overrides import override
 from motionlang.mint.compile.statements import block, hear_of_errors, leave
+from motionlang.mint.compile.stops import Debugging
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
 from motionlang.mint.resolve.names import Names
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 
     from motionlang.lang.dialect import Ranges
     from motionlang.mint.compile.assembly import TypedLine
+    from motionlang.mint.compile.stops import Stops
     from motionlang.mint.resolve.symbols import Function, Scope
     from motionlang.mint.runtime.code_units import Code
     from motionlang.mint.syntax.nodes import Module
@@ -44,31 +46,38 @@ class Compiled:
     """A compiled program: its code, its names and its problems.
 
     `outline` holds, packed, its blocks and the line of each source offset in the code, so a profile need not
-    parse it again.
+    parse it again. `stops` is the payload of `Debugging` in a debug build.
     """
 
-    __slots__ = ("code", "names", "outline", "problems")
+    __slots__ = ("code", "names", "outline", "problems", "stops")
 
-    def __init__(self, code: Code, names: Names, problems: Problems) -> None:
-        self.code, self.names, self.problems = code, names, problems
+    def __init__(self, code: Code, names: Names, problems: Problems, stops: Stops | None = None) -> None:
+        self.code, self.names, self.problems, self.stops = code, names, problems, stops
         self.outline = b""
 
 
 def compile_module(
-    module: Module, settings: dict[str, object] | None = None, ranges: Ranges | None = None
+    module: Module,
+    settings: dict[str, object] | None = None,
+    ranges: Ranges | None = None,
+    debug: bool = False,
 ) -> Compiled:
-    """Compile a program; raise ProgramError with all errors."""
+    """Compile a program; raise ProgramError with all errors.
+
+    With `debug` it counts its statements, and a debugger may stop it.
+    """
     problems = Problems(module)
     if settings and "fault" in settings:
         from motionlang.mint.compile.line_triggers import mark
 
         mark(module, settings, problems)
     whole = _declared(module, settings, problems, None, "")
-    whole.ranges = ranges
+    whole.ranges, whole.debugging = ranges, Debugging() if debug else None
     bodies = {function: _function(whole, function) for function in whole.names.functions}
     warn_of_misspellings(whole)
     problems.raise_errors()
-    return Compiled(assemble(whole, bodies), whole.names, problems)
+    code = assemble(whole, bodies)
+    return Compiled(code, whole.names, problems, whole.debugging.payload() if whole.debugging else None)
 
 
 def compile_line(
@@ -157,6 +166,7 @@ def compile_text(
     overrides: Mapping[str, float | str] | None,
     given: Mapping[str, bool] | None = None,
     ranges: Ranges | None = None,
+    debug: bool = False,
 ) -> Compiled:
     """Parse and compile a program; raise ProgramError with all errors.
 
@@ -170,7 +180,7 @@ def compile_text(
             if overrides or given:
                 override(module, overrides or {}, given)
             blocks = blocks_of(module)
-            compiled = compile_module(module, settings, ranges)
+            compiled = compile_module(module, settings, ranges, debug)
             compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
             return compiled
     finally:

@@ -150,7 +150,7 @@ def _next(b: Body, counter: Counter, known: intervals.Range) -> None:
 def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
     """True if the variable only counts, in integers that cannot overflow."""
     step, stop = counter.step.const, counter.stop.range
-    if counter.exact or type(step) is not int or step == 0 or stop[2] != "i":
+    if b.whole.debugging is not None or counter.exact or type(step) is not int or step == 0 or stop[2] != "i":
         return False
     known = b.facts.get(id(node))
     if known is None or known[2] != "i" or counter.start.range[2] != "i":

@@ -6,7 +6,7 @@ delay the machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one
 
 from __future__ import annotations
 
-from motionlang.mint.compile import loop_times, polling
+from motionlang.mint.compile import loop_times, polling, stops
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import BREAK, LOOP
 from motionlang.mint.syntax import nodes
@@ -24,6 +24,8 @@ def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
     from motionlang.mint.compile.statements import block
 
     b.loops.append((kind, flag))
+    if b.whole.debugging is not None:
+        stops.in_empty_loop(b, body)
     block(b, body)
     b.loops.pop()
 

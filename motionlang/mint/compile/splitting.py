@@ -15,6 +15,7 @@ its parts are inside it.
 from __future__ import annotations
 
 from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, ROOM, YIELDS, Line, moved, names_in
+from motionlang.mint.runtime.code_units import PART
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -123,7 +124,7 @@ def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
 def _part(b: Body, lines: list[Line]) -> list[Line]:
     """Move lines into a part and return the call of it."""
     b.whole.parts += 1
-    part = Part(f"q{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
+    part = Part(f"{PART}{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
     b.parts.append(part)
     call, names = f"{part.name}({part.given})", [ROOM] if ROOM in part.names else []
     if part.waits:

@@ -10,6 +10,7 @@ from motionlang.mint.compile import (
     loops,
     pause,
     splitting,
+    stops,
     terminal_use,
     words,
 )
@@ -38,6 +39,8 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
     for node in body:
         b.at = node.at
         b.observes = b.calls = whole.checks = False
+        if whole.debugging is not None:
+            stops.before(b, node)
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:

@@ -29,6 +29,12 @@ if TYPE_CHECKING:
 FILE = "<mint>"
 # The time, which subs share with their callers.
 TIME = ("t", "H")
+# What a debug build shares in addition: the number of statements, its limit, and where to stop (`lang/debugging.py`).
+COUNTING = ("n", "N", "D")
+# The variable of a debug build that holds the cells of a function's own variables.
+CELLS = "m_"
+# The prefix of functions that are a part of another one.
+PART = "q"
 # The prefix of variables that hold no data of the program, or none beyond the next `yield`.
 SCRATCH = "m"
 
@@ -151,16 +157,22 @@ class Code:
             places[line] = place
         return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()
 
-    def link(self, namespace: dict[str, object], time: tuple[CellType, CellType]) -> list[CellType]:
+    def link(
+        self,
+        namespace: dict[str, object],
+        time: tuple[CellType, CellType],
+        counting: tuple[CellType, ...] = (),
+    ) -> list[CellType]:
         """Put the functions, or their stand-ins, into a namespace.
 
-        The namespace has everything else. `time` are the cells of the time. Returns the cells of the
-        variables that functions share.
+        The namespace has everything else. `time` are the cells of the time, and `counting` those of a debug
+        build. Returns the cells of the variables that functions share.
         """
         values: dict[str, object] = {}
         if self.first is not None:
             exec(self.first, values)
         cells = dict(zip(TIME, time, strict=True))
+        cells.update(zip(COUNTING, counting, strict=False))
         cells.update((name, _CELL(values.get(name))) for name in self.shared)
         for unit in self.units:
             if unit.codes:

@@ -1,0 +1,120 @@
+"""The hook that a debug build calls before statements, and its state at a stop.
+
+A debug build counts its statements. Before each of them it compares the number with a limit, and its source offset with
+a set, and calls the hook if either asks for it. The hook may block the run, or end it with an exception; it never
+changes the time of a statement. Both languages share one vocabulary: a stop is in a task, at a source offset, and has
+frames with variables.
+"""
+
+from __future__ import annotations
+
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from types import CellType
+    from typing import Any, Protocol
+
+    from motionlang.lang.task import Task
+
+    class Inspection(Protocol):
+        """The variables of a debug build."""
+
+        def module(self) -> list[Variable]:
+            """Return the variables of the whole program."""
+
+        def frames(self, task: Task, place: int | None) -> list[Frame]:
+            """Return the calls of a task, the innermost first.
+
+            `place` is the source offset of a task that is stopped in the hook; None for one that waits.
+            """
+
+        def depth(self, task: Task) -> int:
+            """Return how many calls the running task is in."""
+
+    # Called with the task, the time of the statement, s, and its source offset.
+    Stop = Callable[[Task, float, int], None]
+
+INFINITY = float("inf")
+
+
+class Hook:
+    """The hook of one run, and the number of the last statement.
+
+    `stop` is called before each statement whose number is at least `limit`, and before those at the source offsets in
+    `places`. `cells` has these three, so that generated code reads them as fast as its own variables. `first` is for an
+    interpreter, which compares only once: the limit, or 0 while there are places.
+    """
+
+    __slots__ = ("cells", "first", "inspection", "stop")
+
+    def __init__(self, stop: Stop, limit: float = INFINITY) -> None:
+        self.stop = stop
+        # The variables of the program, once it has started.
+        self.inspection: Inspection | None = None
+        self.cells: tuple[CellType, CellType, CellType] = (_cell(0), _cell(limit), _cell(None))
+        self.first = _cell(limit)
+
+    @property
+    def count(self) -> int:
+        """The number of statements begun so far."""
+        return self.cells[0].cell_contents  # type: ignore[no-any-return]
+
+    @property
+    def limit(self) -> float:
+        """The number of the first statement before which `stop` is called."""
+        return self.cells[1].cell_contents  # type: ignore[no-any-return]
+
+    @limit.setter
+    def limit(self, number: float) -> None:
+        self.cells[1].cell_contents = number
+        self.first.cell_contents = number if self.places is None else 0
+
+    @property
+    def places(self) -> frozenset[int] | None:
+        """The source offsets before which `stop` is called; None if there are none."""
+        return self.cells[2].cell_contents  # type: ignore[no-any-return]
+
+    @places.setter
+    def places(self, places: frozenset[int] | None) -> None:
+        self.cells[2].cell_contents = places or None
+        self.first.cell_contents = 0 if places else self.limit
+
+    def consider(self, task: Task, time: float, place: int) -> None:
+        """Stop before a statement if that is due.
+
+        For an interpreter, which counts by itself.
+        """
+        if self.count >= self.limit or (self.places is not None and place in self.places):
+            self.stop(task, time, place)
+
+
+def _cell(value: object) -> Any:
+    return (lambda: value).__closure__[0]  # type: ignore[index]
+
+
+@record
+class Variable:
+    """A variable at a stop.
+
+    `value` is a number, a text or a list of variables. `set` gives it another value and raises ValueError for one that
+    the language does not allow; None if it cannot be set. `type` is its type in the language.
+    """
+
+    name: str
+    type: str
+    value: object
+    set: Callable[[object], None] | None = None
+
+
+@record
+class Frame:
+    """A call at a stop.
+
+    It has the name of the sub, the source offset in it, and its own variables.
+    """
+
+    name: str
+    place: int
+    variables: Sequence[Variable]

@@ -1,0 +1,77 @@
+"""The tasks and registers of a debug build at a stop."""
+
+from __future__ import annotations
+
+from motionlang.lang.debugging import Frame, Variable
+from motionlang.mccl.runtime.task import PRIVATE, CommandTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Task
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.board import Board
+
+# A register has 32 bits; a number with a fraction is a float of 64.
+_LOW, _HIGH = -(2**31), 2**31 - 1
+
+
+class Inspection:
+    """The registers of a board, and the lines and macros that its tasks are in."""
+
+    __slots__ = ("_board",)
+
+    def __init__(self, board: Board) -> None:
+        self._board = board
+
+    def module(self) -> list[Variable]:
+        """Return the registers that all tasks share, without those that are 0."""
+        task = self._board.tasks[0] if self._board.tasks else None
+        if task is None:
+            return []
+        numbers = range(PRIVATE, len(self._board.registers))
+        return [_register(task, number) for number in numbers if self._board.registers[number] != 0]
+
+    def frames(self, task: Task, place: int | None) -> list[Frame]:
+        """Return the macro calls of a task, the innermost first.
+
+        `place` is the source offset of a task that is stopped in the hook; None for one that waits.
+        """
+        assert isinstance(task, CommandTask)
+        private = [_register(task, number) for number in range(PRIVATE)]
+        found = [Frame(self._title(task.line), task.place if place is None else place, private)]
+        for line, pc, _ in reversed(task.calls):
+            at = line.places[pc - 1] if 0 < pc <= len(line.places) else 0
+            found.append(Frame(self._title(line), at, private))
+        return found
+
+    def depth(self, task: Task) -> int:
+        """Return how many macros the task is in."""
+        assert isinstance(task, CommandTask)
+        return len(task.calls)
+
+    def register(self, task: Task, number: int) -> Variable | None:
+        """Return a register as a task sees it; None if there is none of that number."""
+        assert isinstance(task, CommandTask)
+        if not 0 <= number < len(self._board.registers):
+            return None
+        return _register(task, number)
+
+    def _title(self, line: Line | None) -> str:
+        for number, macro in self._board.macros.items():
+            if macro is line:
+                return f"macro {number}"
+        return "main"
+
+
+def _register(task: CommandTask, number: int) -> Variable:
+    def give(value: object) -> None:
+        if not isinstance(value, (int, float)):
+            raise ValueError(f"a register takes a number, not {value!r}")
+        if value == int(value):
+            if not _LOW <= value <= _HIGH:
+                raise ValueError(f"{value:g} is outside the 32 bits of a register")
+            value = int(value)
+        task.set_register(number, value)
+
+    name = f"R{number}"
+    return Variable(name, "register" if number else "accumulator", task.register(number), give)

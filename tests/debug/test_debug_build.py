@@ -1,0 +1,103 @@
+"""A debug build counts its statements, and does the same as the plain program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang.execution import dialect_for, run
+from motionlang.lang.debugging import Hook
+from motionlang.mint.compile.compiler import compile_text
+from motionlang.source import Source
+from tests.debug.whole import whole
+from tests.generated.tasks import program as tasks_of
+from tests.golden.test_gallery import PROGRAMS, ROOT
+
+SQUARES = """\
+Dim i As Integer, total As Integer
+For i = 1 To 3
+  total = total + i * i
+Next
+Print total
+"""
+
+
+def _nothing(*_: object) -> None:
+    """Let the program run on."""
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.relative_to(ROOT / "scripts").as_posix())
+def test_a_debug_build_of_the_gallery_does_the_same(program: Path) -> None:
+    hook = Hook(_nothing)
+    debugged = run(program, cache=False, hook=hook)
+    assert whole(debugged) == whole(run(program, cache=False))
+    assert hook.count > 0
+
+
+@pytest.mark.slow
+def test_a_debug_build_of_several_tasks_does_the_same() -> None:
+    for seed in range(40):
+        text, settings = tasks_of(seed)
+        plain, debugged = (
+            run(Source("tasks.mnt", text), machine=settings, until=1.5, cache=False, hook=hook)
+            for hook in (None, Hook(_nothing))
+        )
+        assert whole(debugged) == whole(plain), seed
+
+
+def test_statements_are_counted_in_mint() -> None:
+    """For, three times the sum, Print."""
+    hook = Hook(_nothing)
+    run(Source("a.mnt", SQUARES), cache=False, hook=hook)
+    assert hook.count == 5
+
+
+def test_commands_are_counted_in_mccl() -> None:
+    """AL, AA and TR."""
+    hook = Hook(_nothing)
+    run(Source("a.mcl", "AL2\nAA1\nTR0\n"), cache=False, hook=hook)
+    assert hook.count == 3
+
+
+def test_the_hook_is_called_before_a_statement_with_its_time() -> None:
+    """Statements take 10 µs: For, and then the sum and Next in each iteration."""
+    found: list[tuple[int, float]] = []
+    source = Source("a.mnt", SQUARES)
+    hook = Hook(lambda task, time, place: found.append((dialect.locate(source, place)[0], time)), limit=0)
+    dialect = dialect_for(source, None)
+    run(source, cache=False, hook=hook)
+    assert found == [
+        (2, 0.0),
+        (3, pytest.approx(1e-5)),
+        (3, pytest.approx(3e-5)),
+        (3, pytest.approx(5e-5)),
+        (5, pytest.approx(7e-5)),
+    ]
+
+
+def test_an_empty_loop_can_be_stopped() -> None:
+    hook = Hook(_nothing)
+    run(Source("a.mnt", "TIME = 0\nWhile TIME < 5\nEnd While\n"), cache=False, hook=hook)
+    assert hook.count > 2
+
+
+@pytest.mark.parametrize(
+    "program", [each for each in PROGRAMS if each.suffix == ".mnt"][::8], ids=lambda path: path.stem
+)
+def test_without_debugging_the_text_has_no_hook(program: Path) -> None:
+    text = compile_text(Source.read(program), None, None).code.text
+    assert "B(t" not in text
+    assert "m_ = lambda" not in text
+
+
+def test_a_debug_build_has_its_own_cache_entry(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    monkeypatch.delenv("MOTIONLANG_NO_CACHE", raising=False)
+    source = Source("squares.mnt", SQUARES)
+    for _ in range(2):  # the second time from the cache
+        run(source)
+        hook = Hook(_nothing)
+        run(source, hook=hook)
+        assert hook.count == 5
+    assert sum(1 for each in tmp_path.rglob("*") if each.is_file()) == 2

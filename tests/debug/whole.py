@@ -1,0 +1,30 @@
+"""Everything that a run leaves behind, for comparison with another run."""
+
+from __future__ import annotations
+
+from motionlang.report import text
+from motionlang.result import Run
+
+STREAMS = (
+    "waits",
+    "inputs",
+    "outputs",
+    "analogue_inputs",
+    "analogue_outputs",
+    "settings",
+    "events",
+    "prints",
+)
+
+
+def whole(run: Run) -> tuple[str, list[list[list[object]]]]:
+    """Return the report of a run and its log, in which nothing may differ.
+
+    The report has the figures of its loops.
+    """
+    log = run.machine.log
+    return text(run), [[_values(each) for each in getattr(log, name)] for name in STREAMS]
+
+
+def _values(record: object) -> list[object]:
+    return [getattr(record, name) for name in type(record).__slots__]  # type: ignore[attr-defined]
