@@ -296,7 +296,8 @@ class MissingExtra(ImportError):
     def __init__(self, user: str, libraries: Sequence[str]) -> None:
         names = " and ".join(LIBRARIES.get(library, ("", library))[1] for library in libraries)
         self.message = f"{user} needs {names}"
-        if libraries[0] in REQUIRED:
+        self.is_required = libraries[0] in REQUIRED
+        if self.is_required:
             self.hint = f"python -m pip install {names}"
         else:
             self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
@@ -307,11 +308,18 @@ class MissingExtra(ImportError):
 
 def need(user: str, *libraries: str) -> None:
     """Raise MissingExtra if one of the `libraries`, all of one extra, is missing."""
-    from importlib.util import find_spec
-
-    missing = [library for library in libraries if find_spec(library) is None]
+    missing = [library for library in libraries if not _is_installed(library)]
     if missing:
         raise MissingExtra(user, missing)
+
+
+def _is_installed(library: str) -> bool:
+    from importlib.util import find_spec
+
+    try:
+        return find_spec(library) is not None
+    except ModuleNotFoundError:  # an import hook refuses it
+        return False
 
 
 def missing(error: BaseException, user: str) -> MissingExtra | None:

@@ -68,13 +68,13 @@ def _guarded(given: list[str]) -> int:
     except Exception as error:
         from motionlang.cli.complaints import complain
         from motionlang.cli.crash import crash
-        from motionlang.cli.run import CRASHED
+        from motionlang.cli.run import CRASHED, UNAVAILABLE
         from motionlang.errors import missing
 
         lacking = missing(error, " ".join(["motionlang", *given[:1]]))
         if lacking is not None:
             complain([Diagnostic("extra", lacking.message, hint=lacking.hint)], None, "")
-            return 2 if lacking.is_option else 1
+            return UNAVAILABLE if lacking.is_required else 2 if lacking.is_option else 1
         complain([crash(error, given)], None, "")
         return CRASHED
     return status

@@ -37,7 +37,7 @@ def wrong_target(option: str, path: str) -> str | None:
     if suffix not in formats:
         what = f"not {suffix} files" if suffix else "so the file needs one of these extensions"
         return f"{option} writes {known}, {what}"
-    if option != "--profile-to":
+    if option == "--trace" or (option == "--plot" and suffix != ".html"):
         need(option, "numpy")
     need_writer(option, path)
     return None

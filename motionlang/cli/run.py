@@ -20,8 +20,9 @@ if TYPE_CHECKING:
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
 
-# The exit status after an internal error, as in sysexits.
+# The exit status after an internal error, as in sysexits, and without a library that the package depends on.
 CRASHED = 70
+UNAVAILABLE = 69
 # Profiles of an interrupted run up to which it is still proved: a report comes within a second of the signal.
 PROVED_IN_TIME = 10_000
 
@@ -55,7 +56,7 @@ def run_command(options: Options) -> int:
         if told:
             raise
         found = _crash(error, options)
-        return _refuse(options, [found], None, 1 if found.code == "extra" else CRASHED)
+        return _refuse(options, [found], None, UNAVAILABLE if found.code == "extra" else CRASHED)
 
 
 def _crash(error: Exception, options: Options, source: Source | None = None) -> Diagnostic:
@@ -139,7 +140,7 @@ def _tell(result: Run, options: Options) -> int:
         complain(left, result.source, options.file)
     sys.stdout.flush()
     if result.crash is not None:
-        return 1 if result.diagnostics[-1].code == "extra" else CRASHED
+        return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED
     if result.status == "interrupted":
         return SIGNALS.status
     met = _complain_of_events(result, options) if result.machine.log.events else False

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.log.history import Reader
-from motionlang.log.track import WholeTrack
+from motionlang.log.track import WholeTrack, axes_of
 from motionlang.log.trajectory_points import AT_ONCE, Points
 from motionlang.planners.evaluate import piece_values
 from motionlang.planners.sample import ORDERS, PieceTable
@@ -171,8 +171,7 @@ class Trace:
     @property
     def axes(self) -> tuple[int, ...]:
         """The axes that ever moved or were given a position, or the first one."""
-        axes = self.controller.axes
-        return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
+        return axes_of(self.controller)
 
     def choose(self, wanted: Sequence[str]) -> None:
         """Select columns, and the time: "velocity" of all axes, "velocity.0" of one.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from math import inf
 
 from motionlang.controller.joined import Joined
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from motionlang.controller.move import Move
     from motionlang.controller.scale import Scale
     from motionlang.planners import Profile, State
+    from motionlang.planners.ramps import Piece
 
 
 class WholeTrack:
@@ -78,6 +80,38 @@ class WholeTrack:
             return self.starts, self.profiles
         some = slice(max(self.place(begin) - 1, 0), self.place(end) + 1)
         return self.starts[some], self.profiles[some]
+
+
+def axes_of(controller: Controller) -> tuple[int, ...]:
+    """Return the axes that ever moved or were given a position, or the first one."""
+    axes = controller.axes
+    return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
+
+
+def pieces_of(track: WholeTrack) -> tuple[list[float], list[Piece]]:
+    """Return the times at which the pieces of a track begin, and the pieces in counts.
+
+    Each holds until the next one begins. The first one is the standstill before the track; a profile that is
+    over before the next one is followed by a piece at its end.
+    """
+    begins: list[float] = []
+    pieces: list[Piece] = []
+    after = iter(track.starts)
+    next(after, None)
+    for start, profile in zip(track.starts, track.profiles, strict=True):
+        if not pieces:
+            begins.append(start)
+            pieces.append((profile.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        following = next(after, inf)
+        knots, curve, _ = profile.curve
+        for knot, piece in zip(knots, curve, strict=False):
+            if start + knot < following:
+                begins.append(start + knot)
+                pieces.append(piece)
+        if start + profile.duration < following:
+            begins.append(start + profile.duration)
+            pieces.append((profile.end, profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
+    return begins, pieces
 
 
 class Recorded:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from motionlang.views.outline import outline, thinned
+from motionlang.views.quantities import UNITS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-UNITS = {"position": "uu", "velocity": "uu/s", "acceleration": "uu/s²", "jerk": "uu/s³"}
 COLOURS = {
     "position": "#1f5fae",
     "velocity": "#0b7a5b",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 import re
+import sys
 from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
@@ -13,11 +15,12 @@ import numpy as np
 import pytest
 
 from motionlang.execution import run
+from motionlang.log.track import WholeTrack, pieces_of
 from motionlang.result import Run
 from motionlang.servo import Loop, simulate
 from motionlang.servo.settings import make_plant
 from motionlang.source import Source
-from motionlang.views.scope import page, write_scope
+from motionlang.views.scope import _packed, page, write_scope
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 from tests.views.test_vcd import switched
 
@@ -55,6 +58,30 @@ def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Ru
             times = json.dumps(samples.time[:-1].tolist())
             found = engine(f"{times}.map((time) => valueAt(data.axes[{k}].track, time, {order}))")
             assert found == pytest.approx(values.tolist(), rel=1e-9, abs=1e-9 * (1 + np.abs(values).max()))
+
+
+@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+def test_the_pieces_of_a_page_are_those_that_a_trace_samples(make: Callable[[], Run]) -> None:
+    """Both expand the same profiles, in another order of additions."""
+    made = make()
+    for axis in made.trace.axes:
+        begins, pieces = pieces_of(WholeTrack(made.controller.axes[axis]))
+        table = made.trace.table(axis)
+        assert begins == pytest.approx(table.origins.tolist(), rel=1e-14)
+        assert pytest.approx(table.columns, rel=1e-14, abs=1e-9) == np.array(pieces).T
+
+
+@pytest.mark.parametrize(
+    ("values", "packed"),
+    [
+        ([2.0, 0.5, 2.0, 2.0], {"of": [2, 0.5], "at": [0, 1, 0, 0]}),
+        ([2.0, 0.5, 3.0], [2, 0.5, 3]),
+        ([math.nan, math.inf, -math.inf], [0, sys.float_info.max, -sys.float_info.max]),
+        ([1e15, -0.0], [1e15, 0]),
+    ],
+)
+def test_numbers_that_recur_are_written_once(values: list[float], packed: object) -> None:
+    assert json.dumps(_packed(values)) == json.dumps(packed)
 
 
 @pytest.mark.parametrize("make", [ballscrew, pick, shift])

@@ -3,42 +3,49 @@
 The page has the pieces of the motion instead of samples and draws the visible window, so that zoom is
 unlimited. `model.js` is the motion independent of a page. `panels.js` defines the panels, `draw.js` and
 `path.js` draw them, `tools.js` searches and exports, and `script.js` handles the mouse and the keys.
+
+The pieces are plain numbers, so a page without motors and recordings needs no numpy: a browser that runs
+Python has none.
 """
 
 from __future__ import annotations
 
 import json
+from bisect import bisect_right
 from importlib.resources import files
+from math import copysign, isfinite, isnan
 from string import Template
+from sys import float_info
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from motionlang import __version__
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.files import replacing
 from motionlang.log.records import GRAVE
+from motionlang.log.track import WholeTrack, axes_of, pieces_of
 from motionlang.report import events as events_of
 from motionlang.report import finite
 from motionlang.report import moves as moves_of
 from motionlang.views.lanes import lanes
-from motionlang.views.panels import UNITS, panels
 from motionlang.views.plot_panel import PHASES
+from motionlang.views.quantities import UNITS
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE
 from motionlang.views.words import dialect_name, figure, outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from motionlang.analysis.compare.comparison import Comparison
     from motionlang.analysis.cycle.critical_path import Link
-    from motionlang.log.trace import Array, Trace
+    from motionlang.controller.controller import Controller
+    from motionlang.log.trace import Array
+    from motionlang.planners.ramps import Piece
     from motionlang.result import Run
     from motionlang.servo.trace import ServoTrace
-    from motionlang.views.panels import Curve
+    from motionlang.views.panels import Curve, Panel
     from motionlang.views.window import Window
 
     Row = dict[str, Any]
@@ -126,7 +133,8 @@ def _data(
     against: Run | None,
     measured: Sequence[tuple[int, str, Array, Array]],
 ) -> Row:
-    trace = run.trace
+    controller = run.controller
+    end, axes = controller.clock.now, axes_of(controller)
     rows: list[Row] = list(moves_of(run))
     cycle, happened = TimeProfile(run), [_event(row) for row in events_of(run)]
     lines = sorted(
@@ -137,28 +145,28 @@ def _data(
     return {
         "program": printable(run.source.name),
         "outcome": f"{dialect_name(run.dialect.name)} · {outcome(run)}",
-        "end": trace.end,
+        "end": end,
         "quantities": list(UNITS.items()),
         "phases": list(PHASES),
         "source": {line: printable(run.source.line(line).strip())[:MAX_LINE] for line in lines},
-        "first": _first(window, trace),
+        "first": _first(window, axes, end),
         "against": None if against is None else _against(against),
         "events": happened,
         "bands": _bands(run, cycle),
         "lines": _by_line(cycle),
-        "axes": [_axis(trace, axis, rows, servos.get(axis)) for axis in trace.axes],
+        "axes": [_axis(run, axis, rows, servos.get(axis)) for axis in axes],
         "measured": [
             {
                 "axis": f"axis {axis}",
                 "quantity": quantity,
-                "times": _numbers(times),
-                "values": _numbers(values),
+                "times": _numbers(times.tolist()),
+                "values": _numbers(values.tolist()),
             }
             for axis, quantity, times, values in measured
         ],
         "lanes": [
             {"name": lane.name, "digital": lane.is_digital, "times": lane.times, "values": lane.values}
-            for lane in lanes(run.controller)
+            for lane in lanes(controller)
         ],
     }
 
@@ -214,14 +222,12 @@ def _by_line(cycle: TimeProfile) -> list[Row]:
     ]
 
 
-def _first(window: Window, trace: Trace) -> Row:
-    """Return the initial view of the page."""
-    begin, end = window.span(trace.end)
-    shown = window.of(trace.axes)
-    path = (
-        [f"axis {axis}" for axis in window._replace(axes=window.path).of(trace.axes)] if window.path else []
-    )
-    hidden = [f"axis {axis}" for axis in trace.axes if axis not in shown]
+def _first(window: Window, axes: Sequence[int], last: float) -> Row:
+    """Return the initial view of the page of a run that ended at `last`."""
+    begin, end = window.span(last)
+    shown = window.of(axes)
+    path = [f"axis {axis}" for axis in window._replace(axes=window.path).of(axes)] if window.path else []
+    hidden = [f"axis {axis}" for axis in axes if axis not in shown]
     return {"begin": begin, "end": None if window.end is None else end, "hidden": hidden, "path": path}
 
 
@@ -230,16 +236,16 @@ def _against(run: Run) -> Row:
     return {
         "program": printable(run.source.name),
         "outcome": outcome(run),
-        "end": run.trace.end,
-        "axes": [_axis(run.trace, axis, (), None) for axis in run.trace.axes],
+        "end": run.controller.clock.now,
+        "axes": [_axis(run, axis, (), None) for axis in axes_of(run.controller)],
     }
 
 
-def _axis(trace: Trace, axis: int, rows: Sequence[Row], servo: ServoTrace | None) -> Row:
-    track, jerks = _track(trace, axis)
+def _axis(run: Run, axis: int, rows: Sequence[Row], servo: ServoTrace | None) -> Row:
+    track, jerks = _track(run.controller, axis)
     made: Row = {"name": f"axis {axis}", "track": track, "jerks": jerks}
     made["moves"] = _moves([row for row in rows if row["axis"] == axis])
-    drawn = panels(trace, axis, servo) if servo is not None and len(servo) else []
+    drawn = _motor_panels(run, axis, servo)
     if drawn:
         made["motor"] = _series(drawn[0].curves[0])
     made["servo"] = [
@@ -250,23 +256,45 @@ def _axis(trace: Trace, axis: int, rows: Sequence[Row], servo: ServoTrace | None
     return made
 
 
-def _track(trace: Trace, axis: int) -> tuple[Row, bool]:
+def _motor_panels(run: Run, axis: int, servo: ServoTrace | None) -> list[Panel]:
+    if servo is None or not len(servo):
+        return []
+    from motionlang.views.panels import panels
+
+    return panels(run.trace, axis, servo)
+
+
+def _track(controller: Controller, axis: int) -> tuple[Row, bool]:
     """Return the pieces of an axis in user units, and whether any has jerk.
 
     Each piece has its start, its cubic, and its wave if it has one.
     """
-    table = trace.table(axis)
-    used = max(1, int(np.searchsorted(table.origins, trace.end, "right")))
-    starts, columns = table.origins[:used], table.columns[:, :used].copy()
-    trace.to_user(axis, "position", columns[0])
-    for row in (*columns[1:4], columns[4]):
-        trace.to_user(axis, "velocity", row)
-    waves = np.flatnonzero(columns[4])
+    a = controller.axes[axis]
+    starts, pieces = pieces_of(WholeTrack(a))
+    used = max(1, bisect_right(starts, controller.clock.now))
+    starts, pieces = starts[:used], pieces[:used]
+    positions, *others, amplitudes, _, _ = zip(*pieces, strict=True) if pieces else ((),) * 7
+    zero, counts = a.scale.zero, a.scale.counts or 1.0
+    cubic = [_in_units(positions, zero, counts), *(_in_units(values, 0.0, counts) for values in others)]
     return {
         "starts": _packed(starts),
-        "c": [_packed(row) for row in columns[:4]],
-        "waves": {str(i): _numbers(columns[4:7, i]) for i in waves.tolist()},
-    }, bool(len(waves) or columns[3].any())
+        "c": [_packed(row) for row in cubic],
+        "waves": {
+            str(i): _numbers(_wave(pieces[i], counts)) for i, height in enumerate(amplitudes) if height
+        },
+    }, any(amplitudes) or any(cubic[3])
+
+
+def _in_units(values: Sequence[float], zero: float, counts: float) -> Sequence[float]:
+    """Return counts in user units; a value that recurs is converted once."""
+    if zero == 0.0 and counts == 1.0:
+        return values
+    converted = {value: (value - zero) / counts for value in set(values)}
+    return [converted[value] for value in values]
+
+
+def _wave(piece: Piece, counts: float) -> tuple[float, float, float]:
+    return piece[4] / counts, piece[5], piece[6]
 
 
 def _moves(rows: Sequence[Row]) -> Row:
@@ -279,7 +307,7 @@ def _moves(rows: Sequence[Row]) -> Row:
     return {
         "kinds": [json.loads(kind) for kind in kinds],
         "which": which,
-        "starts": _numbers(np.array([row["start_time"] for row in rows])),
+        "starts": _numbers(row["start_time"] for row in rows),
     }
 
 
@@ -293,22 +321,27 @@ def _kind(row: Row) -> Row:
 
 
 def _series(curve: Curve) -> Row:
-    return {"times": _numbers(curve.times), "values": _numbers(curve.values)}
+    return {"times": _numbers(curve.times.tolist()), "values": _numbers(curve.values.tolist())}
 
 
-def _packed(values: Array) -> Row | list[float | int]:
-    """Return the numbers, or distinct ones (`of`) and indexes (`at`) if most recur."""
-    different, first, which = np.unique(values, return_index=True, return_inverse=True)
-    if 2 * len(different) > len(values):
+def _packed(values: Sequence[float]) -> Row | list[float | int]:
+    """Return the numbers, or distinct ones (`of`) and indexes (`at`) if most recur.
+
+    The distinct ones are in the order of occurrence, so that the common ones have shorter indexes.
+    """
+    index: dict[float, int] = {}
+    at = [index.setdefault(value, len(index)) for value in values]
+    if 2 * len(index) > len(values):
         return _numbers(values)
-    # In the order of occurrence, so that the common ones have shorter indexes.
-    order = np.argsort(first)
-    place = np.empty_like(order)
-    place[order] = np.arange(len(order))
-    return {"of": _numbers(different[order]), "at": place[which].tolist()}
+    return {"of": _numbers(index), "at": at}
 
 
-def _numbers(values: Array) -> list[float | int]:
+def _numbers(values: Iterable[float]) -> list[float | int]:
     """Return numbers for JSON: integers without a point, and no NaN or infinity."""
-    plain = np.nan_to_num(values).tolist()
-    return [int(value) if value == int(value) and abs(value) < 1e15 else value for value in plain]
+    return [_number(value) for value in values]
+
+
+def _number(value: float) -> float | int:
+    if not isfinite(value):
+        return 0 if isnan(value) else copysign(float_info.max, value)
+    return int(value) if abs(value) < 1e15 and value == int(value) else value
