@@ -19,6 +19,8 @@ ROOT = Path(__file__).parent.parent
 sys.path.append(str(ROOT / "benchmarks"))
 
 from against import BASELINE, Allowed, compare, read_baseline, show  # noqa: E402
+from cliff_styles import STYLES  # noqa: E402
+from cliffs import started  # noqa: E402
 
 
 def benchmarks(*names: str) -> subprocess.CompletedProcess[str]:
@@ -37,7 +39,22 @@ def test_every_benchmark_is_listed() -> None:
     assert ran.returncode == 2
     listed = re.findall(r"\w+", ran.stderr.partition(": ")[2])
     files = {path.stem for path in (ROOT / "benchmarks").glob("*.py")}
-    assert files - {"__main__", "against", "counted", "parse_program", "styles", "timing"} == set(listed)
+    helpers = {"__main__", "against", "counted", "parse_program", "styles", "timing"}
+    assert files - helpers - {"cliffs", "cliff_styles"} == set(listed)  # cliffs prints a table of its own
+
+
+def test_every_style_of_the_cliffs_runs_and_has_a_neighbour_that_is_plain() -> None:
+    assert len(STYLES) >= 85
+    for name, style in STYLES.items():
+        assert style.neighbour == "" or STYLES[style.neighbour].neighbour in ("", "rest_pause"), name
+        assert started(style).run(0.05) == "until", name
+
+
+def test_an_unknown_family_of_the_cliffs_is_an_error() -> None:
+    command = [sys.executable, "-m", "benchmarks.cliffs", "none"]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert ran.stderr.startswith("there is no family none: rest, watch, tasks, ")
 
 
 FORGED = """
