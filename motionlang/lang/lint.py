@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 # Every warning of a linter, with the languages it applies to; `docs/lint.md` has a paragraph for each.
 WARNINGS: dict[str, str] = {
     "never-started": "Mint",
+    "nothing-loaded": "Mint, MCCL",
     "in-motion": "Mint",
+    "exact-position": "Mint, MCCL",
     "scale-in-motion": "Mint",
     "scale-after-speed": "Mint",
     "time-before-speed": "Mint",
@@ -32,7 +34,9 @@ WARNINGS: dict[str, str] = {
     "beyond-travel": "Mint",
     "two-tasks": "Mint",
     "endless-wait": "Mint, MCCL",
+    "wait-condition": "Mint",
     "endless-loop": "Mint, MCCL",
+    "busy-loop": "Mint",
     "constant-condition": "Mint",
     "mixed-operators": "Mint",
     "unreachable": "Mint, MCCL",

@@ -191,3 +191,17 @@ def test_a_check_says_what_it_would_fix(text: str, said: str, cell: Cell) -> Non
     cell.write("a.mnt", text)
     assert cell("check", "a.mnt").out == f"a.mnt: {said}\n"
     assert "--fix" not in cell("check", "a.mnt", "--fix").out
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("WAIT IDLE(0)\n", "PAUSE IDLE(0)\n"),
+        ("Wait = Not INX(1)\n", "Pause Not INX(1)\n"),
+        ("WT=INX(1)\n", "PAUSE INX(1)\n"),
+    ],
+)
+def test_a_wait_for_a_condition_becomes_a_pause(before: str, after: str, cell: Cell) -> None:
+    cell.write("a.mnt", before)
+    cell("check", "a.mnt", "--fix")
+    assert (cell.folder / "a.mnt").read_text() == after

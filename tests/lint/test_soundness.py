@@ -145,6 +145,15 @@ def test_without_an_unused_setting_every_move_is_the_same(text: str) -> None:
         assert [move[2:] for move in after] == [pytest.approx(move[2:], abs=1e-3) for move in before]
 
 
+@settings(max_examples=40)
+@given(programs())
+def test_without_a_go_that_starts_nothing_every_move_is_the_same(text: str) -> None:
+    lines = text.split("\n")
+    for each in warned(text, "nothing-loaded"):
+        lines[each.line - 1] = f'PRINT "line {each.line}" : k = k'
+    assert moves("\n".join(lines)) == moves(text)
+
+
 def moves(text: str) -> list[tuple[float, ...]]:
     """Line, axis, start time, duration and end of every move."""
     found = ran(text).report["moves"]

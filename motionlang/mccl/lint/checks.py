@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.lint.equalities import exact_positions
 from motionlang.mccl.lint.loops import endless_lines
 from motionlang.mccl.lint.running import running_axes
 from motionlang.mccl.resolve.line import Line
@@ -25,6 +26,8 @@ _MOVES = frozenset(
         "move_to", "move_by", "go_home", "go", "move_to_point", "find_index", "find_edge", "path", "slave", "jog_on",
     }
 )  # fmt: skip
+# Commands that select a mode whose motion GO starts.
+_STARTED = frozenset({"velocity_mode", "contour_mode"})
 _WAITS = frozenset({"wait_stop", "wait_target"})
 _SKIPS = frozenset(
     {"if_below", "if_equal", "if_greater", "if_unequal", "if_set", "if_clear", "if_on", "if_off"}
@@ -55,6 +58,8 @@ def lint(lines: list[Line], add: Add) -> None:
     _waits(lines, add)
     running_axes(lines, add)
     endless_lines(lines, add)
+    exact_positions(lines, add)
+    _starts(lines, add)
 
 
 def _is_macro(line: Line) -> bool:
@@ -142,6 +147,16 @@ def _motors(lines: list[Line], add: Add) -> None:
             which = "an axis" if command.axis == 0 else f"axis {command.axis}"
             number = command.axis or ""
             add(at, Fault(0, f"no line of this file switches {which} on", f"{number}MN does", "motor-off"))
+
+
+def _starts(lines: list[Line], add: Add) -> None:
+    """Warn of each GO of an axis for which the file selects no mode that GO starts."""
+    modes = {command.axis for command, _ in _commands(lines) if _verb(command) in _STARTED}
+    for command, at in _commands(lines):
+        if _verb(command) == "go" and not modes & {0, command.axis} and (command.axis or not modes):
+            message = f"{command.text} starts nothing: no line of this file selects velocity mode"
+            number = command.axis or ""
+            add(at, Fault(0, message, f"{number}VM before it, or MA or MR for a move", "nothing-loaded"))
 
 
 def _commands(lines: list[Line]) -> Iterator[tuple[Command, int]]:

@@ -23,29 +23,55 @@ _LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait",
 
 
 def endless_lines(lines: Iterable[Line], add: Add) -> None:
-    """Warn, once per line, of an endless `RP` in a line in which nothing takes time."""
+    """Warn, once per line, of an endless repetition in which nothing takes time."""
     for line in lines:
         for k, command in enumerate(line.commands):
-            if _verb(command) == "repeat" and command.number == 0:
-                _judge(line, k, add)
+            begin = _repeats_from(line, k, command)
+            if begin is not None:
+                _check(line, begin, k, add)
                 break
 
 
-def _judge(line: Line, k: int, add: Add) -> None:
+def _repeats_from(line: Line, k: int, command: Command) -> int | None:
+    """Return the command to which a command always goes back, None if it does not.
+
+    An `MJ` to the macro that it is in repeats the macro.
+    """
+    verb, number = _verb(command), command.number
+    is_macro = _verb(line.commands[0]) == "define_macro"
+    first = int(is_macro)
+    if verb == "repeat" and number == 0:
+        return first
+    if verb == "jump_macro" and is_macro and number is not None and number == line.commands[0].number:
+        return first
+    if verb in ("jump", "jump_by") and number is not None:
+        target = first + number if verb == "jump" else k + number
+        return target if target < k else None
+    return None
+
+
+def _check(line: Line, begin: int, k: int, add: Add) -> None:
     first = int(_verb(line.commands[0]) == "define_macro")
     body = line.commands[first:k]
     if any(_verb(each).startswith(_LEAVES) for each in body):
         return
-    moves = [(each, at) for each, at in zip(body, line.places[first:k], strict=True) if _verb(each) in _MOVES]
+    word = line.commands[k].name
+    moves = [
+        (each, at)
+        for each, at in zip(line.commands[begin:k], line.places[begin:k], strict=True)
+        if _verb(each) in _MOVES
+    ]
     if moves:
         command, at = moves[-1]
-        message = f"RP repeats {command.text} without waiting for its end"
+        message = f"{word} repeats {command.text} without waiting for its end"
         hint = f"add {command.axis or ''}WS after it"
         add(at, Fault(0, message, hint, "never-waits"))
     else:
-        message = "RP repeats the line forever, without a wait or an exit"
-        add(line.places[k], Fault(0, message, "add WA0.1 before it, or end after ten repetitions with RP10",
-                                  "endless-loop"))  # fmt: skip
+        message = f"{word} repeats the line forever, without a wait or an exit"
+        hint = "add WA0.1 before it"
+        if word == "RP":
+            hint += ", or end after ten repetitions with RP10"
+        add(line.places[k], Fault(0, message, hint, "endless-loop"))
 
 
 def _verb(command: Command) -> str:

@@ -1,6 +1,6 @@
-"""Check for axes that run in velocity mode for ever.
+"""Checks of axes in motion: velocity mode without a stop, and waits beyond a move.
 
-Commands after that which need an axis at rest are reported.
+Commands that need a running axis at rest are reported, and a WR for a longer distance than its move.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.resolve.command import NUMBER
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -21,6 +22,8 @@ _SHAPES = {"shape_trapezoid": "", "shape_scurve": "S-curve", "shape_parabolic": 
 _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
 _WAITS = frozenset({"wait_stop", "wait_target"})
 _RESTS = frozenset({"stop", "abort", "motor_off", "reset"})
+# Commands that change neither the target nor the position of an axis.
+_HARMLESS = frozenset({"motor_on", "position_mode", *_SHAPES})
 # A line with one of these may continue anywhere, and macros are not followed, so the state after it is
 # unknown.
 _ELSEWHERE = frozenset(
@@ -37,6 +40,8 @@ class _Axis:
     def __init__(self) -> None:
         self.velocity_mode = self.running = False
         self.shape = ""
+        # The distance of the only move since the axis was last at rest, None if unknown.
+        self.distance: float | None = 0.0
 
 
 def running_axes(lines: Iterable[Line], add: Add) -> None:
@@ -48,11 +53,12 @@ def running_axes(lines: Iterable[Line], add: Add) -> None:
     for line in lines:
         if any(_verb(command) in _ELSEWHERE for command in line.commands):
             for axis in axes.values():
-                axis.running = False
+                axis.running, axis.distance = False, None
             continue
         for command, at in zip(line.commands, line.places, strict=True):
             for number in _named(command, axes):
-                fault = _after(axes.setdefault(number, _Axis()), number, command)
+                axis = axes.setdefault(number, _Axis())
+                fault = _after(axis, number, command) or _waits_too_far(axis, number, command)
                 if fault is not None:
                     add(at, fault)
 
@@ -89,4 +95,23 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
             rest = f"{number}ST,{number}WS first, or {number}PT for a trapezoid"
             hint = f"with {axis.shape}, a move starts at rest: {rest}"
             return Fault(0, message, hint, "still-running")
+    return None
+
+
+def _waits_too_far(axis: _Axis, number: int, command: Command) -> Fault | None:
+    """Follow the distance of a move; return the fault of a WR that waits for a longer one."""
+    verb = _verb(command)
+    if verb == "move_by":
+        known = axis.distance == 0.0 and command.kind == NUMBER
+        axis.distance = abs(float(command.value)) if known else None
+    elif verb in _WAITS:
+        axis.distance = 0.0
+    elif verb == "wait_relative":
+        if axis.distance and command.kind == NUMBER and abs(float(command.value)) > axis.distance:
+            message = f"{command.text} never ends: axis {number} moves only {axis.distance:g}"
+            return Fault(
+                0, message, f"wait for less, or for the end of the move with {number}WS", "endless-wait"
+            )
+    elif command.row is not None and command.row.kind in ("move", "command") and verb not in _HARMLESS:
+        axis.distance = None
     return None

@@ -19,6 +19,8 @@ from motionlang.mint.lint.axis_state import Follower
 from motionlang.mint.lint.blends import check_blends
 from motionlang.mint.lint.brackets import check_brackets
 from motionlang.mint.lint.buffer import Buffers
+from motionlang.mint.lint.busy_loops import check_busy_loops
+from motionlang.mint.lint.conditions import Conditions
 from motionlang.mint.lint.effects import Facts
 from motionlang.mint.lint.iterations import check_iterations
 from motionlang.mint.lint.model import check_model
@@ -75,13 +77,29 @@ def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[D
     facts = Facts(names, table(), has_host(module.places.source, COMMENT))
     found: dict[tuple[str, int, str], Diagnostic] = {}
 
-    def add(code: str, message: str, at: int, hint: str = "", candidates: Sequence[str] = ()) -> None:
-        place = module.line(at), module.column(at)
-        length = module.length(at)
+    def add(
+        code: str,
+        message: str,
+        at: int,
+        hint: str = "",
+        candidates: Sequence[str] = (),
+        *,
+        length: int = 0,
+        fix: str = "",
+    ) -> None:
+        where = module.line(at), module.column(at)
+        length = length or module.length(at)
         found.setdefault(
             (code, at, message),
             Diagnostic(
-                code, message, *place, length=length, hint=hint, severity="warning", candidates=candidates
+                code,
+                message,
+                *where,
+                length=length,
+                hint=hint,
+                severity="warning",
+                fix=fix,
+                candidates=candidates,
             ),
         )
 
@@ -92,6 +110,8 @@ def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[D
     Settings(facts, follower, add).check()
     check_blends(facts, add)
     Ways(facts, follower, settings, add).check()
+    Conditions(facts, follower, module.places, settings, add).check()
+    check_busy_loops(facts, add)
     check_iterations(facts, add)
     check_brackets(facts, module.places, add)
     check_names(facts, add)

@@ -40,6 +40,9 @@ class Axis:
     - `speeded`: a speed may have been set.
     - `zeros`: the move settings that are 0.
     - `loaded`: the token of the first move that waits for a GO, None if unknown.
+    - `empty`: no move waits for a GO.
+    - `span`: the lowest and the highest position that the moves so far can have reached, None if unknown.
+    - `jogs`: the axis jogs, and no statement has stopped it.
     """
 
     motion: str = UNKNOWN
@@ -54,6 +57,9 @@ class Axis:
     speeded: bool = True
     zeros: frozenset[str] = frozenset()
     loaded: int | None = None
+    empty: bool = False
+    span: tuple[float, float] | None = None
+    jogs: bool = False
 
     def joined(self, other: Axis, turns: bool) -> Axis:
         """Keep the facts on which both agree; at a loop head (`turns`) time passes."""
@@ -72,7 +78,16 @@ class Axis:
             speeded=self.speeded or other.speeded,
             zeros=self.zeros & other.zeros,
             loaded=self.loaded if self.loaded == other.loaded else None,
+            empty=self.empty and other.empty,
+            span=self.span if self.span == other.span else None,
+            jogs=self.jogs and other.jogs,
         )
+
+    def reaching(self, target: float | None) -> tuple[float, float] | None:
+        """Return `span` after a move to a target, which is None if it is unknown."""
+        if self.span is None or target is None:
+            return None
+        return min(self.span[0], target), max(self.span[1], target)
 
 
 ANY = Axis()
@@ -126,6 +141,7 @@ class Follower:
         self.apart = self._shared()
         self.stopped = self._stopped_by_handlers()
         self.led = self._led()
+        self.before_act = ANYTHING
         self._at_work: set[Function] = set()
         self._report: Report | None = None
         for function in facts.functions:
@@ -163,7 +179,7 @@ class Follower:
             return ANY
         axis = state[key]
         if {key, None} & self.led or (isinstance(key, Symbol) and self.led):
-            return replace(axis, motion=UNKNOWN, fresh=False)
+            return replace(axis, motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False)
         return axis
 
     def _led(self) -> set[Key]:
@@ -197,7 +213,7 @@ class Follower:
         graph = self.facts.graphs[function]
         first = ANYTHING
         if function.kind == "main":
-            first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False), {})
+            first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False, empty=True, span=(0.0, 0.0)), {})
         found: dict[Step, State] = {}
 
         def follow(step: Step, state: State) -> tuple[State, State]:
@@ -234,6 +250,7 @@ class Follower:
         follow = _FOLLOW.get(act.role)
         if follow is None:
             return state
+        self.before_act = state
         for number, key in enumerate(act.axes):
             old = self.known(state, key)
             new = follow(self, step, act, number, old)
@@ -281,7 +298,8 @@ class Follower:
         assert act.row is not None
         target = self._target(act, number, axis, act.row.does("relative"))
         loaded = self._loaded(self._entry(step, act, number, axis), act)
-        return self._checked(step, act, number, replace(loaded, target=target))
+        span = axis.reaching(target)
+        return self._checked(step, act, number, replace(loaded, target=target, span=span))
 
     def _loaded(self, axis: Axis, act: Act) -> Axis:
         """Record the token of the move if it is the first one in the buffer."""
@@ -307,10 +325,10 @@ class Follower:
     def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
             self._tell("scale-after-speed", step, act, act.axes[number], axis)
-        return replace(axis, waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset())
+        return replace(axis, waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
     def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        return replace(self._entry(step, act, number, axis), target=None)
+        return replace(self._entry(step, act, number, axis), target=None, span=None)
 
     def _path(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         """Load a path, which waits for the GO of its first axis.
@@ -321,25 +339,43 @@ class Follower:
         target = None
         if act.row.does("line") and number < len(act.values):
             target = self._target(act, number, axis, act.row.does("relative"))
+        span = axis.reaching(target)
         if number == 0:
             axis = self._loaded(self._entry(step, act, number, axis), act)
-        return self._checked(step, act, number, replace(axis, target=target))
+        return self._checked(step, act, number, replace(axis, target=target, span=span, empty=False))
 
     def _go(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
             speed = "speed" in axis.zeros
             self._tell("zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis)
-        return replace(axis, motion=MOVES if sure else UNKNOWN, fresh=sure, waiting=0, loaded=None)
+        if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
+            self._tell("nothing-loaded", step, act, act.axes[number], axis)
+        return replace(
+            axis,
+            motion=MOVES if sure else axis.motion if axis.empty else UNKNOWN,
+            fresh=sure,
+            waiting=0,
+            loaded=None,
+            empty=True,
+            jogs=axis.jogs and axis.empty,
+        )
 
     def _stop(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         stops = axis.motion == IDLE or act.row.does("abrupt")
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
         axis = replace(
-            axis, motion=IDLE if stops else UNKNOWN, fresh=False, waiting=0, target=kept, loaded=None
+            axis,
+            motion=IDLE if stops else UNKNOWN,
+            fresh=False,
+            waiting=0,
+            target=kept,
+            loaded=None,
+            empty=True,
+            jogs=False,
         )
-        return replace(axis, target=None, frame=None) if act.row.does("datum") else axis
+        return replace(axis, target=None, frame=None, span=None) if act.row.does("datum") else axis
 
     def _at_once(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
@@ -351,6 +387,9 @@ class Follower:
             target=None,
             frame=None if act.row.does("datum") else axis.frame,
             stale=frozenset(),
+            empty=False,
+            span=None,
+            jogs=jogs,
         )
 
     def _slot(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
@@ -375,22 +414,32 @@ class Follower:
         if axis.motion == MOVES:
             self._tell("scale-in-motion", step, act, act.axes[number], axis)
         target = axis.target if axis.target == 0 else None
-        return replace(axis, stale=axis.set, scaled=act.at, set=frozenset(), target=target)
+        span = axis.span if axis.span == (0, 0) else None
+        return replace(axis, stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
     def _zero(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.fresh:
             self._tell("in-motion", step, act, act.axes[number], axis)
         value = self.facts.number(act.value(number))
         if axis.motion != IDLE or axis.waiting or value is None:
-            return replace(axis, target=None, frame=None)
+            return replace(axis, target=None, frame=None, span=None)
         moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
-        return replace(axis, target=value, frame=moved)
+        return replace(axis, target=value, frame=moved, span=(value, value))
 
     def _use(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         if act.row.kind in ("command", "move") or act.row.does("switch"):
             return replace(
-                axis, motion=UNKNOWN, fresh=False, waiting=0, target=None, zeros=frozenset(), loaded=None
+                axis,
+                motion=UNKNOWN,
+                fresh=False,
+                waiting=0,
+                target=None,
+                zeros=frozenset(),
+                loaded=None,
+                empty=False,
+                span=None,
+                jogs=False,
             )
         return axis
 
@@ -417,7 +466,10 @@ class Follower:
         key = self.facts.key_of(node)
         if key is None:
             return state
-        return state.put(key, replace(state[key], motion=IDLE if truth else MOVES, fresh=False))
+        axis = state[key]
+        return state.put(
+            key, replace(axis, motion=IDLE if truth else MOVES, fresh=False, jogs=axis.jogs and not truth)
+        )
 
 
 # Roles of keywords in a sub that change the facts its caller has about an axis.

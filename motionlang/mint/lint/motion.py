@@ -110,6 +110,11 @@ class Motion:
         message = f"the move cannot run: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
         self.add(code, message, axis.loaded, "set it above zero first")
 
+    def _nothing(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        axes = ", ".join(map(spelt, act.axes))
+        self.add("nothing-loaded", "this GO starts nothing: no move is loaded", act.at,
+                 f"load one first, as in MOVER({axes}) = 10")  # fmt: skip
+
     def _beyond(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         what = self.reach.beyond(key, axis)
         self.add("beyond-travel", f"the move ends at {axis.target:g}, beyond {what} of axis {spelt(key)}", act.at,
@@ -118,6 +123,7 @@ class Motion:
 
 _HEARD: dict[str, Callable[..., None]] = {
     "beyond-travel": Motion._beyond,
+    "nothing-loaded": Motion._nothing,
     "zero-speed": Motion._no_motion,
     "zero-acceleration": Motion._no_motion,
     "in-motion": Motion._in_motion,
