@@ -9,7 +9,7 @@ from motionlang.mccl.hosts.port import CR, CTRL_B, ESC, LF
 
 if TYPE_CHECKING:
     from motionlang.lang.task import Wait
-    from motionlang.mccl.hosts.port import Port
+    from motionlang.mccl.hosts.port import HostPort
     from motionlang.serve.channel import Channel
     from motionlang.serve.limits import Limits
     from motionlang.serve.pace import Pace
@@ -28,7 +28,9 @@ class Host:
     accepts. A host that does not read delays only its own line.
     """
 
-    def __init__(self, number: int, channel: Channel, port: Port, limits: Limits, spy: Spy | None) -> None:
+    def __init__(
+        self, number: int, channel: Channel, port: HostPort, limits: Limits, spy: Spy | None
+    ) -> None:
         self.number, self.channel, self.port = number, channel, port
         self._limits, self._spy = limits, spy
         self._inbox = bytearray()
@@ -146,7 +148,7 @@ class Host:
 
         This is one key if the port is single-stepping, and otherwise control characters and blanks.
         """
-        if self.port.task.stepping or self._inbox[0] == ESC:
+        if self.port.stepping or self._inbox[0] == ESC:
             return bytes(self._inbox[:1])
         count = 0
         while count < len(self._inbox) and self._inbox[count] in AT_ONCE:

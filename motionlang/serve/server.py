@@ -24,10 +24,14 @@ from motionlang.serve.refusals import Refusals
 if TYPE_CHECKING:
     from collections.abc import Callable
     from types import TracebackType
+    from typing import TypeAlias
 
     from motionlang.mccl.hosts.console import Console
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
+
+    # Makes a host of its number and its channel.
+    MakeHost: TypeAlias = Callable[[int, Channel], Host]
 
 READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
 # Sent to a host when there is no room for it: the board's code for an I/O error.
@@ -59,8 +63,8 @@ class Server:
         self.pace = pace or RealTime(console)
         self.hosts: list[Host] = []
         self.served = 0
-        self._limits = limits or Limits()
-        self._spy, self._complain = spy, complain
+        self.limits = limits or Limits()
+        self.spy, self._complain = spy, complain
         self._refusals = Refusals(complain)
         self._listeners: dict[socket.socket, Callable[[], None]] = {}
         self._refusing = False
@@ -82,13 +86,17 @@ class Server:
 
     # ------------------------------------------------------------------------------------------- listening
 
-    def listen(self, host: str, port: int, echo: bool | None = False) -> tuple[str, int]:
+    def listen(
+        self, host: str, port: int, echo: bool | None = False, make: MakeHost | None = None
+    ) -> tuple[str, int]:
         """Let hosts connect over TCP; return the address to connect to.
 
-        Raises OSError if that fails.
+        `make` makes the host of a connection; without it, the host speaks ASCII MCCL. Raises OSError if that
+        fails.
         """
         listener = address.listen(host, port)
-        self._listeners[listener] = lambda: self._accept(listener, echo)
+        made = make or self._maker(echo)
+        self._listeners[listener] = lambda: self._accept(listener, made)
         self._selector.register(listener, READ, self._listeners[listener])
         found: tuple[str, int] = listener.getsockname()[:2]
         return found
@@ -99,7 +107,7 @@ class Server:
         Raises ImportError or OSError if there are no pseudo-terminals.
         """
         channel = DeviceChannel()
-        self._join(channel, echo)
+        self._join(channel, self._maker(echo))
         return channel.name
 
     # --------------------------------------------------------------------------------------------- serving
@@ -147,7 +155,7 @@ class Server:
 
     # ----------------------------------------------------------------------------------------- connections
 
-    def _accept(self, listener: socket.socket, echo: bool | None) -> None:
+    def _accept(self, listener: socket.socket, make: MakeHost) -> None:
         try:
             connection, peer = listener.accept()
         except (BlockingIOError, ConnectionError):
@@ -158,22 +166,22 @@ class Server:
             self._refuse()
             return
         name = address.shown(*peer[:2])
-        if len(self.hosts) >= self._limits.hosts and not self._make_room():
+        if len(self.hosts) >= self.limits.hosts and not self._make_room():
             self._turn_away(connection, name)
             return
-        self._join(TcpChannel(connection, name), echo)
+        self._join(TcpChannel(connection, name), make)
 
     def _make_room(self) -> bool:
         """Disconnect the longest-silent host if it is idle; it may reconnect."""
         now = time.monotonic()
-        silent = [host for host in self.hosts if host.is_silent and now - host.heard >= self._limits.idle]
+        silent = [host for host in self.hosts if host.is_silent and now - host.heard >= self.limits.idle]
         if not silent:
             return False
         self._leave(min(silent, key=lambda host: host.heard), "was silent, and made room for another")
         return True
 
     def _turn_away(self, connection: socket.socket, name: str) -> None:
-        self._refusals.add(f"{name} was turned away: {self._limits.hosts} hosts are connected already")
+        self._refusals.add(f"{name} was turned away: {self.limits.hosts} hosts are connected already")
         with connection:
             connection.setblocking(False)
             try:
@@ -187,12 +195,15 @@ class Server:
             for listener in self._listeners:
                 self._selector.unregister(listener)
 
-    def _join(self, channel: Channel, echo: bool | None) -> None:
+    def _maker(self, echo: bool | None) -> MakeHost:
+        return lambda number, channel: Host(number, channel, self.console.open(echo), self.limits, self.spy)
+
+    def _join(self, channel: Channel, make: MakeHost) -> None:
         self.served += 1
-        host = Host(self.served, channel, self.console.open(echo), self._limits, self._spy)
+        host = make(self.served, channel)
         self.hosts.append(host)
-        if self._spy is not None:
-            self._spy.remark(host.number, f"connected: {channel.name}")
+        if self.spy is not None:
+            self.spy.remark(host.number, f"connected: {channel.name}")
         self._serve(host)
 
     def _leave(self, host: Host, why: str) -> None:
@@ -205,8 +216,8 @@ class Server:
             self._selector.unregister(host.channel)
         host.channel.close()
         self.console.close(host.port)
-        if self._spy is not None:
-            self._spy.remark(host.number, why)
+        if self.spy is not None:
+            self.spy.remark(host.number, why)
         if self._refusing:
             self._refusing = False
             for listener, accept in self._listeners.items():
@@ -220,7 +231,7 @@ class Server:
         times = [self.pace.timeout(), self._refusals.left]
         ends = [host.ended for host in self.hosts if host.ended is not None]
         if ends:
-            times.append(max(0.0, min(ends) + self._limits.linger - time.monotonic()))
+            times.append(max(0.0, min(ends) + self.limits.linger - time.monotonic()))
         return min((each for each in times if each is not None), default=None)
 
     def _woken(self) -> None:
@@ -250,7 +261,7 @@ class Server:
         except Gone:
             self._leave(host, "broke off")
             return
-        if host.ended is not None and (host.done or time.monotonic() >= host.ended + self._limits.linger):
+        if host.done or (host.ended is not None and time.monotonic() >= host.ended + self.limits.linger):
             self._leave(host, "has left")
             return
         wanted = (READ if host.listens else 0) | (WRITE if host.unsent else 0)

@@ -193,8 +193,8 @@ class AxisState:
         value = self.scale.to_counts(value_uu, unit)
         return nearest_whole(value) if self.model.rounds and not self.scaled else value
 
-    def say(self, counts: float, unit: str = "position") -> str:
-        """Format a quantity like the board: integer counts, or user units to six decimals.
+    def told(self, counts: float, unit: str = "position") -> float:
+        """Return a quantity as the board reports it: integer counts, or user units.
 
         Positions and distances are rounded to counts before they are scaled, because an encoder resolves only
         counts.
@@ -203,7 +203,12 @@ class AxisState:
             value = self.scale.position_to_user(nearest_whole(counts))
         else:
             value = self.scale.to_user(counts, unit)
-        return real(value) if self.scaled else str(int(nearest_whole(value)))
+        return value if self.scaled else nearest_whole(value)
+
+    def say(self, counts: float, unit: str = "position") -> str:
+        """Format a quantity like the board: integer counts, or user units to six decimals."""
+        value = self.told(counts, unit)
+        return real(value) if self.scaled else str(int(value))
 
 
 def real(value: float) -> str:

@@ -95,6 +95,11 @@ class Limits:
             limit = self._soft[bit]
             limit.place(position if limit.enabled else None)
 
+    @property
+    def watches_amplifier(self) -> bool:
+        """True if the amplifier-fault input switches the motor off."""
+        return self._amplifier.enabled
+
     def watch_amplifier(self, on: bool) -> None:
         """Let the amplifier-fault input switch the motor off, or not (FN, FF)."""
         self._amplifier.enabled = on

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
     from motionlang.lang.machine.machine import Machine
     from motionlang.mccl.hosts.download import Complain, Write
+    from motionlang.mccl.hosts.port import HostPort
     from motionlang.source import Source
 
 INFINITY = float("inf")
@@ -48,7 +49,7 @@ class Console:
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
         self.board = Board(machine)
-        self.ports: list[Port] = []
+        self.ports: list[HostPort] = []
         self._downloads: list[Download] = []
         self._passes = 0
         self._gate = _Gate(self)
@@ -64,6 +65,10 @@ class Console:
         """True if a port is carrying out a line, or a file is being downloaded."""
         return any(port.working for port in self.ports) or any(not each.done for each in self._downloads)
 
+    def start(self, task: Task) -> None:
+        """Start a task that belongs to no port, such as a call of MCAPI."""
+        self._scheduler.start(task)
+
     def open(self, echo: bool | None = None) -> Port:
         """Open a port for another host; `echo` None leaves the echo to the model."""
         port = Port(self.board, echo)
@@ -72,7 +77,11 @@ class Console:
         self._scheduler.start(port.task)
         return port
 
-    def close(self, port: Port) -> None:
+    def join(self, port: HostPort) -> None:
+        """Add a port whose host speaks another language than MCCL."""
+        self.ports.append(port)
+
+    def close(self, port: HostPort) -> None:
         """Close the port of a host that is gone.
 
         An unfinished line is abandoned; motion and background tasks continue.
@@ -80,7 +89,7 @@ class Console:
         if port in self.ports:
             self.ports.remove(port)
             port.close()
-            if port.task in self._scheduler.tasks:
+            if isinstance(port, Port) and port.task in self._scheduler.tasks:
                 self._scheduler.tasks.remove(port.task)
 
     def download(self, source: Source, write: Write, complain: Complain) -> Download:
@@ -113,7 +122,14 @@ class Console:
         Returns False if that never happens, or not by the time `limit`. A port that waits for its host, for a
         key or to be read, counts as not busy.
         """
-        reached = self._pass(limit, lambda: not self.working)
+        return self.run_until(lambda: not self.working, limit)
+
+    def run_until(self, enough: Callable[[], bool], limit: float = INFINITY) -> bool:
+        """Let time pass until `enough` holds.
+
+        Returns False if that never happens, or not by the time `limit`.
+        """
+        reached = self._pass(limit, enough)
         self._forget()
         return reached
 

@@ -17,8 +17,26 @@ from motionlang.mccl.syntax.parser import MAX_LINE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Protocol
+
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.board import Board
+
+    class HostPort(Protocol):
+        """A port as a server sees it, in whatever language its host speaks."""
+
+        @property
+        def busy(self) -> bool: ...
+        @property
+        def working(self) -> bool: ...
+        @property
+        def waiting(self) -> Wait | None: ...
+        @property
+        def stepping(self) -> bool: ...
+        def feed(self, data: bytes) -> int: ...
+        def take(self) -> bytes: ...
+        def close(self) -> None: ...
+
 
 INFINITY = float("inf")
 CTRL_B, BACKSPACE, LF, CR, ESC, BLANK, DELETE = 2, 8, 10, 13, 27, 32, 127
@@ -58,6 +76,11 @@ class Port:
     def busy(self) -> bool:
         """True while a line is carried out."""
         return self.task.occupied
+
+    @property
+    def stepping(self) -> bool:
+        """True while each key carries out one command (Ctrl-B)."""
+        return self.task.stepping
 
     @property
     def waiting(self) -> Wait | None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 # The recording period is that of the trajectory: 1 kHz (TN1069).
@@ -37,7 +38,7 @@ def record(task: CommandTask, command: Command) -> None:
 
 def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -> Action:
     def tell(task: CommandTask, command: Command) -> None:
-        wanted, now = task.whole(command), task.board.controller.clock.now
+        wanted = task.whole(command)
         for axis in task.axes(command):
             if axis.number not in task.board.records:
                 if command.axis:
@@ -47,13 +48,22 @@ def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -
                         f"{axis.number}PR100 records 100 points",
                     )
                 continue
-            start, most = task.board.records[axis.number]
-            taken = _taken(now - start, most)
-            count = min(wanted, taken) if wanted else taken
-            for text in reading(task, axis, [start + k * PERIOD for k in range(count)]):
+            times = recorded_times(task.board, axis.number)
+            for text in reading(task, axis, times[:wanted] if wanted else times):
                 task.tell(axis.number, text)
 
     return tell
+
+
+def recorded_times(board: Board, axis: int) -> list[float]:
+    """Return the machine times of the points that have been recorded of an axis.
+
+    None without a recording.
+    """
+    if axis not in board.records:
+        return []
+    start, most = board.records[axis]
+    return [start + k * PERIOD for k in range(_taken(board.controller.clock.now - start, most))]
 
 
 def _taken(elapsed: float, most: int) -> int:
