@@ -20,6 +20,7 @@ WRITERS = (
     "tests.fidelity_page",
     "tests.sources.page",
     "tests.report_types",
+    "tests.mcapi_files",
     "tests.cli_page",
     "tests.stages_page",
 )

@@ -39,7 +39,7 @@ examples:
 """
 
 GROUPS = {
-    "addresses": "tcp modbus pty max-hosts",
+    "addresses": "tcp mcapi modbus pty max-hosts",
     "time": "clock factor step",
     "lines": "echo log",
 }
@@ -66,6 +66,12 @@ def add_parser(commands: Commands, summary: str) -> None:
         type=_address,
         metavar="HOST:PORT",
         help="run a Mint program and serve its memory to Modbus TCP clients on this address",
+    )
+    add(
+        "--mcapi",
+        type=_address,
+        metavar="HOST:PORT",
+        help="listen on this address for hosts that call PMC's library MCAPI (see `motionlang mcapi`)",
     )
     add("--pty", action="store_true", help="create a serial device and print its path (not on Windows)")
     _add_time(parser)
@@ -138,8 +144,8 @@ def serve_command(args: argparse.Namespace) -> int:
 def _check(args: argparse.Namespace) -> None:
     """End the command if options conflict."""
     error = args.parser.error
-    if not args.tcp and not args.pty and args.modbus is None:
-        error("no address for hosts: give --tcp HOST:PORT, --pty or --modbus HOST:PORT")
+    if not args.tcp and not args.pty and args.mcapi is None and args.modbus is None:
+        error("no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, or --pty")
     if args.factor is not None and args.clock != "real":
         error("--factor needs --clock real")
     if args.step is not None and args.clock != "lockstep":
@@ -152,8 +158,8 @@ def _check(args: argparse.Namespace) -> None:
 
 def _check_modbus(args: argparse.Namespace) -> None:
     error = args.parser.error
-    if args.tcp or args.pty:
-        error("--modbus serves a Mint program, --tcp and --pty an MCCL board; use one or the other")
+    if args.tcp or args.pty or args.mcapi is not None:
+        error("--modbus serves a Mint program, --tcp, --pty and --mcapi an MCCL board; use one or the other")
     if args.echo is not None or args.log:
         error("--echo and --log have no effect with --modbus")
     if args.file is None:

@@ -22,11 +22,14 @@ from motionlang.source import Source
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Callable
     from types import FrameType
     from typing import TextIO
 
     from motionlang.cli.output_queue import OutputQueue
+    from motionlang.mcapi.call import Call
     from motionlang.serve.pace import Pace
+    from motionlang.serve.server import MakeHost
 
 
 def serve_board(
@@ -40,6 +43,27 @@ def serve_board(
 
     `queues` are those of the output.
     """
+    server = server_of(args, source, settings, overrides)
+    if server is None:
+        return 1
+    with server:
+        if not _open(server, args, server.console):
+            return 1
+        _until_signal(server)
+    _say(f"served {server.served} hosts; machine time {server.console.now:.3f} s{dropped(queues)}\n")
+    return 0
+
+
+def server_of(
+    args: argparse.Namespace,
+    source: Source | None,
+    settings: dict[str, object],
+    overrides: dict[str, float | str],
+) -> Server | None:
+    """Return the server of a board to which the file has been sent.
+
+    None if the board cannot be made.
+    """
     if source is not None:
         settings.setdefault("controller.model", written_for(source.name))
     try:
@@ -50,16 +74,10 @@ def serve_board(
         download.override(overrides)
     except Rejected as rejected:
         complain([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)], None, "")
-        return 1
+        return None
     spy = Spy(_remark) if args.log else None
-    with Server(
-        console, _pace(args, console), limits=Limits(hosts=args.max_hosts), spy=spy, complain=_complain
-    ) as server:
-        if not _open(server, args, console):
-            return 1
-        _until_signal(server)
-    _say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
-    return 0
+    limits = Limits(hosts=args.max_hosts)
+    return Server(console, _pace(args, console), limits=limits, spy=spy, complain=_complain)
 
 
 def _pace(args: argparse.Namespace, console: Console) -> Pace:
@@ -76,16 +94,10 @@ def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
         time += f", {args.factor:g} × real time"
     _say(f"{board.model.title}, {len(board.numbers)} axes, {time}; Ctrl-C ends it\n")
     for host, port in args.tcp:
-        try:
-            found, port = server.listen(host, port, echo=bool(args.echo))
-        except (OSError, UnicodeError) as error:
-            return _cannot(f"cannot listen on {shown(host, port)}", error)
-        if not is_loopback(found):
-            _complain(
-                f"warning: any computer that can reach this one can connect to {shown(found, port)}; there is "
-                "no password"
-            )
-        _say(f"listening on {shown(found, port)}\n")
+        if not _listen(server, host, port, echo=bool(args.echo)):
+            return False
+    if args.mcapi is not None and not _listen(server, *args.mcapi, make=mcapi_hosts(server)):
+        return False
     if args.pty:
         try:
             _say(f"serial device {server.device(echo=args.echo)}\n")
@@ -94,6 +106,35 @@ def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
         except OSError as error:
             return _cannot("cannot create a serial device", error)
     return True
+
+
+def _listen(
+    server: Server, host: str, port: int, *, echo: bool = False, make: MakeHost | None = None
+) -> bool:
+    """Listen on an address and say so; False if it cannot be used."""
+    try:
+        found, port = server.listen(host, port, echo, make)
+    except (OSError, UnicodeError) as error:
+        return _cannot(f"cannot listen on {shown(host, port)}", error)
+    if not is_loopback(found):
+        _complain(
+            f"warning: any computer that can reach this one can connect to {shown(found, port)}; there is "
+            "no password"
+        )
+    _say(f"listening on {shown(found, port)}{'' if make is None else ' for MCAPI'}\n")
+    return True
+
+
+def mcapi_hosts(server: Server, record: Callable[[Call], None] | None = None) -> MakeHost:
+    """Return what makes a host that speaks MCAPI of a connection.
+
+    `record` is called with every call.
+    """
+    from motionlang.mcapi.host import McapiHost
+    from motionlang.mcapi.session import McapiBoard
+
+    board = McapiBoard(server.console, _complain, record)
+    return lambda number, channel: McapiHost(number, channel, board, server.limits, server.spy)
 
 
 def _until_signal(server: Server) -> None:

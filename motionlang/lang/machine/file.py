@@ -361,6 +361,8 @@ def _generic(key: str) -> str:
         parts[1] = "N"
     if parts[:2] == ["mint", "values"] and len(parts) > 2:
         parts[2:] = ["KEYWORD"]
+    if parts[:2] == ["mccl", "codes"] and len(parts) > 2:
+        parts[2:] = ["COMMAND"]
     if parts[0] == "assumptions" and len(parts) > 1:
         parts[1:] = ["NAME"]
     return ".".join(parts)

@@ -68,6 +68,11 @@ KEYS: dict[str, tuple[str, str]] = {
         "positive",
         "The greatest following error allowed for its simulated motor, in user units.",
     ),
+    "mccl.codes.COMMAND": (
+        "channel",
+        "The numeric code of an MCCL command, such as TP = 12, for hosts that call `pmccmdex` of MCAPI. Only DW is "
+        "known to have one, 253.",
+    ),
     "mint.values.KEYWORD": (
         "reading",
         "The value of a Mint keyword that no simulation can know, such as DRIVEBUSVOLTS = 325, or "

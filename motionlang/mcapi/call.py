@@ -1,0 +1,69 @@
+"""One call of a host, from its arrival to its answer."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mcapi.session import Handle
+    from motionlang.mcapi.table import Function, Value
+    from motionlang.mccl.resolve.line import Line
+
+
+class Call:
+    """A function with its arguments and, when `done`, its results.
+
+    `arguments` are the inputs of the table, flat: a structure is its values, an array its length and values,
+    and None is a NULL pointer. `outputs` are flat, too, and empty if the call failed. `value` is that of a
+    function that returns one. `begin` and `end` are machine times, s.
+    """
+
+    __slots__ = (
+        "arguments",
+        "begin",
+        "code",
+        "done",
+        "end",
+        "finished",
+        "function",
+        "handle",
+        "line",
+        "number",
+        "outputs",
+        "value",
+    )
+
+    def __init__(
+        self, function: Function, number: int, arguments: tuple[Value | None, ...], begin: float
+    ) -> None:
+        self.function, self.number, self.arguments = function, number, arguments
+        self.handle: Handle | None = None
+        self.line: Line | None = None
+        self.outputs: tuple[Value, ...] = ()
+        self.value = self.code = 0
+        self.done = False
+        self.begin = self.end = begin
+        # Called when the call is done.
+        self.finished: Callable[[Call], None] | None = None
+
+    def finish(self, now: float, code: int | None = None) -> None:
+        """Complete the call, once; the last error of the handle is its code."""
+        if self.done:
+            return
+        if code is not None:
+            self.code = code
+        self.done, self.end = True, now
+        if self.code:
+            self.outputs = ()
+            if self.handle is not None:
+                self.handle.error = self.code
+        if self.finished is not None:
+            self.finished(self)
+
+    @property
+    def result(self) -> int | None:
+        """The return value in C: a value, an error code, or None."""
+        if self.function.is_value:
+            return self.value
+        return self.code if self.function.result else None

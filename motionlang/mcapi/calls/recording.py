@@ -1,0 +1,66 @@
+"""Recorded motion, and counts."""
+
+from __future__ import annotations
+
+from motionlang.mcapi import constants as mc
+from motionlang.mcapi.command import command
+from motionlang.mcapi.errors import Refused
+from motionlang.mcapi.registry import commands, reading
+from motionlang.mccl.keywords.motion_record import PERIOD, recorded_times
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mcapi.interface import Interface
+    from motionlang.mccl.resolve.command import Command
+
+# The kinds of data, with the names of old hosts.
+ACTUAL, OPTIMAL, ERROR, TORQUE = (
+    (mc.MC_CAPTURE_ACTUAL, mc.MC_DATA_ACTUAL),
+    (mc.MC_CAPTURE_OPTIMAL, mc.MC_DATA_OPTIMAL),
+    (mc.MC_CAPTURE_ERROR, mc.MC_DATA_ERROR),
+    (mc.MC_CAPTURE_TORQUE, mc.MC_DATA_TORQUE),
+)
+
+
+@commands("MCCaptureData")
+def capture(interface: Interface, axis: int, points: int, period: float, delay: float) -> list[Command]:
+    return [command("PR", axis, points)]
+
+
+@reading("MCGetCaptureData")
+def captured(interface: Interface, axis: int, type: int, start: int, points: int) -> tuple[float, ...]:
+    """Return points of a recording; raise Refused unless it has them all."""
+    board = interface.board
+    times = recorded_times(board, axis)
+    if points <= 0 or start < 0 or start + points > len(times):
+        raise Refused(mc.MCERR_RANGE)
+    times = times[start : start + points]
+    controller, state = board.controller, board.axis(axis)
+    if type in TORQUE:
+        return tuple(controller.recall(axis, "output", times))
+    if type in ACTUAL:
+        return tuple(state.told(each) for each in controller.recall(axis, "actual", times))
+    optimal = [controller.axes[axis].position(time) for time in times]
+    if type in OPTIMAL:
+        return tuple(state.told(each) for each in optimal)
+    if type in ERROR:
+        actual = controller.recall(axis, "actual", times)
+        return tuple(state.told(a - b, "uu") for a, b in zip(optimal, actual, strict=True))
+    raise Refused(mc.MCERR_CONSTANT)
+
+
+@reading("MCGetCaptureSettings")
+def capture_settings(interface: Interface, axis: int) -> tuple[int, float, float, int]:
+    _, points = interface.board.records.get(axis, (0.0, 0))
+    return points, PERIOD, 0.0, len(recorded_times(interface.board, axis))
+
+
+@reading("MCGetCount")
+def count(interface: Interface, axis: int, type: int) -> int:
+    """Give the number of contour paths, or of recorded points."""
+    if type == mc.MC_COUNT_CONTOUR:
+        return interface.board.axis(axis).segments
+    if type == mc.MC_COUNT_RECORD:
+        return len(recorded_times(interface.board, axis))
+    known = (mc.MC_COUNT_CAPTURE, mc.MC_COUNT_COMPARE, mc.MC_COUNT_FILTER, mc.MC_COUNT_FILTERMAX)
+    raise Refused(mc.MCERR_NOTSUPPORTED if type in known else mc.MCERR_CONSTANT)

@@ -1,0 +1,71 @@
+"""Commands of MCCL that a call consists of, made without text."""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords import table
+from motionlang.mccl.resolve.command import NONE, NUMBER, Command
+from motionlang.mccl.resolve.decode import checked
+from motionlang.mccl.resolve.line import Line
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mccl.models import Model
+    from motionlang.mccl.runtime.task import Action
+
+
+def command(name: str, axis: int = 0, value: float | int | None = None) -> Command:
+    """Return a command that is ready to run.
+
+    Raise Fault if it does not accept the value.
+    """
+    row = _row(name)
+    action = row.actions.do
+    assert action is not None
+    head = f"{axis}{name}" if axis else name
+    pure = hasattr(action, "pure")
+    if value is None:
+        return Command(head, name, row, axis, NONE, 0, action, pure)
+    return Command(head + number(value), name, row, axis, NUMBER, checked(value, row), action, pure)
+
+
+def _row(name: str) -> Keyword:
+    row = table().get(name)
+    assert row is not None, name
+    return row
+
+
+def own(name: str, action: Action) -> Command:
+    """Return a step of a call that no command of MCCL does, or not in this manner."""
+    return Command(name, name, table().get(name), 0, NONE, 0, action, True)
+
+
+def line(commands: Iterable[Command]) -> Line:
+    """Return commands as a line, whose text is theirs."""
+    found = tuple(commands)
+    return Line(found, 0, ",".join(each.text for each in found), 0)
+
+
+def number(value: float | int) -> str:
+    """Return a number as MCCL reads it back exactly."""
+    whole = isinstance(value, int) or (value == int(value) and abs(value) < 1e15)
+    return str(int(value)) if whole else repr(value)
+
+
+def lacks(model: Model, name: str) -> bool:
+    """True if a model does not have a command."""
+    return _row(name).family in model.lacks
+
+
+def takes_all_axes(name: str) -> bool:
+    """True if a command without an axis means all of them."""
+    return _row(name).index == "axes"
+
+
+def out_of_range(what: str) -> Fault:
+    """Return the fault of an argument that is out of range."""
+    return Fault(codes.PARAMETER, what, kind="range")

@@ -1,0 +1,148 @@
+"""A connection of a host that speaks MCAPI to a served board."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import motionlang.mcapi.calls  # noqa: F401
+from motionlang.mcapi.protocol import MAX_LINE, VERSION, answer, decode, parse
+from motionlang.mcapi.session import BadCall, Session
+from motionlang.serve.host import Host
+
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mcapi.call import Call
+    from motionlang.mcapi.session import McapiBoard
+    from motionlang.serve.channel import Channel
+    from motionlang.serve.limits import Limits
+    from motionlang.serve.pace import Pace
+    from motionlang.serve.spy import Spy
+
+LF = 10
+# The line that names the host process of a connection.
+SESSION = "Session"
+
+
+class McapiPort:
+    """Calls in, answers out, one after the other.
+
+    `refused` is true after a line that is no call.
+    """
+
+    stepping = False
+    waiting: Wait | None = None
+
+    def __init__(self, desk: McapiBoard) -> None:
+        self._desk = desk
+        self._session: Session | None = None
+        self._call: Call | None = None
+        self._out = bytearray()
+        self.refused = False
+
+    @property
+    def busy(self) -> bool:
+        """True while a call has no answer."""
+        return self._call is not None
+
+    working = busy
+
+    def feed(self, data: bytes) -> int:
+        """Accept a whole line, or what is left after a refused one."""
+        if not self.refused:
+            self._enter(data.rstrip(b"\r\n").decode("latin-1"))
+        return len(data)
+
+    def refuse(self, why: str) -> None:
+        """Answer a line that is no call; the connection is then closed."""
+        self._out += f"! {why}\n".encode("latin-1", "replace")
+        self.refused = True
+
+    def take(self) -> bytes:
+        """Return the answers since the last call."""
+        said = bytes(self._out)
+        self._out.clear()
+        return said
+
+    def close(self) -> None:
+        """Disconnect; with the last connection of its process the host is gone."""
+        self._call = None
+        if self._session is not None:
+            self._session.leave()
+
+    def _enter(self, line: str) -> None:
+        if not line or line.isspace():
+            return
+        try:
+            if line.startswith(SESSION + " "):
+                self._begin(line)
+                return
+            if self._session is None:
+                self._session = self._desk.session()
+            call = self._session.call(*parse(line), self._done)
+        except (BadCall, ValueError, TypeError) as problem:
+            self.refuse(str(problem))
+            return
+        if not call.done:
+            self._call = call
+
+    def _begin(self, line: str) -> None:
+        """Join the session of a host process."""
+        version, token = (*decode(line.removeprefix(SESSION)), None, None)[:2]
+        if version != VERSION or not isinstance(token, str) or self._session is not None:
+            self.refuse(f'write {SESSION} {VERSION} "TOKEN" before the first call')
+            return
+        self._session = self._desk.session(token)
+        self._out += b"0\n"
+
+    def _done(self, call: Call) -> None:
+        self._call = None
+        self._out += answer(call).encode("latin-1", "replace") + b"\n"
+
+
+class McapiHost(Host):
+    """A host whose lines are calls.
+
+    The next one is read when the last one has its answer.
+    """
+
+    port: McapiPort
+
+    def __init__(
+        self, number: int, channel: Channel, desk: McapiBoard, limits: Limits, spy: Spy | None
+    ) -> None:
+        super().__init__(number, channel, McapiPort(desk), limits, spy)
+        desk.console.join(self.port)
+
+    @property
+    def done(self) -> bool:
+        """True if the host is gone, or has sent a line that is no call.
+
+        Has its answers.
+        """
+        return (self.ended is not None or self.port.refused) and self.is_silent
+
+    def may_go_on(self, pace: Pace) -> bool:
+        return LF in self._inbox and not self.port.busy
+
+    def feed(self, pace: Pace) -> None:
+        """Begin the calls that have come; in lock step one."""
+        while self._inbox and not self.port.busy:
+            end = self._inbox.find(LF) + 1
+            if self.port.refused or (not end and len(self._inbox) > MAX_LINE) or end > MAX_LINE:
+                if not self.port.refused:
+                    self.port.refuse(f"a line has at most {MAX_LINE} characters")
+                self._inbox.clear()
+            elif end:
+                pace.entered()
+                self.port.feed(bytes(self._inbox[:end]))
+                del self._inbox[:end]
+                if pace.by_line:
+                    return
+            else:
+                if self.ended is not None:
+                    self._inbox.clear()
+                return
+
+    def forget(self) -> None:
+        self._inbox.clear()
+        self.port.refuse("internal error")

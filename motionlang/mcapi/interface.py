@@ -1,0 +1,218 @@
+"""An interface of a board.
+
+Which carries out the calls of its handles one after another.
+
+
+A board has two: the binary handles share one and the ASCII handles the other. Each is a task of the board's
+interpreter, so a call takes the time of its commands and sees the machine at that time. An interface has its
+own accumulator and registers 0 to 9, and one block, which a handle begins and whose commands come from all
+handles of the interface.
+
+A call that polls, such as MCIsStopped with a time-out, occupies no interface: it is a task of its own that
+ends when its condition holds.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+from motionlang.lang.task import Task, Wait
+from motionlang.mcapi import constants as mc
+from motionlang.mcapi.errors import code_of
+from motionlang.mccl.runtime.task import CommandTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.faults import Rejected
+    from motionlang.mcapi.block import Block
+    from motionlang.mcapi.call import Call
+    from motionlang.mcapi.session import Handle
+    from motionlang.mccl.codes import Fault
+    from motionlang.mccl.hosts.port import Port
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.board import Board
+
+INFINITY = float("inf")
+ESC = 27
+# Characters that an ASCII interface holds for its host, and for the board while a call is carried out.
+MAX_HELD = 65536
+
+
+class Interface(CommandTask):
+    """The task that carries out calls.
+
+    `port` is that of an ASCII interface, whose registers it shares.
+    """
+
+    def __init__(self, board: Board, port: Port | None = None) -> None:
+        super().__init__("mcapi", board)
+        self.write = self._replied
+        self.port = port
+        if port is not None:
+            self.registers = port.task.registers
+        self.under_way: Call | None = None
+        self.block: Block | None = None
+        # The handle for which pmclock has reserved the interface.
+        self.owner: Handle | None = None
+        self.reply_text = ""
+        self._queue: deque[Call] = deque()
+        # Characters from the board that no host has read, and from a host that wait for the end of a call.
+        self._unread = bytearray()
+        self._held = bytearray()
+
+    @property
+    def occupied(self) -> bool:
+        """True while a call or a line is carried out."""
+        return self.under_way is not None or bool(self._queue) or (self.port is not None and self.port.busy)
+
+    def submit(self, call: Call) -> None:
+        """Queue a call that has a line."""
+        self._queue.append(call)
+
+    def drop(self, call: Call) -> None:
+        """Abandon a call whose host is gone, or that has timed out before it began."""
+        if call is self.under_way:
+            self.abandon()
+            self.wait = None
+        elif call in self._queue:
+            self._queue.remove(call)
+
+    # ------------------------------------------------------------------------------------------- as a task
+
+    def next_line(self) -> Line | None:
+        """End the current call and begin the next one."""
+        if self.under_way is not None:
+            call, self.under_way = self.under_way, None
+            call.finish(self.board.controller.clock.now)
+        following = self._following()
+        if following is None:
+            self._send_held()
+            return None
+        self._queue.remove(following)
+        self.under_way, self.reply_text = following, ""
+        return following.line
+
+    def _rest(self, now: float) -> Wait | None:
+        if self.done:
+            return None
+        return Wait(now, self._may_begin, lambda: INFINITY, "for the host to call", "host")
+
+    def _may_begin(self) -> bool:
+        return bool(self._queue) and self._following() is not None
+
+    def _following(self) -> Call | None:
+        """Return the next call: the first, or the first of the owner if there is one."""
+        if self.port is not None and self.port.busy:
+            return None
+        if self.owner is None:
+            return self._queue[0] if self._queue else None
+        return next((call for call in self._queue if call.handle is self.owner), None)
+
+    def _refused(self, trouble: Fault | Rejected) -> None:
+        if self.board.refused(self, trouble):
+            if self.under_way is not None:
+                self.under_way.code = code_of(trouble)
+            self.abandon()
+
+    def _replied(self, text: str) -> None:
+        if len(self.reply_text) < MAX_HELD:
+            self.reply_text += text
+
+    # ----------------------------------------------------------------------------- characters, ASCII only
+
+    def put(self, data: bytes) -> int:
+        """Send characters to the board and return how many it takes.
+
+        While a call runs they wait.
+        """
+        assert self.port is not None
+        if ESC in data:
+            self._held.clear()
+        elif self.under_way is not None or self._held:
+            data = data[: MAX_HELD - len(self._held)]
+            self._held += data
+            return len(data)
+        return self.port.feed(data)
+
+    def has_text(self, size: int) -> bool:
+        """True if pmcgets of `size` characters need not wait."""
+        assert self.port is not None
+        self._pull()
+        return self._end_of_text(size) > 0 or not (self.port.working or self.under_way or self._held)
+
+    def get(self, size: int) -> str:
+        """Return the characters up to the first CR or prompt, at most `size`."""
+        self._pull()
+        end = self._end_of_text(size) or len(self._unread)
+        found = self._unread[:end].decode("latin-1")
+        del self._unread[:end]
+        return found
+
+    def get_one(self) -> str:
+        """Return the next character, "" if there is none."""
+        self._pull()
+        found = self._unread[:1].decode("latin-1")
+        del self._unread[:1]
+        return found
+
+    def _end_of_text(self, size: int) -> int:
+        """Return the length of the text that pmcgets returns, 0 if it is not complete."""
+        ends = [self._unread.find(mark) for mark in (b"\r", self.board.prompt.encode("latin-1")) if mark]
+        found = min((end + 1 for end in ends if end >= 0), default=0)
+        return min(found or (size if len(self._unread) >= size else 0), size)
+
+    def _pull(self) -> None:
+        assert self.port is not None
+        if len(self._unread) < MAX_HELD:
+            self._unread += self.port.take()
+
+    def _send_held(self) -> None:
+        if self._held and self.port is not None:
+            del self._held[: self.port.feed(bytes(self._held))]
+
+
+class Poll(Task):
+    """A call that occupies no interface.
+
+    Until `ready`, or `until` with another outcome.
+
+
+    `due` is when `ready` may be true next; `finish` gets whether it is.
+    """
+
+    def __init__(
+        self,
+        board: Board,
+        ready: Callable[[], bool],
+        due: Callable[[], float],
+        until: float,
+        finish: Callable[[bool], None],
+    ) -> None:
+        super().__init__("mcapi poll")
+        self._ready, self._finish = ready, finish
+        clock = board.controller.clock
+        self.wait = Wait(
+            clock.now,
+            lambda: self.done or ready() or clock.now >= until,
+            lambda: min(due(), until),
+            "for a condition of MCAPI",
+            "host",
+        )
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        if not self.done:
+            self.done = True
+            self._finish(self._ready())
+        return now, None
+
+
+def expire(call: Call, interface: Interface, now: float) -> None:
+    """End a call that has taken longer than the time-out of its handle.
+
+    The board continues.
+    """
+    if call is not interface.under_way:
+        interface.drop(call)
+    call.finish(now, mc.MCERR_TIMEOUT)

@@ -1,0 +1,119 @@
+"""Hosts of virtual boards: in process, and over the port of a served board."""
+
+from __future__ import annotations
+
+import socket
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from motionlang.lang.machine.machine import Machine
+from motionlang.mcapi import MC_OPEN_BINARY, Mcapi
+from motionlang.mcapi.host import McapiHost
+from motionlang.mcapi.session import McapiBoard
+from motionlang.mccl.hosts.console import Console
+from motionlang.serve import Limits, LockStep, RealTime, Server
+from motionlang.serve.pace import Pace
+
+# Seconds after which a waiting test has failed; a successful one never waits that long.
+PATIENCE = 20.0
+
+
+def opened(machine: dict[str, object] | None = None, mode: int = MC_OPEN_BINARY) -> Mcapi:
+    """Return a host of a virtual board with an open handle."""
+    host = Mcapi.virtual(machine)
+    assert host.Open(0, mode) == 1
+    return host
+
+
+@pytest.fixture
+def host() -> Mcapi:
+    """A host of a virtual MultiFlex with a binary handle."""
+    return opened()
+
+
+class Line:
+    """A connection to the port: a socket, a line at a time."""
+
+    def __init__(self, address: tuple[str, int]) -> None:
+        self.socket = socket.create_connection(address, PATIENCE)
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self._rest = b""
+
+    def send(self, line: str) -> None:
+        self.socket.sendall(line.encode("latin-1") + b"\n")
+
+    def answer(self) -> str:
+        while b"\n" not in self._rest:
+            piece = self.socket.recv(65536)
+            if not piece:
+                return "closed"
+            self._rest += piece
+        found, _, self._rest = self._rest.partition(b"\n")
+        return found.decode("latin-1")
+
+    def ask(self, line: str) -> str:
+        self.send(line)
+        return self.answer()
+
+
+class Board:
+    """A served board, in a thread of its own."""
+
+    def __init__(self, machine: dict[str, object], clock: str, limits: Limits | None) -> None:
+        console = Console(Machine(machine, first_axis=1))
+        self.complaints: list[str] = []
+        self.console = console
+        pace: Pace = LockStep(console) if clock == "lockstep" else RealTime(console)
+        self.server = Server(console, pace, limits=limits, complain=self.complaints.append)
+        self.mcapi = McapiBoard(console, self.complaints.append)
+        self.address = self.server.listen(
+            "127.0.0.1",
+            0,
+            make=lambda number, channel: McapiHost(
+                number, channel, self.mcapi, self.server.limits, self.server.spy
+            ),
+        )
+        self.ascii = self.server.listen("127.0.0.1", 0)
+        self.lines: list[Line] = []
+        self._thread = threading.Thread(target=self.server.run, daemon=True)
+        self._thread.start()
+
+    @property
+    def name(self) -> str:
+        """The address as MCAPI_HOST has it."""
+        return f"{self.address[0]}:{self.address[1]}"
+
+    def connect(self) -> Line:
+        line = Line(self.address)
+        self.lines.append(line)
+        return line
+
+    def end(self) -> None:
+        if self._thread.is_alive():
+            self.server.stop()
+            self._thread.join(PATIENCE)
+            assert not self._thread.is_alive()
+            self.server.close()
+        for line in self.lines:
+            line.socket.close()
+
+
+Serve = Callable[..., Board]
+
+
+@pytest.fixture
+def serve() -> Iterator[Serve]:
+    """A server of boards: `serve(machine={}, clock="lockstep", limits=None)`."""
+    boards: list[Board] = []
+
+    def begin(
+        machine: dict[str, object] | None = None, clock: str = "lockstep", limits: Limits | None = None
+    ) -> Board:
+        boards.append(Board(machine or {}, clock, limits))
+        return boards[-1]
+
+    yield begin
+    for board in boards:
+        board.end()

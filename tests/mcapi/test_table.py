@@ -1,0 +1,73 @@
+"""The table.
+
+Its size, the layout of its structures, and the files that are made from it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import motionlang.mcapi.calls  # noqa: F401
+from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, READINGS
+from motionlang.mcapi.table import FUNCTIONS, STRUCTURES
+from tests.mcapi_files import FILES
+
+# The bytes of each structure in C, with four-byte packing, from PMC's header compiled on 64-bit Linux.
+SIZES = {
+    "MCAXISCONFIG": 104,
+    "MCCOMMUTATION": 32,
+    "MCCONTOUR": 32,
+    "MCFILTEREX": 124,
+    "MCFILTER": 64,
+    "MCJOGEX": 48,
+    "MCJOG": 40,
+    "MCMOTIONEX": 100,
+    "MCMOTION": 96,
+    "MCPARAMEX": 128,
+    "MCPARAM": 44,
+    "MCSCALE": 48,
+    "MCSTATUSEX": 36,
+}
+BYTES = {"i": 4, "s": 2, "d": 8, "D": 8}
+
+
+def size(name: str) -> int:
+    """Return the bytes of a structure whose fields are aligned to at most four."""
+    at = 0
+    for field in STRUCTURES[name].fields:
+        each = BYTES[field.kind]
+        step = min(each, 4)
+        at = -(-at // step) * step + each * field.count
+    return -(-at // 4) * 4
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: Path(path).name)
+def test_a_generated_file_is_that_of_the_table(path: Path) -> None:
+    """`python -m tests.mcapi_files` writes it."""
+    assert path.read_text(encoding="utf-8") == FILES[path]()
+
+
+def test_it_has_all_functions() -> None:
+    """158 functions; PMC's binding has 139 of them; at most 25 are not supported."""
+    assert len(FUNCTIONS) == 158
+    assert sum(each.in_binding for each in FUNCTIONS.values()) == 139
+    assert sum(bool(each.unsupported) for each in FUNCTIONS.values()) <= 25
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_each_function_means_something_here(name: str) -> None:
+    """It has code in one of the four ways, or one command in its column, or a reason."""
+    function = FUNCTIONS[name]
+    ways = [name in found for found in (AT_ONCE, COMMANDS, POLLS, READINGS)]
+    if not any(ways) and not function.unsupported:
+        head, _, parameter = function.mccl.partition("{")
+        assert len(head.lstrip("a")) == 2
+        assert not parameter or parameter.rstrip("}") in [each.name for each in function.arguments]
+    assert sum(ways) + bool(function.unsupported) <= 1
+    assert bool(function.help) is not bool(function.unsupported)
+
+
+def test_structures_have_the_size_of_c() -> None:
+    assert {name: size(name) for name in STRUCTURES} == SIZES
