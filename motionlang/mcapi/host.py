@@ -29,7 +29,6 @@ class McapiPort:
     `refused` is true after a line that is no call.
     """
 
-    stepping = False
     waiting: Wait | None = None
 
     def __init__(self, desk: McapiBoard) -> None:
@@ -56,6 +55,26 @@ class McapiPort:
         """Answer a line that is no call; the connection is then closed."""
         self._out += f"! {why}\n".encode("latin-1", "replace")
         self.refused = True
+
+    def accepts(self, data: bytes | bytearray) -> bool:
+        """True if a whole line has come, and the last one has its answer."""
+        return LF in data and not self.busy
+
+    def drop_abandoned(self, data: bytearray) -> None:
+        """No character of this protocol abandons a line."""
+
+    def at_once(self, data: bytes | bytearray) -> bytes:  # noqa: ARG002
+        """Nothing is accepted during a call."""
+        return b""
+
+    def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
+        """Return the first line of `data` and True, or its beginning and False."""
+        end = data.find(LF) + 1
+        return bytes(data[: end or None]), bool(end)
+
+    def abandon(self) -> None:
+        """Refuse what an internal error has broken."""
+        self.refuse("internal error")
 
     def take(self) -> bytes:
         """Return the answers since the last call."""
@@ -121,9 +140,6 @@ class McapiHost(Host):
         """
         return (self.ended is not None or self.port.refused) and self.is_silent
 
-    def may_go_on(self, pace: Pace) -> bool:
-        return LF in self._inbox and not self.port.busy
-
     def feed(self, pace: Pace) -> None:
         """Begin the calls that have come; in lock step one."""
         while self._inbox and not self.port.busy:
@@ -142,7 +158,3 @@ class McapiHost(Host):
                 if self.ended is not None:
                     self._inbox.clear()
                 return
-
-    def forget(self) -> None:
-        self._inbox.clear()
-        self.port.refuse("internal error")

@@ -5,20 +5,15 @@ from __future__ import annotations
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from motionlang.mccl.hosts.port import CR, CTRL_B, ESC, LF
-
 if TYPE_CHECKING:
     from motionlang.lang.task import Wait
-    from motionlang.mccl.hosts.port import HostPort
     from motionlang.serve.channel import Channel
+    from motionlang.serve.console import Port
     from motionlang.serve.limits import Limits
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
 
 INFINITY = float("inf")
-# Characters that a port accepts while it carries out a line, in addition to ESC: Ctrl-B, XON, XOFF and the
-# blank.
-AT_ONCE = (CTRL_B, 17, 19, 32)
 
 
 class Host:
@@ -28,14 +23,11 @@ class Host:
     accepts. A host that does not read delays only its own line.
     """
 
-    def __init__(
-        self, number: int, channel: Channel, port: HostPort, limits: Limits, spy: Spy | None
-    ) -> None:
+    def __init__(self, number: int, channel: Channel, port: Port, limits: Limits, spy: Spy | None) -> None:
         self.number, self.channel, self.port = number, channel, port
         self._limits, self._spy = limits, spy
         self._inbox = bytearray()
         self._outbox = bytearray()
-        self._after_cr = False
         # When the host closed its sending side, in real time.
         self.ended: float | None = None
         # When the host last sent something.
@@ -71,7 +63,7 @@ class Host:
         """True if the board would accept more of the host's data."""
         if not self._inbox:
             return False
-        return not self.port.busy or ESC in self._inbox or (pace.by_line and bool(self._heard_at_once()))
+        return self.port.accepts(self._inbox) or (pace.by_line and bool(self.port.at_once(self._inbox)))
 
     @property
     def done(self) -> bool:
@@ -101,27 +93,23 @@ class Host:
         self._inbox += data
 
     def feed(self, pace: Pace) -> None:
-        """Give the board the data that it accepts: all of it, or one line in lock step.
-
-        An ESC discards everything before it that a busy board has not accepted.
-        """
-        if self.port.busy and ESC in self._inbox:
-            del self._inbox[: self._inbox.rindex(ESC)]
-        if pace.by_line and self.port.busy:
-            piece = self._heard_at_once()
+        """Give the board the data that it accepts: all of it, or one line in lock step."""
+        port, inbox = self.port, self._inbox
+        port.drop_abandoned(inbox)
+        if pace.by_line and port.busy:
+            piece = port.at_once(inbox)
         elif pace.by_line:
-            piece = self._line()
-            if piece[-1] == CR or (piece[-1] == LF and not (self._after_cr and len(piece) == 1)):
+            piece, complete = port.next_entry(inbox)
+            if complete:
                 pace.entered()
-            self._after_cr = piece[-1] == CR
         else:
-            piece = bytes(self._inbox)
-        del self._inbox[: self.port.feed(piece)]
+            piece = bytes(inbox)
+        del inbox[: port.feed(piece)]
 
     def forget(self) -> None:
-        """Drop the data that the host has sent, as an ESC from the host would."""
+        """Drop the data that the host has sent, and abandon its line."""
         self._inbox.clear()
-        self.port.feed(bytes([ESC]))
+        self.port.abandon()
 
     def flush(self) -> None:
         """Send the board's output as far as the channel accepts it."""
@@ -133,24 +121,3 @@ class Host:
                     self._spy.answered(self.number, said)
         if self._outbox:
             del self._outbox[: self.channel.send(bytes(self._outbox[: self._limits.outbox]))]
-
-    # --------------------------------------------------------------------------------------------------- private
-
-    def _line(self) -> bytes:
-        """Return the first received line, or the start of it if it is incomplete."""
-        for k, code in enumerate(self._inbox):
-            if code in (CR, LF):
-                return bytes(self._inbox[: k + 1])
-        return bytes(self._inbox)
-
-    def _heard_at_once(self) -> bytes:
-        """Return the characters that a busy port accepts.
-
-        This is one key if the port is single-stepping, and otherwise control characters and blanks.
-        """
-        if self.port.stepping or self._inbox[0] == ESC:
-            return bytes(self._inbox[:1])
-        count = 0
-        while count < len(self._inbox) and self._inbox[count] in AT_ONCE:
-            count += 1
-        return bytes(self._inbox[:count])

@@ -8,12 +8,12 @@ time, so that a program that never waits cannot block the hosts.
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mccl.hosts.console import Console
+    from motionlang.serve.console import Console
 
 INFINITY = float("inf")
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
@@ -58,7 +58,7 @@ class RealTime:
     by_line = False
 
     def __init__(
-        self, console: Console, factor: float = 1.0, wall: Callable[[], float] = time.monotonic
+        self, console: Console[Any], factor: float = 1.0, wall: Callable[[], float] = time.monotonic
     ) -> None:
         self.late = 0.0
         self._console, self._factor, self._wall = console, factor, wall
@@ -116,13 +116,15 @@ class LockStep:
     """Time passes only while a host waits for an answer.
 
     A line takes `step` seconds, or as long as it waits. The same lines in the same order get the same
-    answers, regardless of the speed of this computer and of the time between the lines.
+    answers, regardless of the speed of this computer and of the time between the lines. With `at_once` the time
+    passes before the answer is sent, so that a program that runs meanwhile can react; without it, before
+    the next line.
     """
 
     by_line = True
 
-    def __init__(self, console: Console, step: float = STEP) -> None:
-        self._console, self._step = console, step
+    def __init__(self, console: Console[Any], step: float = STEP, at_once: bool = False) -> None:
+        self._console, self._step, self._at_once = console, step, at_once
         self._owed = 0.0
         self._stuck = False
 
@@ -131,6 +133,9 @@ class LockStep:
 
     def entered(self) -> None:
         """End the time of the previous line before a new one comes in."""
+        if self._at_once:
+            self._owed = max(self._owed, self._console.now) + self._step
+            return
         if self._owed > self._console.now:
             self._console.run(self._owed)
         self._owed = self._console.now + self._step
@@ -143,6 +148,8 @@ class LockStep:
             now = console.now
             limit = max(min(console.next_time(), 1e300), now) + SLICE
             self._stuck = not console.settle(limit) and console.now < limit
+        if self._at_once and self._owed > console.now and (self._stuck or not console.working):
+            console.run(self._owed)
 
     def timeout(self) -> float | None:
         """Return None if only a host can make something happen, 0 if not."""

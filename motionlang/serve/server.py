@@ -2,7 +2,7 @@
 
 An iteration reads from every host that has sent something, lets the board work for a bounded time, and sends
 every host its output. No input from a host stops the server. If the interpreter fails on a line, the answer
-is `?3` and the error is logged.
+is `?3` (MCCL) or an error line (Mint), and the error is logged.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from motionlang.serve.refusals import Refusals
 if TYPE_CHECKING:
     from collections.abc import Callable
     from types import TracebackType
-    from typing import TypeAlias
+    from typing import Any, TypeAlias
 
-    from motionlang.mccl.hosts.console import Console
+    from motionlang.serve.console import Console
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
 
@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     MakeHost: TypeAlias = Callable[[int, Channel], Host]
 
 READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
-# Sent to a host when there is no room for it: the board's code for an I/O error.
-NO_ROOM = b"?3\n"
 # Seconds of real time that hosts have at the end to read their output.
 FAREWELL = 0.5
 INFINITY = float("inf")
@@ -52,7 +50,7 @@ class Server:
 
     def __init__(
         self,
-        console: Console,
+        console: Console[Any],
         pace: Pace | None = None,
         *,
         limits: Limits | None = None,
@@ -70,6 +68,8 @@ class Server:
         self._refusing = False
         self._known: set[str] = set()
         self._selector = selectors.DefaultSelector()
+        # Called in every iteration after the hosts are read, for other servers of the same board.
+        self.in_turn: list[Callable[[], None]] = []
         self._over = False
         self._wake, self._alarm = socket.socketpair()
         self._wake.setblocking(False)
@@ -120,6 +120,10 @@ class Server:
     def stop(self) -> None:
         """End `run` after its current iteration."""
         self._over = True
+        self.wake()
+
+    def wake(self) -> None:
+        """Begin an iteration now; may be called from any thread."""
         try:
             self._alarm.send(b".")
         except OSError:
@@ -134,6 +138,8 @@ class Server:
         for host in self.hosts:
             if host.waits:
                 self._feed(host)
+        for call in self.in_turn:
+            self._guard(call)
         self._guard(self.pace.work)
         for host in list(self.hosts):
             self._serve(host)
@@ -185,7 +191,7 @@ class Server:
         with connection:
             connection.setblocking(False)
             try:
-                connection.send(NO_ROOM)
+                connection.send(self.console.no_room)
             except OSError:
                 pass
 
@@ -294,7 +300,8 @@ class Server:
                 why = host.waits_in_vain()
                 if why:
                     self._complain(
-                        f"host {host.number} waits {why}, and nothing under way ends that; ESC gives it up"
+                        f"host {host.number} waits {why}, and nothing under way ends that; "
+                        f"{self.console.break_key} gives it up"
                     )
 
     # -------------------------------------------------------------------------------------- internal errors

@@ -46,6 +46,10 @@ class Console:
     stops between lines.
     """
 
+    break_key = "ESC"
+    # What a host is sent when no more can connect: the board's code for an I/O error.
+    no_room = b"?3\n"
+
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
         self.board = Board(machine)

@@ -31,8 +31,6 @@ if TYPE_CHECKING:
         def working(self) -> bool: ...
         @property
         def waiting(self) -> Wait | None: ...
-        @property
-        def stepping(self) -> bool: ...
         def feed(self, data: bytes) -> int: ...
         def take(self) -> bytes: ...
         def close(self) -> None: ...
@@ -40,6 +38,9 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 CTRL_B, BACKSPACE, LF, CR, ESC, BLANK, DELETE = 2, 8, 10, 13, 27, 32, 127
+# Characters that a port accepts while it carries out a line, in addition to ESC: Ctrl-B, XON, XOFF and the
+# blank.
+AT_ONCE = (CTRL_B, 17, 19, BLANK)
 # Limits of the characters that wait while the port is busy, and of those that a host leaves unread.
 MAX_WAITING = 4096
 MAX_UNREAD = 65536
@@ -67,6 +68,8 @@ class Port:
         self._out = bytearray()
         self._held = False
         self._after_cr = self._closed = False
+        # True if the last entry of `next_entry` ended with CR.
+        self._entered_cr = False
         # True if the end of the current line has been echoed.
         self._ended = False
         self.task = PortTask(board, self)
@@ -76,11 +79,6 @@ class Port:
     def busy(self) -> bool:
         """True while a line is carried out."""
         return self.task.occupied
-
-    @property
-    def stepping(self) -> bool:
-        """True while each key carries out one command (Ctrl-B)."""
-        return self.task.stepping
 
     @property
     def waiting(self) -> Wait | None:
@@ -99,6 +97,41 @@ class Port:
     def full(self) -> bool:
         """True if the host leaves so much unread that the board suspends its commands."""
         return len(self._out) >= MAX_UNREAD
+
+    def accepts(self, data: bytes | bytearray) -> bool:
+        """True if the port would accept some of the characters that a host has sent."""
+        return not self.busy or ESC in data
+
+    def drop_abandoned(self, data: bytearray) -> None:
+        """Remove what a busy board has not accepted and an ESC behind it abandons."""
+        if self.busy and ESC in data:
+            del data[: data.rindex(ESC)]
+
+    def at_once(self, data: bytes | bytearray) -> bytes:
+        """Return the characters at the start of `data` that a busy port accepts.
+
+        This is one key if the port is single-stepping, and otherwise control characters and blanks.
+        """
+        if self.task.stepping or data[0] == ESC:
+            return bytes(data[:1])
+        count = 0
+        while count < len(data) and data[count] in AT_ONCE:
+            count += 1
+        return bytes(data[:count])
+
+    def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
+        """Return the first line of `data` and True, or its beginning and False."""
+        for k, code in enumerate(data):
+            if code in (CR, LF):
+                complete = code == CR or not (self._entered_cr and k == 0)
+                self._entered_cr = code == CR
+                return bytes(data[: k + 1]), complete
+        self._entered_cr = False
+        return bytes(data), False
+
+    def abandon(self) -> None:
+        """Abandon the current line, as an ESC from the host would."""
+        self.feed(bytes([ESC]))
 
     def feed(self, data: bytes) -> int:
         """Accept characters and return how many.
