@@ -123,6 +123,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("compile",),
         ("program",),
         ("interactive", "lint"),
+        ("hosts",),
     ),
     "mccl": (
         ("codes", "evidence", "vocabulary"),

@@ -31,13 +31,17 @@ class MintInteractive(Interactive):
         self.environment = Environment(machine)
         self.environment.prepare()
         self._inputs = 0
-        self._scope = Scope(Function("main", "main", "main", [], None), None)
-        self._namespace: dict[str, object] = {
-            "E": self.environment,
-            "P": self.environment.say,
-            "T": self.environment.operations.now,
-        }
+        self._scope: Scope
+        self._namespace: dict[str, object]
+        self.forget()
         self.environment.variables = self._variables
+
+    def forget(self) -> None:
+        """Forget all names, as before a program is run; the machine stays as it is."""
+        environment = self.environment
+        self._scope = Scope(Function("main", "main", "main", [], None), None)
+        self._namespace = {"E": environment, "P": environment.say, "T": environment.operations.now}
+        environment.forget_program()
 
     def _variables(self) -> list[object]:
         return [value for name, value in self._namespace.items() if name.startswith("v_")]

@@ -151,6 +151,17 @@ class Environment(Waits):
 
         return self.acts, self.midways, of_values(self.variables(), alive)
 
+    def forget_program(self) -> None:
+        """Forget the tasks and handlers of a program that has ended; settings stay."""
+        for task in self.tasks.values():
+            task.done = True
+        self.tasks.clear()
+        self.blocks.clear()
+        self.priorities.clear()
+        self.quanta.clear()
+        if self._events is not None:
+            self._events.forget_handlers()
+
     def parts(self) -> list[object]:
         """Return the parts created so far."""
         return list(self._parts.values())

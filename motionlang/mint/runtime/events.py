@@ -51,6 +51,15 @@ class Events:
         """True if the program has a handler for an event."""
         return (kind, number) in self._handlers or (kind, -1) in self._handlers
 
+    def forget_handlers(self) -> None:
+        """Forget all handlers, and the events that are active or pending."""
+        self._handlers.clear()
+        self.active.clear()
+        self.pending.clear()
+        self._raised_here.clear()
+        self._rounds = self.disabled = 0
+        self.set_timer(0)
+
     def raise_(self, kind: str, number: int = 0) -> None:
         """Raise an event; its handler, if any, runs before the next statement of any task."""
         if not self.handles(kind, number):

@@ -1,0 +1,455 @@
+r"""A Mint controller with its lines, which a server feeds and runs.
+
+The controller has one program memory and runs one thing at a time: its program, or a line that a host has typed. Each
+host has a line of its own. What a program prints goes to all of them, as to everything on one cable; what a typed line
+prints goes to the host that typed it.
+
+    console = MintConsole(settings)
+    console.load(Source("packer.mnt", text))
+    port = console.open()
+    console.run(1.0)          # one second of machine time
+    port.feed(b"\5")          # Ctrl-E
+    port.take()               # b"Break at line 7\r\nP>"
+
+Time is that of the machine. `run` lets it pass to a given time, `settle` until no typed line is being carried out.
+Between two calls every axis is consistent, so that is when frames, keys and breaks act.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+from motionlang.controller.accelerators import NO_ACCELERATORS
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.nesting import StackSpace
+from motionlang.lang.run_errors import explain
+from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.lang.task import Task, Wait
+from motionlang.mint import DIALECT
+from motionlang.mint.hosts.editor import PROGRAM, Texts
+from motionlang.mint.hosts.hcp import Elements
+from motionlang.mint.hosts.port import MAX_PRINTED, MintPort
+from motionlang.mint.interactive import MintInteractive
+from motionlang.mint.runtime.errors import NUMBERS
+from motionlang.mint.runtime.printing import shows_float
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.controller.accelerators import Accelerators
+
+INFINITY = float("inf")
+# The number of moves, profiles and changes that a served controller stores, because it may run for days.
+MEMORY = 1000
+# History is trimmed once in this many requests.
+SELDOM = 50
+INTERNAL = "internal error, see the output of the server"
+
+
+class MintConsole:
+    """One controller for any number of hosts.
+
+    `complain(diagnostics, source)` is called with the errors of its programs, for the person who serves it.
+    """
+
+    break_key = "Ctrl-E"
+    # What a host is sent when no more can connect.
+    no_room = b""
+
+    def __init__(
+        self,
+        settings: Mapping[str, object] | None = None,
+        overrides: Mapping[str, float | str] | None = None,
+        *,
+        accelerators: Accelerators = NO_ACCELERATORS,
+        complain: Callable[[list[Diagnostic], Source], None] = lambda diagnostics, source: None,
+    ) -> None:
+        self.machine = Machine(settings, show=self._show, overrides=overrides, accelerators=accelerators)
+        self.texts = Texts()
+        self.ports: list[MintPort] = []
+        self.elements = Elements(lambda: self.machine.host, shows_float(self.machine))
+        self._complain = complain
+        self._interactive = MintInteractive(self.machine)
+        self._idle = _Idle()
+        self._scheduler = self.machine.scheduler = Scheduler(
+            self.machine, self._idle, outside=_Hosts(self.machine)
+        )
+        # The host whose line is carried out, the text that runs, and those that RUN starts after it.
+        self._by: MintPort | None = None
+        self._source: Source | None = None
+        self._is_program = False
+        self._next: deque[Source] = deque()
+        # What was printed while no host was connected.
+        self._early = ""
+        # The answer to INPUT that the host has already seen as it typed.
+        self._typed: str | None = None
+        self._passes = 0
+
+    # ---------------------------------------------------------------------------------------------- its state
+
+    @property
+    def now(self) -> float:
+        """Machine time, seconds."""
+        return self.machine.clock.now
+
+    @property
+    def is_busy(self) -> bool:
+        """True while the program runs or a line is carried out."""
+        return self._source is not None
+
+    @property
+    def runs(self) -> bool:
+        """True while the program runs."""
+        return self.is_busy and self._is_program
+
+    @property
+    def asks(self) -> bool:
+        """True while an INPUT waits for a line."""
+        return self.is_busy and self.machine.has_operator and self.machine.operator.asking
+
+    @property
+    def working(self) -> bool:
+        """True while a typed line is carried out without need of the host."""
+        return self.is_busy and not self._is_program and not self.asks
+
+    @property
+    def wait(self) -> Wait | None:
+        """The wait of what runs, if it waits."""
+        return self._scheduler.parent.wait if self.is_busy else None
+
+    def serves(self, port: MintPort) -> bool:
+        """True while a line of this host is carried out."""
+        return self._by is port and not self._is_program
+
+    # --------------------------------------------------------------------------------------- for the server
+
+    def load(self, source: Source) -> None:
+        """Put a program into the memory and run it, as at power-up.
+
+        Raises ProgramError if it has errors.
+        """
+        self.texts.set(PROGRAM, source.text)
+        self._interactive.forget()
+        self._begin(source, self._interactive.task(source), None, program=True)
+
+    def open(self, echo: bool | None = None) -> MintPort:
+        """Open a line for another host; without `echo` nothing that it sends comes back.
+
+        None echoes, as a line to a terminal does. The first host gets what was printed before it came.
+        """
+        port = MintPort(self, echo is not False)
+        self.ports.append(port)
+        port.send(self._early)
+        self._early = ""
+        if not self.is_busy:
+            port.prompt()
+        return port
+
+    def close(self, port: MintPort) -> None:
+        """Close the line of a host that is gone, and end what it was running.
+
+        The program and motion continue.
+        """
+        if port in self.ports:
+            self.ports.remove(port)
+            port.close()
+            if self.serves(port):
+                self._stop()
+                self._go_on()
+
+    def run(self, until: float) -> None:
+        """Let time pass to `until`."""
+        self._pass(until, settle=False)
+        self.machine.clock.advance(until)
+        self._forget()
+
+    def settle(self, limit: float = INFINITY) -> bool:
+        """Let time pass until no typed line is carried out, but not beyond `limit`.
+
+        Returns False if one still is. A line that waits for its host counts as carried out. A running program
+        does not.
+        """
+        if self.working:
+            self._pass(limit, settle=True)
+            self._forget()
+        return not self.working
+
+    def next_time(self) -> float:
+        """Return when something will next happen without input; 0 means at once."""
+        time = self.machine.clock.next_time()
+        for task in (*self._scheduler.tasks, *self._scheduler.interrupts):
+            if task is not self._idle:
+                if task.wait is None or task.wait.ready():
+                    return 0.0
+                time = min(time, task.wait.due())
+        return time
+
+    def drop_broken(self, error: Exception) -> None:
+        """End what ran when an internal error happened; the controller continues."""
+        self._ended([Diagnostic("crash", INTERNAL)])
+
+    # ---------------------------------------------------------------------------------------- for the lines
+
+    def enter(self, port: MintPort, text: str) -> None:
+        """Carry out a line that a host has typed at the prompt."""
+        if not port.block:
+            if not port.editor.number and text.strip().upper() == "RUN":
+                self._run_program(port)
+                return
+            said = port.editor.take(text)
+            if said is not None:
+                port.send(said)
+                port.prompt()
+                return
+        port.block.append(text)
+        whole = "\n".join(port.block)
+        if self._interactive.is_complete(whole):
+            port.block.clear()
+            if whole.strip():
+                self._execute(port, Source("line", whole))
+                return
+        port.prompt()
+
+    def break_off(self, port: MintPort) -> None:
+        """End the program or line that runs (Ctrl-E); motion continues."""
+        text = "Break"
+        if self.runs and self._source is not None:
+            line, _, _ = DIALECT.locate(self._source, self._scheduler.parent.at)
+            text = f"Break at line {line}"
+        self._end_line()
+        others = self.ports if self.runs else []
+        if self.machine.has_operator:
+            self.machine.operator.keys.clear()
+        self._stop()
+        for each in (port, *(other for other in others if other is not port)):
+            each.send(f"{text}\n")
+            each.prompt()
+        self._go_on()
+
+    def press(self, code: int) -> None:
+        """Press a key for the program."""
+        self.machine.operator.press(chr(code))
+
+    def answer(self, text: str) -> None:
+        """Give the line for which an INPUT waits."""
+        operator = self.machine.operator
+        operator.lines.append((text, ""))
+        operator.asking = False
+        self._typed = text
+        self.touched()
+
+    def touched(self) -> None:
+        """Let polling loops notice that a host has changed something."""
+        clock = self.machine.clock
+        clock.at(clock.now, _nothing)
+
+    # ------------------------------------------------------------------------------------------- what runs
+
+    def _run_program(self, port: MintPort) -> None:
+        sources = [Source(name, text) for name, text in self.texts.sources()]
+        if not sources:
+            port.send("Error: there is no program to run\n")
+            port.prompt()
+            return
+        self._interactive.forget()
+        self._next.extend(sources[1:])
+        self._start(sources[0], port)
+
+    def _start(self, source: Source, port: MintPort | None) -> None:
+        """Start a text of the memory; all hosts learn of its errors."""
+        try:
+            task = self._interactive.task(source)
+        except ProgramError as error:
+            self._source, self._is_program, self._by = source, True, port
+            self._ended(error.diagnostics)
+        else:
+            self._begin(source, task, port, program=True)
+
+    def _execute(self, port: MintPort, source: Source) -> None:
+        """Start a typed line."""
+        try:
+            task = self._interactive.task(source)
+        except ProgramError as error:
+            port.send("".join(map(_sentence, error.diagnostics)))
+            port.prompt()
+        else:
+            self._begin(source, task, port, program=False)
+
+    def _begin(self, source: Source, task: Task, port: MintPort | None, program: bool) -> None:
+        scheduler = self._scheduler
+        scheduler.tasks = [
+            task,
+            *(each for each in scheduler.tasks if each is not self._idle and not each.done),
+        ]
+        scheduler.current = task
+        self._source, self._by, self._is_program = source, port, program
+
+    def _pass(self, limit: float, settle: bool) -> None:
+        """Let time pass to `limit`, or until no typed line is carried out."""
+        while True:
+            over = True
+            try:
+                with StackSpace():
+                    over = self._scheduler.run_program(limit)
+            except Stuck:
+                over = False
+            except Exception as error:
+                diagnostic = self._explain(error)
+                if diagnostic is None:
+                    raise
+                self._ended([diagnostic])
+            else:
+                if over:
+                    self._finish()
+            if not over and not self._takes_keys():
+                return
+            if settle and not self.working:
+                return
+
+    def _takes_keys(self) -> bool:
+        """Give an INPUT the keys that the program has not read; True if they answer it."""
+        if self.asks and self.ports:
+            keys, port = self.machine.operator.keys, self._by or self.ports[0]
+            while keys and self.asks:
+                port.type(keys.pop(0))
+            return not self.asks
+        return False
+
+    def _explain(self, error: Exception) -> Diagnostic | None:
+        source = self._source or Source("line", "")
+        task = self._scheduler.current
+        known = self.is_busy and task is not self._idle
+        return explain(DIALECT, source, task if known else None, error)
+
+    def _finish(self) -> None:
+        """End a text that has run to its end."""
+        if self._next:
+            self._stop_tasks()
+            self._start(self._next.popleft(), self._by)
+        else:
+            self._ended([])
+
+    def _ended(self, diagnostics: list[Diagnostic]) -> None:
+        """End what runs: report its errors and send the prompt."""
+        self._end_line()
+        source, by, program = self._source, self._by, self._is_program
+        told = self.ports if program or by is None else [by]
+        self._stop()
+        text = "".join(_sentence(each, with_line=program) for each in diagnostics)
+        for port in told:
+            if port in self.ports:
+                port.send(text)
+                if source is not None:
+                    port.prompt()
+        if diagnostics and program and source is not None:
+            self._complain(diagnostics, source)
+        self._go_on()
+
+    def _stop(self) -> None:
+        """End what runs; motion continues, and so do tasks that a typed line has started."""
+        if self._is_program:
+            self._stop_tasks()
+            self._interactive.environment.forget_program()
+        scheduler = self._scheduler
+        parent = scheduler.parent
+        parent.done = True
+        scheduler.interrupts = [each for each in scheduler.interrupts if not each.done]
+        self._idle.rest(self.now)
+        scheduler.tasks = [
+            self._idle,
+            *(each for each in scheduler.tasks if not each.done and each is not self._idle),
+        ]
+        scheduler.current = self._idle
+        self._source, self._by, self._is_program = None, None, False
+        self._next.clear()
+        if self.machine.has_operator:
+            self.machine.operator.asking = False
+
+    def _stop_tasks(self) -> None:
+        """End all tasks and handlers of the program."""
+        for task in (*self._scheduler.tasks, *self._scheduler.interrupts):
+            task.done = True
+
+    def _go_on(self) -> None:
+        """Let hosts that have typed ahead continue."""
+        for port in list(self.ports):
+            port.go_on()
+
+    # --------------------------------------------------------------------------------------------- its output
+
+    def _show(self, text: str) -> None:
+        if self._typed is not None and text == f"{self._typed}\n":
+            self._typed, text = None, "\n"  # the host has seen its own answer
+        if self._by is not None and not self._is_program:
+            self._by.send(text)
+            return
+        if not self.ports:
+            self._early = (self._early + text)[-MAX_PRINTED:]
+        for port in self.ports:
+            port.send(text, MAX_PRINTED)
+
+    def _end_line(self) -> None:
+        """End an unfinished line of output."""
+        self.machine.terminal.close()
+
+    def _forget(self) -> None:
+        """Trim unused history now and then, because a served controller may run for days."""
+        self._passes += 1
+        if self._passes % SELDOM == 0:
+            machine = self.machine
+            machine.controller.forget_history(MEMORY)
+            machine.terminal.forget()
+            for terminal in machine.terminals.values():
+                terminal.forget()
+            found, machine.diagnostics = machine.diagnostics, []
+            if found and self._source is not None:
+                self._complain(found, self._source)
+
+
+class _Idle(Task):
+    """The scheduler's parent task while nothing runs: it waits for the hosts."""
+
+    def __init__(self) -> None:
+        super().__init__("prompt")
+        self.rest(0.0)
+
+    def rest(self, now: float) -> None:
+        """Wait again."""
+        self.done = False
+        self.wait = Wait(now, lambda: False, lambda: INFINITY, "for a host to send a line", "host")
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        return now, self.wait
+
+
+class _Hosts:
+    """Hosts as a world that acts by itself, but only between two calls of the console."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._clock = machine.clock
+
+    def start(self, machine: Machine) -> None:
+        """Do nothing: hosts come and go at any time."""
+
+    def may_act(self) -> bool:
+        """False, because no host acts while time passes."""
+        return False
+
+    def advance(self, time: float) -> None:
+        self._clock.advance(time)
+
+
+def _sentence(diagnostic: Diagnostic, with_line: bool = False) -> str:
+    """Return a diagnostic as the line that a controller prints."""
+    number = NUMBERS.get(diagnostic.code)
+    kind = "Warning" if diagnostic.severity != "error" else f"Error {number[0]}" if number else "Error"
+    place = f" at line {diagnostic.line}" if with_line and diagnostic.line else ""
+    hint = f" ({diagnostic.hint})" if diagnostic.hint else ""
+    return f"{kind}{place}: {diagnostic.message}{hint}\n"
+
+
+def _nothing() -> None:
+    """Do nothing, at a time when something has changed."""

@@ -1,0 +1,213 @@
+"""A host's line to a Mint controller: its characters in, the controller's out.
+
+A character goes where it belongs at that moment:
+
+    part of an HCP frame           the comms array, at any time
+    Ctrl-E                         ends the running program or line
+    while a program runs           the program: a line if INPUT asks, and otherwise a key
+    at the prompt                  a line: for the editor, or to be carried out
+
+Characters that come while a line is carried out wait. Lines end with CR, LF or both.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.hosts.editor import Editor
+from motionlang.mint.hosts.hcp import ENQ, EOT, Receiver
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mint.hosts.console import MintConsole
+
+CTRL_E, BACKSPACE, TAB, LF, CR, BLANK, DELETE = ENQ, 8, 9, 10, 13, 32, 127
+# The longest line that is carried out.
+MAX_LINE = 1000
+# Characters that wait for the end of a line; further ones are lost.
+MAX_WAITING = 65536
+# Unread output of the program, and of lines and frames of the host itself; of more, the oldest is lost.
+MAX_PRINTED, MAX_STORED = 65536, 4_000_000
+
+
+class MintPort:
+    """One host's connection.
+
+    `feed` takes characters, `take` returns the controller's output. `echo` False sends no character back, for
+    hosts that send whole lines.
+    """
+
+    def __init__(self, console: MintConsole, echo: bool) -> None:
+        self.console, self._echoes = console, echo
+        self.editor = Editor(console.texts)
+        # The lines of a block that is not complete.
+        self.block: list[str] = []
+        self._frames = Receiver(console.elements)
+        self._typed = bytearray()
+        self._dropped = 0
+        self._after_cr = False
+        self._waiting = bytearray()
+        self._out = bytearray()
+
+    @property
+    def requests(self) -> int:
+        """The number of HCP frames that were answered."""
+        return self._frames.requests
+
+    @property
+    def busy(self) -> bool:
+        """True while a line of this host is carried out, or waits to be."""
+        return bool(self._waiting) or self.console.serves(self)
+
+    @property
+    def waiting(self) -> Wait | None:
+        """The wait of this host's line, if it waits for anything but the host."""
+        if not self.console.serves(self) or self.console.asks:
+            return None
+        return self.console.wait
+
+    # --------------------------------------------------------------------------------------- for the server
+
+    def accepts(self, data: bytes | bytearray) -> bool:
+        """True: the line takes every character at any time."""
+        return True
+
+    def drop_abandoned(self, data: bytearray) -> None:
+        """Keep all of `data`: Ctrl-E acts in its order."""
+
+    def at_once(self, data: bytes | bytearray) -> bytes:
+        """Return the characters that are taken while a line is carried out: all."""
+        return bytes(data)
+
+    def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
+        """Return the first line, frame or key of `data` and True.
+
+        If it is not complete, return its beginning and False.
+        """
+        if data[0] == EOT:
+            end = _end_of_frame(data)
+            return bytes(data[:end] if end else data), end > 0
+        if data[0] == CTRL_E or (self.console.runs and not self.console.asks):
+            return bytes(data[:1]), True
+        for k, code in enumerate(data):
+            if code in (CR, LF):
+                alone = not (code == LF and self._after_cr and k == 0)
+                return bytes(data[: k + 1]), alone
+            if code in (EOT, CTRL_E):
+                return bytes(data[:k]), False
+        return bytes(data), False
+
+    def feed(self, data: bytes) -> int:
+        """Take characters; return how many, which is all of them."""
+        for code in data:
+            self._take_in(code)
+        return len(data)
+
+    def abandon(self) -> None:
+        """Break as by Ctrl-E."""
+        self._break()
+
+    def take(self) -> bytes:
+        """Return the output since the last call."""
+        sent = bytes(self._out)
+        self._out.clear()
+        return sent
+
+    def close(self) -> None:
+        """Disconnect the host: forget what it typed and has not been carried out."""
+        self._waiting.clear()
+        self._typed.clear()
+        self._out.clear()
+
+    # -------------------------------------------------------------------------------------- for the console
+
+    def send(self, text: str, most: int = MAX_STORED) -> None:
+        """Send a text; lines end with CR and LF.
+
+        The oldest output is lost beyond `most` characters that the host has not read.
+        """
+        self._add(text.replace("\n", "\r\n").encode("latin-1", "replace"), most)
+
+    def prompt(self) -> None:
+        """Send the prompt."""
+        self.send(">" if self.block else self.editor.prompt)
+
+    def go_on(self) -> None:
+        """Take the characters that wait as long as nothing runs."""
+        while self._waiting and not self.console.is_busy:
+            self.type(self._waiting.pop(0))
+
+    def type(self, code: int) -> None:
+        """Take a character of a line."""
+        after_cr, self._after_cr = self._after_cr, code == CR
+        if code in (CR, LF):
+            if not (code == LF and after_cr):
+                self._enter()
+        elif code in (BACKSPACE, DELETE):
+            if self._typed:
+                self._typed.pop()
+                self._echo("\b \b")
+        elif code >= BLANK or code == TAB:
+            if len(self._typed) < MAX_LINE:
+                self._typed.append(code)
+            else:
+                self._dropped += 1
+            self._echo(chr(code))
+
+    # ---------------------------------------------------------------------------------------------- private
+
+    def _take_in(self, code: int) -> None:
+        answer = self._frames.take(code)
+        if answer is not None:
+            self._add(answer)
+            if answer:
+                self.console.touched()
+        elif code == CTRL_E:
+            self._break()
+        elif self.console.asks:
+            self.type(code)
+        elif self.console.runs:
+            self.console.press(code)
+        elif self.console.is_busy or self._waiting:
+            if len(self._waiting) < MAX_WAITING:
+                self._waiting.append(code)
+        else:
+            self.type(code)
+
+    def _break(self) -> None:
+        self._waiting.clear()
+        self._typed.clear()
+        self._dropped = 0
+        self.block.clear()
+        self.editor.leave()
+        self.console.break_off(self)
+
+    def _enter(self) -> None:
+        text, dropped = self._typed.decode("latin-1"), self._dropped
+        self._typed.clear()
+        self._dropped = 0
+        if self.console.asks:
+            self.console.answer(text)
+            return
+        self._echo("\n")
+        if dropped:
+            self.send(f"Error: the line is longer than {MAX_LINE} characters\n")
+            self.prompt()
+            return
+        self.console.enter(self, text)
+
+    def _echo(self, text: str) -> None:
+        if self._echoes:
+            self.send(text)
+
+    def _add(self, data: bytes, most: int = MAX_STORED) -> None:
+        self._out += data
+        if len(self._out) > most:
+            del self._out[: len(self._out) - most]
+
+
+def _end_of_frame(data: bytes | bytearray) -> int:
+    """Return the length of the frame at the start of `data`; 0 if it is incomplete."""
+    end = next((k for k in range(3, len(data)) if data[k] < BLANK and data[k] != 2), 0)
+    if not end or data[end] == ENQ:
+        return end + 1 if end else 0
+    return end + 2 if len(data) > end + 1 else 0

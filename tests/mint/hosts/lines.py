@@ -1,0 +1,39 @@
+"""A Mint controller in this process, with a host at its line."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic
+from motionlang.mint.hosts.console import MintConsole
+from motionlang.source import Source
+
+
+class Line:
+    """A host's line; `said` returns what came since the last call."""
+
+    def __init__(self, program: str = "", echo: bool = False, model: str = "NextMove ESB-2") -> None:
+        self.complaints: list[Diagnostic] = []
+        self.console = MintConsole(
+            {"controller.model": model}, complain=lambda found, source: self.complaints.extend(found)
+        )
+        if program:
+            self.console.load(Source("served.mnt", program))
+        self.port = self.console.open(echo)
+
+    def send(self, data: bytes) -> None:
+        """Send characters; typed lines are carried out."""
+        self.port.feed(data)
+        self.console.settle(self.console.now + 10.0)
+
+    def run(self, seconds: float) -> None:
+        """Let machine time pass."""
+        self.console.run(self.console.now + seconds)
+
+    def said(self) -> str:
+        """Return the output with LF as line end."""
+        return self.port.take().decode("latin-1").replace("\r\n", "\n")
+
+    def ask(self, data: bytes) -> str:
+        """Send characters and return the output."""
+        self.said()
+        self.send(data)
+        return self.said()

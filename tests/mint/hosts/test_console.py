@@ -1,0 +1,215 @@
+"""The line of a Mint controller: program, typed lines, Ctrl-E, download."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.errors import ProgramError
+from motionlang.mint.hosts.hcp import write_frame
+from tests.mint.hosts.lines import Line
+
+COUNTER = "Dim n As Integer\nLoop\n  n = n + 1\n  Wait = 100\nEnd Loop\n"
+
+
+def test_print_goes_out_with_cr_and_lf_and_the_prompt_follows_the_end() -> None:
+    line = Line('Print "one"\nPrint "two",')
+    line.run(0.1)
+    assert line.port.take() == b"one\r\ntwo\r\nP>"
+
+
+def test_ctrl_e_breaks_with_the_line_and_typed_lines_know_the_variables() -> None:
+    line = Line(COUNTER)
+    line.run(0.45)  # n is 1 at once, and one more after each 0.1 s
+    assert line.ask(b"\x05") == "Break at line 4\nP>"
+    assert line.ask(b"Print n\r") == "5\nP>"
+    assert line.ask(b"n = 7 : Print n\n") == "7\nP>"
+    assert line.ask(b"\x05") == "Break\nP>"
+
+
+def test_motion_continues_after_a_break() -> None:
+    line = Line("SPEED(0) = 100 : JOG(0) = 100\nLoop\n  Wait = 10\nEnd Loop")
+    line.run(1.0)
+    line.ask(b"\x05")
+    line.run(1.0)
+    assert line.console.machine.controller.axes[0].position(line.console.now) == pytest.approx(200.0, abs=1.0)
+
+
+def test_handlers_and_tasks_end_with_the_program() -> None:
+    line = Line(
+        'Event COMMS1\n  Print "event"\nEnd Event\nTIMEREVENT = 5\nEvent TIMER\n  Print "tick"\nEnd Event\n'
+    )
+    line.run(0.1)
+    line.ask(b"\x05")
+    line.send(write_frame(1, "3"))
+    line.run(1.0)
+    assert line.said() == "\x06"
+
+
+def test_input_takes_a_line_and_its_text_is_shown_once() -> None:
+    line = Line('Dim a\nInput "Speed? ", a\nPrint "is ", a', echo=True)
+    line.run(0.1)
+    assert line.said() == "Speed? "
+    line.send(b"12\x0850\r\n")
+    assert line.said() == "12\b \b50"
+    line.run(0.1)
+    assert line.said() == "\nis 150.0000\nP>"
+
+
+def test_keys_that_came_before_input_begin_its_line() -> None:
+    line = Line('Dim a\nWait = 500\nInput "? ", a\nPrint a')
+    line.send(b"42")
+    line.run(1.0)
+    line.send(b"\r")
+    line.run(0.1)
+    assert line.said() == "? \n42.0000\nP>"
+
+
+def test_inkey_reads_single_keys() -> None:
+    line = Line("Dim k As Integer\nLoop\n  k = INKEY\n  If k Then Print k\nEnd Loop")
+    line.run(0.1)
+    for key in b"aB":
+        line.send(bytes([key]))
+        line.run(0.1)
+    assert line.said() == "97\n66\n"
+
+
+def test_an_input_of_a_typed_line_asks_its_host() -> None:
+    line = Line()
+    assert line.ask(b'Dim a : Input "n? ", a : Print 2 * a\r') == "n? "
+    assert line.ask(b"21\r") == "\n42.0000\nP>"
+
+
+def test_a_download_as_a_host_does_it() -> None:
+    """Ctrl-E, PROG, NEW, EDIT, lines (an empty one as a blank), an empty line, RUN."""
+    line = Line(COUNTER)
+    line.run(0.1)
+    assert "Break" in line.ask(b"\x05")
+    steps = [
+        (b"PROG\n", "P>"),
+        (b"NEW\n", "P>"),
+        (b"EDIT\n", "1>"),
+        (b'Print "a > b"\n', "2>"),
+        (b" \n", "3>"),
+    ]
+    steps += [(b'Print "end"\n', "4>"), (b"\n", "P>")]
+    assert [line.ask(sent) for sent, _ in steps] == [prompt for _, prompt in steps]
+    assert line.ask(b"LIST\n") == 'Print "a > b"\n\nPrint "end"\nP>'
+    line.send(b"RUN\n")
+    line.run(0.1)
+    assert line.said() == "a > b\nend\nP>"
+
+
+def test_the_configuration_runs_before_the_program() -> None:
+    line = Line()
+    line.send(b"CON\nEDIT\nSCALE(0) = 4000\nDim top = 7\n\nPROG\nEDIT\nPrint SCALE(0), top\n\n")
+    assert line.said().endswith("P>")
+    line.send(b"RUN\n")
+    line.run(0.1)
+    assert line.said() == "4000.00007.0000\nP>"
+
+
+def test_edit_replaces_a_line_or_adds_at_the_end() -> None:
+    line = Line()
+    line.send(b"EDIT\nPrint 1\nPrint 2\n\nEDIT 2\nPrint 22\n\nEDIT\nPrint 3\n\n")
+    assert line.ask(b"LIST\n") == "Print 1\nPrint 22\nPrint 3\nP>"
+    assert line.ask(b"EDIT 9\n") == "Error: EDIT takes a line from 1 to 4, not 9\nP>"
+
+
+def test_run_begins_with_no_names_and_no_handlers_of_the_program_before() -> None:
+    before = "Dim count = 5\nEvent COMMS1\n  Print 1\nEnd Event\nLoop\n  Wait = 10\nEnd Loop"
+    line = Line(before)
+    line.run(0.1)
+    line.ask(b"\x05NEW\nEDIT\nDim count = 6\nWait = 50\nPrint count\n\nRUN\n")
+    assert line.ask(write_frame(1, "2")) == "\x06"
+    line.run(0.1)
+    assert line.said() == "6.0000\nP>"
+    line.ask(b"NEW\nEDIT\nPrint count\n\n")
+    assert line.ask(b"RUN\n").startswith("Error at line 1: count is unknown")
+
+
+def test_errors_are_one_line_each_and_the_controller_goes_on() -> None:
+    line = Line()
+    assert line.ask(b"Print 1 / 0\r").startswith("Error 1001: division by zero")
+    assert line.ask(b"SPEED(99) = 1\r").startswith("Error 2: there is no axis 99")
+    assert line.ask(b"SPED(0) = 1\r").startswith("Error: ")
+    line.send(b"EDIT\nPrint 1\nMOVER(77) = 1\n\nRUN\n")
+    line.run(0.1)
+    assert "Error 2 at line 2: there is no axis 77" in line.said()
+    assert [each.code for each in line.complaints] == ["axis"]
+    assert line.ask(b"Print 3\r") == "3\nP>"
+
+
+def test_a_program_with_errors_is_not_started() -> None:
+    with pytest.raises(ProgramError):
+        Line("SPED(0) = 1\n")
+    assert Line().ask(b"RUN\r") == "Error: there is no program to run\nP>"
+
+
+def test_lines_that_are_typed_ahead_wait_and_ctrl_e_drops_them() -> None:
+    line = Line()
+    line.port.feed(b"Wait = 100 : Print 1\rPrint 2\r")
+    line.run(0.2)
+    assert line.said() == "P>1\nP>2\nP>"
+    line.port.feed(b"Wait = 100 : Print 1\rPrint 2\r")
+    line.run(0.05)
+    line.port.feed(b"\x05")
+    line.run(0.2)
+    assert line.said() == "Break\nP>"
+
+
+def test_a_block_is_typed_in_several_lines() -> None:
+    line = Line()
+    assert line.ask(b"For k = 1 To 3\r") == ">"
+    assert line.ask(b"  Print k\r") == ">"
+    assert line.ask(b"Next\r").startswith("1")
+
+
+def test_several_hosts_share_the_program_and_have_lines_of_their_own() -> None:
+    line = Line('Loop\n  Wait = 100\n  Print "x"\nEnd Loop')
+    other = line.console.open(echo=False)
+    line.run(0.15)
+    assert (line.said(), other.take()) == ("x\n", b"x\r\n")
+    other.feed(b"\x05")
+    assert (line.said(), other.take()) == ("Break at line 2\nP>", b"Break at line 2\r\nP>")
+    assert line.ask(b"Print 5\r") == "5\nP>"
+    assert other.take() == b""
+
+
+def test_a_host_that_leaves_ends_its_line_and_not_the_program() -> None:
+    line = Line()
+    line.port.feed(b"Wait = 100000\r")
+    line.console.close(line.port)
+    port = line.console.open(echo=False)
+    port.feed(b"Print 4\r")
+    line.console.settle()
+    assert port.take() == b"P>4\r\nP>"
+
+
+def test_output_that_is_not_read_loses_its_oldest_part() -> None:
+    line = Line('Loop\n  Print "{}"\n  Wait = 1\nEnd Loop'.format("y" * 98))
+    line.run(2.0)
+    unread = line.port.take()
+    assert len(unread) == 65536
+    assert unread.endswith(b"y" * 98 + b"\r\n")
+
+
+def test_a_line_that_is_too_long_is_refused() -> None:
+    line = Line()
+    assert line.ask(b"'" + b"x" * 2000 + b"\r") == "Error: the line is longer than 1000 characters\nP>"
+
+
+def test_a_served_controller_forgets_what_is_over() -> None:
+    line = Line('Loop\n  MOVER(0) = 1 : GO(0)\n  Pause IDLE(0)\n  Print "."\nEnd Loop')
+    for _ in range(101):
+        line.run(0.5)
+    log = line.console.machine.log
+    for stream in (log.moves, log.prints, log.waits):
+        assert len(stream) > 7000
+        assert len(stream) - stream.first < 0.5 * len(stream)
+
+
+def test_what_is_printed_before_a_host_comes_waits_for_it() -> None:
+    line = Line('Print "ready"\nLoop\n  Wait = 10\nEnd Loop')
+    line.console.close(line.port)
+    line.run(0.1)
+    assert [line.console.open(echo=False).take() for _ in range(2)] == [b"ready\r\n", b""]
