@@ -2,13 +2,14 @@
 
 Source: ABB AN00198. Element n of the comms array or of NetData is the holding registers 2n, its low half, and
 2n + 1. Registers of elements that do not exist are answered with "illegal data address". Function codes: 3
-and 4 read, 6, 16, 22 and 23 write.
+and 4 read, 6, 16, 22 and 23 write, 43 identifies the device.
 
 The server has its own thread and event loop. The run answers each request between two steps (`outside.py`).
 The requests of a connection are answered in order, one at a time, so a client that sends ahead delays only
-itself. Every frame has the header of Modbus TCP: transaction, protocol (0), length, unit. The unit is ignored
-and echoed. A frame of another protocol is skipped. An invalid length ends the connection, because the next
-frame could not be found.
+itself. Every frame has the header of Modbus TCP: transaction, protocol (0), length, unit. A server without a
+unit of its own answers all of them; one with a unit answers that one and those that mean the device itself (0
+and 255). A frame for another unit or of another protocol is skipped. An invalid length ends the connection,
+because the next frame could not be found.
 """
 
 from __future__ import annotations
@@ -21,11 +22,14 @@ from threading import Event, Thread
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from motionlang import __version__
 from motionlang.serve import address
 from motionlang.serve.limits import Limits
 from motionlang.serve.modbus_requests import (
     DEVICE_FAILURE,
+    IDENTIFY,
     ILLEGAL_ADDRESS,
+    Identity,
     Rejected,
     Request,
     exception,
@@ -46,6 +50,8 @@ HEADER, MIN_FRAME, MAX_FRAME = 6, 2, 254
 # Seconds of real time for the server's thread to start and to end, and for a client to take its answer at the
 # end.
 PATIENCE, FAREWELL = 10.0, 0.5
+# The units that mean the device at the other end of a TCP connection, whatever its own.
+THIS_DEVICE = (0, 255)
 
 
 class Connection:
@@ -63,7 +69,8 @@ class ModbusServer:
 
     At most `limits.hosts` clients are connected. A further client replaces the one that has been silent
     longest, if that is at least `limits.idle` seconds. If none has, the new one is rejected and `complain` is
-    called. `start` raises OSError if the address is not available.
+    called. `unit` is the only unit that is answered, None for all. `start` raises OSError if the address is not
+    available.
     """
 
     def __init__(
@@ -73,9 +80,15 @@ class ModbusServer:
         port: int,
         *,
         limits: Limits | None = None,
+        unit: int | None = None,
+        identity: Identity | None = None,
         complain: Callable[[str], None] = lambda text: None,
     ) -> None:
         self._outside, self.host, self.port = outside, host, port
+        self._unit, self._identity = (
+            unit,
+            identity or Identity("motionlang", "Virtual Controller", __version__),
+        )
         self._limits = limits or Limits()
         self._refusals = Refusals(complain)
         self.requests = 0
@@ -177,7 +190,7 @@ class ModbusServer:
             return False
         unit, *_ = request = await reader.readexactly(length)
         connection.heard = monotonic()
-        if protocol == 0:
+        if protocol == 0 and (self._unit is None or unit == self._unit or unit in THIS_DEVICE):
             connection.busy = True
             answer = await self._answer(request[1:])
             connection.writer.write(pack(">HHHB", transaction, 0, len(answer) + 1, unit) + answer)
@@ -188,6 +201,9 @@ class ModbusServer:
     async def _answer(self, data: bytes) -> bytes:
         """Return the response to a request, or the exception that rejects it."""
         try:
+            if data[0] == IDENTIFY:
+                self.requests += 1
+                return self._identity.answer(data)
             request = parse(data)
             self.requests += 1
             question = self._outside.ask(lambda: self._exchange(request))

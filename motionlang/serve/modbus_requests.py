@@ -17,6 +17,15 @@ ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE, DEVICE_FAILURE = 1, 2, 3, 4
 MAX_READ, MAX_WRITTEN, MAX_WRITTEN_WITH_READ = 125, 123, 121
 
 
+# Function 43 with this type reads the identification, in one of these categories or a single object.
+IDENTIFY, IDENTIFICATION = 0x2B, 0x0E
+BASIC, REGULAR, EXTENDED, SINGLE = 1, 2, 3, 4
+# Categories up to this one and single objects can be read.
+CONFORMITY = 0x82
+# The last object of each category.
+_LAST = {BASIC: 2, REGULAR: 6, EXTENDED: 6}
+
+
 class Rejected(Exception):
     """A request that is answered with an exception `code`."""
 
@@ -52,6 +61,39 @@ class Request(NamedTuple):
             return pack(">BHHH", self.function, self.into, *self.masks)
         last = self.values[0] if self.function == 6 else len(self.values)
         return pack(">BHH", self.function, self.into, last)
+
+
+class Identity(NamedTuple):
+    """Identification of a device: its maker, its product and its version."""
+
+    vendor: str
+    product: str
+    version: str
+
+    @property
+    def objects(self) -> dict[int, bytes]:
+        """The objects of the identification by number."""
+        texts = {0: self.vendor, 1: self.product, 2: self.version, 4: self.product}
+        return {number: text.encode("ascii", "replace")[:60] for number, text in texts.items()}
+
+    def answer(self, data: bytes) -> bytes:
+        """Return the response to a request for it; raise Rejected if that is invalid."""
+        if len(data) < 2 or data[1] != IDENTIFICATION:
+            raise Rejected(ILLEGAL_FUNCTION)
+        if len(data) != 4 or not BASIC <= data[2] <= SINGLE:
+            raise Rejected(ILLEGAL_VALUE)
+        category, first = data[2:]
+        objects = self.objects
+        if category == SINGLE:
+            if first not in objects:
+                raise Rejected(ILLEGAL_ADDRESS)
+            chosen = [first]
+        else:
+            # The specification: an object that does not exist means the first one.
+            first = first if first in objects else 0
+            chosen = [number for number in objects if first <= number <= _LAST[category]]
+        listed = b"".join(bytes((number, len(objects[number]))) + objects[number] for number in chosen)
+        return bytes((IDENTIFY, IDENTIFICATION, category, CONFORMITY, 0, 0, len(chosen))) + listed
 
 
 def parse(request: bytes) -> Request:

@@ -16,6 +16,7 @@ from threading import Thread
 from motionlang.execution import run
 from motionlang.serve import Limits
 from motionlang.serve.modbus import ModbusServer
+from motionlang.serve.modbus_requests import Identity
 from motionlang.serve.outside import LockStep
 from motionlang.source import Source
 
@@ -25,10 +26,15 @@ PROGRAM = "NETINTEGER(0) = 0x00030002\nNETINTEGER(5) = 0x12\nPAUSE NETINTEGER(99
 
 @contextmanager
 def served(
-    limits: Limits | None = None, complain: Callable[[str], None] = lambda text: None
+    limits: Limits | None = None,
+    complain: Callable[[str], None] = lambda text: None,
+    unit: int | None = None,
 ) -> Iterator[ModbusServer]:
     outside = LockStep()
-    server = ModbusServer(outside, "127.0.0.1", 0, limits=limits, complain=complain)
+    identity = Identity("motionlang", "NextMove e100", "0.1.0")
+    server = ModbusServer(
+        outside, "127.0.0.1", 0, limits=limits, unit=unit, identity=identity, complain=complain
+    )
     server.start()
     source = Source("served.mnt", PROGRAM)
     thread = Thread(target=lambda: run(source, until=float("inf"), outside=outside, cache=False))
@@ -85,6 +91,11 @@ def words(function: int, *values: int) -> bytes:
 
 
 ZEROS = "00" * 242
+# The objects of the identification: number, length, text.
+VENDOR, PRODUCT, VERSION, NAME = (
+    f"{number:02x}{len(text):02x}" + text.encode().hex()
+    for number, text in ((0, "motionlang"), (1, "NextMove e100"), (2, "0.1.0"), (4, "NextMove e100"))
+)
 # A request, and its response by the specification.
 ANSWERS = {
     "read holding registers": ("03 0000 0002", "03 04 0002 0003"),
@@ -103,9 +114,18 @@ ANSWERS = {
     "write coils": ("0f 0000 0001 01 01", "8f 01"),
     "diagnostics": ("08 0000 0000", "88 01"),
     "report server id": ("11", "91 01"),
-    "read device identification": ("2b 0e 01 00", "ab 01"),
+    "another encapsulated interface": ("2b 0d 01 00", "ab 01"),
     "function 0": ("00", "80 01"),
     "function 80 hex": ("83 0000 0001", "83 01"),
+    # 6.21 of the specification: basic, regular, from an object on, and a single one.
+    "identify, basic": ("2b 0e 01 00", "2b 0e 01 82 00 00 03" + VENDOR + PRODUCT + VERSION),
+    "identify, regular": ("2b 0e 02 00", "2b 0e 02 82 00 00 04" + VENDOR + PRODUCT + VERSION + NAME),
+    "identify from object 2": ("2b 0e 01 02", "2b 0e 01 82 00 00 01" + VERSION),
+    "identify from an object that does not exist": ("2b 0e 01 07", "2b 0e 01 82 00 00 03" + VENDOR + PRODUCT + VERSION),
+    "identify, the product": ("2b 0e 04 01", "2b 0e 04 82 00 00 01" + PRODUCT),
+    "identify, an object that does not exist": ("2b 0e 04 07", "ab 02"),
+    "identify, category 5": ("2b 0e 05 00", "ab 03"),
+    "identify, too short": ("2b 0e 01", "ab 03"),
     # 03 before 02: quantities, and lengths that do not fit them.
     "read no register": ("03 0000 0000", "83 03"),
     "read 126 registers": ("03 0000 007e", "83 03"),
@@ -157,6 +177,22 @@ def test_frames_of_other_protocols_are_skipped_and_no_frame_ends_the_connection(
             with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
                 connection.sendall(struct.pack(">HHHB", 1, 0, length, 1))
                 assert connection.recv(1) == b""
+
+
+def test_only_frames_for_its_unit_and_for_any_device_are_answered() -> None:
+    with (
+        served(unit=9) as server,
+        socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection,
+    ):
+        ask = words(3, 0, 1)
+        connection.sendall(frame(ask, 1, unit=8) + frame(ask, 2, unit=0) + frame(ask, 3, unit=9))
+        connection.sendall(frame(ask, 4, unit=10) + frame(ask, 5, unit=255))
+        heads = []
+        for _ in range(3):
+            number, _, length, unit = struct.unpack(">HHHB", exactly(connection, 7))
+            exactly(connection, length - 1)
+            heads.append((number, unit))
+        assert heads == [(2, 0), (3, 9), (5, 255)]
 
 
 def test_a_client_too_many_is_turned_away() -> None:
