@@ -1,6 +1,6 @@
-"""`motionlang serve`: a virtual board on a TCP port or serial device, or Modbus.
+"""`motionlang serve`: a virtual controller on TCP, a serial device or Modbus.
 
-Modbus serves a Mint program.
+The controller is an MCCL board or runs a Mint program. Modbus serves a Mint program.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from motionlang.cli.options import Options
 from motionlang.cli.output_queue import never_waiting
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.serve_board import serve_board
+from motionlang.cli.serve_line import serve_line
 from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.execution import machine_of
 from motionlang.serve.address import BadAddress, parse
@@ -24,7 +25,9 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 EPILOG = """\
-The board is a PMC controller with ASCII MCCL; FILE is sent to it first, as a downloader would. With --clock real,
+The board is a PMC controller with ASCII MCCL; FILE is sent to it first, as a downloader would. If FILE is a Mint
+program, hosts are connected to the serial line of its controller: PRINT, INPUT, keys, Ctrl-E, typed lines, downloads
+and HCP frames. With --dialect mint and no FILE the controller has no program yet. With --clock real,
 machine time follows real time. With --clock lockstep, machine time passes only while a host waits for an answer, so the
 same lines always get the same answers; a line takes --step seconds, or as long as it waits.
 
@@ -34,12 +37,13 @@ holding registers 2n (low half) and 2n + 1. In lock step, machine time advances 
 examples:
   motionlang serve --tcp 127.0.0.1:5010                    then: nc 127.0.0.1 5010
   motionlang serve macros.mcl --tcp 5010 --pty --log
-  motionlang serve packer.mnt --modbus 127.0.0.1:5020
+  motionlang serve packer.mnt --tcp 127.0.0.1:5300
+  motionlang serve packer.mnt --modbus 127.0.0.1:5020 --unit 1
   motionlang serve --tcp 0 --clock lockstep --set controller.model=dcx-pci300
 """
 
 GROUPS = {
-    "addresses": "tcp mcapi modbus pty max-hosts",
+    "addresses": "tcp mcapi modbus unit pty max-hosts",
     "time": "clock factor step",
     "lines": "echo log",
 }
@@ -66,6 +70,12 @@ def add_parser(commands: Commands, summary: str) -> None:
         type=_address,
         metavar="HOST:PORT",
         help="run a Mint program and serve its memory to Modbus TCP clients on this address",
+    )
+    add(
+        "--unit",
+        type=_unit,
+        metavar="N",
+        help="the Modbus unit that is answered, in addition to 0 and 255, which mean any device (default: all)",
     )
     add(
         "--mcapi",
@@ -107,8 +117,8 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
         type=_seconds,
         metavar="S",
         help=(
-            "with --clock lockstep, the least machine time of a line (0.001 s), or the machine time of a "
-            "Modbus request (0.01 s)"
+            "with --clock lockstep, the least machine time of a line (0.001 s), or, for a Mint program, the "
+            "machine time of a line, frame or request (0.01 s)"
         ),
     )
 
@@ -133,6 +143,9 @@ def serve_command(args: argparse.Namespace) -> int:
         status = read_machine_file(options, settings)
         if status:
             return status
+    if _speaks_mint(args) and (args.tcp or args.pty):
+        with never_waiting() as queues:
+            return serve_line(args, source, settings, overrides, queues)
     if args.modbus is not None:
         assert source is not None
         with never_waiting() as queues:
@@ -150,19 +163,20 @@ def _check(args: argparse.Namespace) -> None:
         error("--factor needs --clock real")
     if args.step is not None and args.clock != "lockstep":
         error("--step needs --clock lockstep")
+    if args.unit is not None and args.modbus is None:
+        error("--unit needs --modbus HOST:PORT")
+    if args.mcapi is not None and _speaks_mint(args):
+        error("--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus")
     if args.modbus is not None:
         _check_modbus(args)
-    elif _speaks_mint(args):
-        error("the board accepts only MCCL; serve a Mint program with --modbus HOST:PORT")
 
 
 def _check_modbus(args: argparse.Namespace) -> None:
     error = args.parser.error
-    if args.tcp or args.pty or args.mcapi is not None:
-        error("--modbus serves a Mint program, --tcp, --pty and --mcapi an MCCL board; use one or the other")
-    if args.echo is not None or args.log:
-        error("--echo and --log have no effect with --modbus")
-    if args.file is None:
+    lines = args.tcp or args.pty
+    if (args.echo is not None or args.log) and not lines:
+        error("--echo and --log need --tcp or --pty")
+    if args.file is None and not (lines and _speaks_mint(args)):
         error("--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT")
     if not _speaks_mint(args):
         error("--modbus serves a Mint program; for a file with another extension add --dialect mint")
@@ -187,6 +201,12 @@ def _address(text: str) -> tuple[str, int]:
 def _count(text: str) -> int:
     if not text.isdecimal() or not 1 <= int(text) <= 1000:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number of connections from 1 to 1000")
+    return int(text)
+
+
+def _unit(text: str) -> int:
+    if not text.isdecimal() or not 1 <= int(text) <= 247:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a Modbus unit from 1 to 247")
     return int(text)
 
 

@@ -6,11 +6,14 @@ import signal
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang import __version__
 from motionlang.cli.complaints import complain
 from motionlang.cli.output_queue import dropped
 from motionlang.controller.io.host_memory import PRODUCTS, product
 from motionlang.errors import Diagnostic
 from motionlang.execution import end_of, run
+from motionlang.mint.keywords.identity import VIRTUAL
+from motionlang.mint.models import named
 from motionlang.serve import Limits
 from motionlang.serve.address import is_loopback, shown
 from motionlang.serve.outside import STEP, LockStep, RealTime
@@ -18,6 +21,7 @@ from motionlang.views.terminal import shower
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Callable
 
     from motionlang.cli.output_queue import OutputQueue
     from motionlang.result import Run
@@ -34,11 +38,9 @@ def serve_modbus(
     queues: list[OutputQueue],
 ) -> int:
     """Run the program until it ends or a signal comes; 1 if it cannot."""
-    from motionlang.serve.modbus import ModbusServer
-
     host, port = args.modbus
     outside = _outside(args)
-    server = ModbusServer(outside, host, port, limits=Limits(hosts=args.max_hosts), complain=_complain)
+    server = modbus_server(args, outside, str(settings.get("controller.model", "")), _complain)
     try:
         server.start()
     except (OSError, UnicodeError) as error:
@@ -61,6 +63,25 @@ def serve_modbus(
         outside.close()
         server.stop()
     return _farewell(result, server, args.file, queues)
+
+
+def modbus_server(
+    args: argparse.Namespace, outside: Outside, model: str, complain: Callable[[str], None]
+) -> ModbusServer:
+    """Return the Modbus server of the command line; its identity is the model."""
+    from motionlang.serve.modbus import ModbusServer
+    from motionlang.serve.modbus_requests import Identity
+
+    host, port = args.modbus
+    return ModbusServer(
+        outside,
+        host,
+        port,
+        limits=Limits(hosts=args.max_hosts),
+        unit=args.unit,
+        identity=Identity("motionlang", named(model) or VIRTUAL, __version__),
+        complain=complain,
+    )
 
 
 def _outside(args: argparse.Namespace) -> Outside:

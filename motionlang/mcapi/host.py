@@ -63,7 +63,7 @@ class McapiPort:
     def drop_abandoned(self, data: bytearray) -> None:
         """No character of this protocol abandons a line."""
 
-    def at_once(self, data: bytes | bytearray) -> bytes:  # noqa: ARG002
+    def at_once(self, data: bytes | bytearray) -> bytes:
         """Nothing is accepted during a call."""
         return b""
 

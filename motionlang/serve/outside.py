@@ -97,6 +97,27 @@ class Outside:
                 self._changed.wait(min(seconds, PATIENCE))
 
 
+class InTurn(Outside):
+    """Questions that a server of hosts answers in its iterations.
+
+    `wake` begins one. Add `answer_all` to the server's calls; `entered` is called for each question.
+    """
+
+    def __init__(self, wake: Callable[[], None], entered: Callable[[], None]) -> None:
+        super().__init__()
+        self._wake, self._entered = wake, entered
+
+    def ask(self, question: Callable[[], object]) -> Future[object]:
+        future = super().ask(question)
+        self._wake()
+        return future
+
+    def answer_all(self) -> None:
+        """Answer all questions that wait."""
+        while self._answer():
+            self._entered()
+
+
 class RealTime(Outside):
     """Machine time follows real time: `factor` machine seconds per second.
 

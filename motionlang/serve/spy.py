@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -9,6 +10,11 @@ if TYPE_CHECKING:
 
 # Characters of an unfinished line after which it is written.
 MAX_LINE = 200
+# Characters after which a line is written: LF, CR, ESC, and ENQ, ACK and NAK of a protocol of frames. A frame
+# that ends with ETX has a checksum behind it.
+ENDS, ETX = (10, 13, 27, 5, 6, 21), 3
+# Prompts, which are not shown: those of a board and of a Mint controller.
+_PROMPT = re.compile(rb"(?:[PC]|\d+)?>")
 
 
 class Spy:
@@ -40,16 +46,16 @@ class Spy:
         line = self._open.setdefault(key, bytearray())
         for code in data:
             line.append(code)
-            if code in (10, 13, 27) or len(line) >= MAX_LINE:
+            if code in ENDS or line[-2:-1] == bytes([ETX]) or len(line) >= MAX_LINE:
                 self._end(key)
-        if mark == ">" and line == b">":
-            self._end(key)
+        if mark == ">" and _PROMPT.fullmatch(line):
+            line.clear()
 
     def _end(self, key: tuple[int, str]) -> None:
         number, mark = key
         line = self._open.get(key)
         shown = line.decode("latin-1") if line else ""
-        if shown not in ("", "\n", ">"):
+        if shown not in ("", "\n"):
             shown = shown.removesuffix("\n").removesuffix("\r")
             self._write(f"{number} {mark} {repr(shown)[1:-1]}\n")
         if line is not None:

@@ -14,6 +14,7 @@ from motionlang.client import AxisFault, Client, ClientError, CommandError, Conn
 from motionlang.client.wire import SerialWire
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
+from motionlang.mccl.hosts.port import Port
 from motionlang.serve import Limits, LockStep, RealTime, Server
 
 Open = Callable[[], Client]
@@ -197,6 +198,7 @@ def test_echo_is_no_answer(open_client: Open, console: Console) -> None:
     with open_client() as board:
         board.send("EN")
         for port in console.ports:
+            assert isinstance(port, Port)
             port._echoes = True
         assert board.ask("1TP") == "01 0"
         assert board.send("1SV500") == []

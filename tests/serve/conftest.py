@@ -69,6 +69,7 @@ class Board:
     """A served board, in a thread of its own."""
 
     def __init__(self, server: Server) -> None:
+        assert isinstance(server.console, Console)
         self.server, self.console = server, server.console
         self.address = server.listen("127.0.0.1", 0)
         self.complaints: list[str] = []

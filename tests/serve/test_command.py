@@ -150,7 +150,6 @@ def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
         (["--tcp", "0", "--factor", "-1"], "'-1' is not a factor from"),
         (["--tcp", "0", "--max-hosts", "0"], "'0' is not a number of connections from 1 to 1000"),
         (["--tcp", "0", "--set", "controller.model=pmc9"], "'pmc9' is not a known controller"),
-        (["pick.mnt", "--tcp", "0"], "serve a Mint program with --modbus HOST:PORT"),
     ],
 )
 def test_mistakes_on_the_command_line(

@@ -212,8 +212,10 @@ def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
     [
         (["--modbus", "5020"], "--modbus needs a Mint program"),
         (["a.mcl", "--modbus", "5020"], "--modbus serves a Mint program; for a file"),
-        (["a.mnt", "--modbus", "5020", "--pty"], "use one or the other"),
-        (["a.mnt", "--modbus", "5020", "--log"], "have no effect with --modbus"),
+        (["a.mcl", "--modbus", "5020", "--pty"], "--modbus serves a Mint program; for a file"),
+        (["a.mnt", "--modbus", "5020", "--log"], "--echo and --log need --tcp or --pty"),
+        (["a.mnt", "--tcp", "0", "--unit", "3"], "--unit needs --modbus HOST:PORT"),
+        (["a.mnt", "--modbus", "0", "--unit", "248"], "'248' is not a Modbus unit from 1 to 247"),
         (["a.mnt", "--modbus", "here:port"], "'here:port' is not HOST:PORT"),
         (["a.mnt", "--modbus", "0", "--step", "1"], "--step needs --clock lockstep"),
     ],
