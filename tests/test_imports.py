@@ -52,6 +52,7 @@ LAZY = {
     "planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
+    "client/mint.py": "virtual",
     "log/stream.py": "records",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",

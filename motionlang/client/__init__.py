@@ -1,6 +1,6 @@
-"""Client for a PMC controller in ASCII MCCL.
+"""Clients for a PMC controller in MCCL, and for the line of a Mint controller.
 
-The controller is a real board, a served one, or a virtual one in this process.
+The controller is real, served, or virtual in this process.
 
     from motionlang.client import Client
 
@@ -13,7 +13,27 @@ The controller is a real board, a served one, or a virtual one in this process.
 from __future__ import annotations
 
 from motionlang.client.client import Client
-from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
+from motionlang.client.errors import (
+    AxisFault,
+    ClientError,
+    CommandError,
+    ConnectionLost,
+    FrameRejected,
+    LineRejected,
+    NoReply,
+)
+from motionlang.client.mint import MintClient
 from motionlang.client.status import Status
 
-__all__ = ["AxisFault", "Client", "ClientError", "CommandError", "ConnectionLost", "NoReply", "Status"]
+__all__ = [
+    "AxisFault",
+    "Client",
+    "ClientError",
+    "CommandError",
+    "ConnectionLost",
+    "FrameRejected",
+    "LineRejected",
+    "MintClient",
+    "NoReply",
+    "Status",
+]

@@ -30,10 +30,26 @@ class CommandError(ClientError):
         super().__init__(f"{place}{line}: ?{code}, {self.meaning}")
 
 
-class NoReply(ClientError, TimeoutError):
-    """The board did not answer in time.
+class FrameRejected(ClientError):
+    """A Mint controller answered an HCP frame with NAK, or with a frame that is wrong."""
 
-    The line has been abandoned with ESC; motion continues.
+    def __init__(self, element: int) -> None:
+        self.element = element
+        super().__init__(f"element {element}: the controller rejected the frame")
+
+
+class LineRejected(ClientError):
+    """A Mint controller answered a typed `line` with the error `answer`."""
+
+    def __init__(self, line: str, answer: str) -> None:
+        self.line, self.answer = line, answer
+        super().__init__(f"{line}: {answer}")
+
+
+class NoReply(ClientError, TimeoutError):
+    """The controller did not answer in time.
+
+    A line of MCCL has been abandoned with ESC; motion continues.
     """
 
     def __init__(self, line: str, seconds: float) -> None:

@@ -1,4 +1,4 @@
-"""A connection to a board in this process, without real time.
+"""Connections to controllers in this process, without real time.
 
 Machine time passes while a client waits for an answer.
 """
@@ -11,6 +11,10 @@ from motionlang.serve.pace import LockStep
 
 if TYPE_CHECKING:
     from motionlang.mccl.hosts.console import Console
+    from motionlang.mint.hosts.console import MintConsole
+
+# Machine seconds between two checks for output of a program.
+SLICE = 1e-3
 
 
 class VirtualWire:
@@ -44,6 +48,45 @@ class VirtualWire:
             # The board waits for an impossible event or for a key: it has no output for the whole time.
             self.console.run(end)
         return self._port.take()
+
+    def now(self) -> float:
+        return self.console.now
+
+    def close(self) -> None:
+        self.console.close(self._port)
+
+
+class MintWire:
+    """A line of a Mint `console`, with time-outs in machine seconds.
+
+    Each `send` takes `step` seconds. A typed line takes as long as it waits.
+    """
+
+    fresh = True
+
+    def __init__(self, console: MintConsole, step: float) -> None:
+        self.console, self._step = console, step
+        self._port = console.open(echo=False)
+        self._owed = console.now + step
+
+    def send(self, data: bytes) -> None:
+        """Send characters, after the time of those sent before."""
+        if self._owed > self.console.now:
+            self.console.run(self._owed)
+        self._port.feed(data)
+        self._owed = self.console.now + self._step
+
+    def receive(self, timeout: float) -> bytes:
+        """Return the output within `timeout` machine seconds, or b""."""
+        said = self._port.take()
+        console, end = self.console, self.console.now + max(timeout, 0.0)
+        if not said and timeout > 0.0 and console.settle(end) and console.now < self._owed:
+            console.run(min(self._owed, end))
+        said = said or self._port.take()
+        while not said and console.now < end:
+            console.run(min(end, max(console.next_time(), console.now) + SLICE))
+            said = self._port.take()
+        return said
 
     def now(self) -> float:
         return self.console.now
