@@ -23,7 +23,7 @@ class Accelerators:
     * `axes(numbers)`: the axes of a controller
     * `scheduler(…)`: the scheduler of a run, called like `Scheduler`
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
-    * `counted(counters, steps)`: how many iterations of a loop with counters may be skipped
+    * `counted(counters, steps, levels)`: how many iterations of a loop with counters may be skipped
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
     """
 
@@ -33,7 +33,7 @@ class Accelerators:
         self,
         *,
         axes: Callable[[Sequence[int]], Sequence[Axis]] | None = None,
-        counted: Callable[[Sequence[float], Sequence[float]], float] | None = None,
+        counted: Callable[[Sequence[float], Sequence[float], Sequence[Sequence[float]]], float] | None = None,
         ranges: Callable[[Any], tuple[set[Any], dict[int, Any]]] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,

@@ -26,8 +26,9 @@ if TYPE_CHECKING:
     Reader = Callable[..., Any]
     Writer = Callable[[Any], object]
     Loader = Callable[[float, int], bool]
-    # The level of a comparison; `(level,)` if it is with the absolute value, None if it is unknown.
-    Level = float | tuple[float] | None
+    # The level of a comparison, None if it is unknown; `(distance, centre)` if the distance from the centre is
+    # compared.
+    Level = float | tuple[float, float] | None
     Until = Callable[..., float]
 
     class DependencySink(Protocol):
@@ -112,7 +113,8 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
         if crossing_time is None or level is None or (wrap and level == INFINITY):
             return clock.now
         if isinstance(level, tuple):
-            return min(until(level[0]), until(-level[0]))
+            distance, centre = level
+            return min(until(centre + distance), until(centre - distance))
         if unit != POSITION:
             return float(crossing_time(axis, scale.to_counts(level, unit)))
         here = scale.position_to_user(getattr(controller, name)(axis)) if wrap else 0.0

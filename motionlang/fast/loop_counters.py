@@ -1,6 +1,7 @@
 """Counters of a polling loop: how many iterations that only count may be skipped.
 
-Replaces: running every iteration of a polling loop in which a variable counts and decides nothing.
+Replaces: running every iteration of a polling loop in which a variable counts. It is compared with constants
+at most, and iterations are skipped only while all comparisons give the same result.
 
 Hook: `Accelerators.counted`; `Site.skip` of mint/runtime/loop_skipping.py calls it if counters have moved.
 
@@ -20,9 +21,22 @@ if TYPE_CHECKING:
 LARGEST = 2147483647  # Integer
 
 
-def counted(counters: Sequence[float], steps: Sequence[float]) -> float:
-    """How many iterations counters can advance before one is no integer in range."""
+def counted(
+    counters: Sequence[float], steps: Sequence[float], levels: Sequence[Sequence[float]] = ()
+) -> float:
+    """How many iterations counters can advance before one is no integer in range, or reaches a level.
+
+    `levels` are, for each counter, the constants that it is compared with. An iteration may compare the
+    counter before or after it has counted.
+    """
     if any(n != int(n) for n in (*counters, *steps)):
         return 0
     left = [(LARGEST - abs(n)) // abs(step) for n, step in zip(counters, steps, strict=True) if step]
+    for n, step, compared in zip(counters, steps, levels, strict=False):
+        for level in compared:
+            distance = (level - n) * (1.0 if step > 0 else -1.0)
+            if step and distance > 0:
+                left.append(max(0, -(-distance // abs(step)) - 1))
+            elif step and -distance <= abs(step):
+                return 0  # the last iteration may have passed it
     return min(left, default=INFINITY)

@@ -40,6 +40,8 @@ _CONDITIONS = (
     "clock > 300", "h > 0", "POS(0) > TIME / 100", "Ready()",
     "POS(0) > Counted(4)", "TIME > Counted(500)", "POS(0) < Late(11)", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
     "VEL(0) > 30", "VEL(0) = 0", "VELDEMAND(0) < 49.5", "ABS(FOLERROR(0)) > 5", "AUXENCODER(0) > 20",
+    "TIME - 40 > h", "500 < TIME + 20 - h", "ABS(POS(0) - POSTARGET(0)) < 3", "POSTARGET(0) - POS(0) > 2",
+    "2 - (h - POS(0)) > 5", "ABS(3 - POS(0)) > 4", "ABS(h - (9 - POS(0)) + 2) > 4", "POSTARGETLAST(0) = POS(0)",
 )  # fmt: skip
 _ACTS = (
     'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",
@@ -170,5 +172,6 @@ def _keeps(random: Random) -> str:
          f"If {kept} {sign} {reading} Then {kept} = {reading}", f"If {reading} {sign} {kept} Then {kept} = {other}",
          f"If {reading} > 2 Then {count} = {count} + 1 Else {kept} = {other}", "If far Then OUTX(1) = 1",
          f"If INX(0) Then {kept} = 0", f"{extreme} Else {count} = {count} + 1", f"{extreme} : {count} = {count} + 1",
-         f"If {kept} > 4 Then OUTX(2) = 1")
+         f"If {kept} > 4 Then OUTX(2) = 1", f"If {count} {sign} 300 Then OUTX(1) = 1",
+         f"If {count} = 900 Then k1 = k1 + 1")
     )  # fmt: skip

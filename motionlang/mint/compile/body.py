@@ -88,9 +88,9 @@ class Value:
     __slots__ = ("binds", "const", "range", "text", "type")
 
     # For a reading that accepts the level it is compared with: its text with that level, and its text for the
-    # absolute value.
+    # distance from the centre that is its second argument.
     solved: Callable[[str], str] | None = None
-    unsigned: Callable[[str], str] | None = None
+    unsigned: Callable[[str, str], str] | None = None
 
     def __init__(
         self,

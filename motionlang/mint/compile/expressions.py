@@ -342,8 +342,46 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
     left_node, right_node = node.left, node.right
     left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)
     if left.type in NUMERIC and right.type in NUMERIC and (left.const is None or right.const is None):
-        return (operators.arithmetic if op in operators.ARITHMETIC else operators.operate)(b, op, left, right)
+        if op not in operators.ARITHMETIC:
+            return operators.operate(b, op, left, right)
+        if op != "*" and (left.solved is None) is not (right.solved is None) and not b.calls:
+            return _shifted(b, op, left, right)
+        return operators.arithmetic(b, op, left, right)
     return _known(b, node, left, right)
+
+
+def _shifted(b: Body, op: str, left: Value, right: Value) -> Value:
+    """Return a reading plus or minus a value, or a value minus a reading.
+
+    If it is compared with a level, the reading is compared with the level minus the value. If the value changes
+    by itself, that records a dependency of its own.
+    """
+    plain = operators.arithmetic(b, op, left, right)
+    reading, other = (left, right) if left.solved is not None else (right, left)
+    solved, unsigned = reading.solved, reading.unsigned
+    assert solved is not None
+
+    def with_level(tell: Callable[[str], str], level: Callable[[str], str]) -> str:
+        again = first = other.text
+        if other.const is None and not first.isidentifier():
+            again = b.temp()
+            first = f"({again} := {first})"
+        if reading is left:  # the level is evaluated before the value to the right
+            read = Value(tell(level(first)), reading.type, reading.range)
+            return operators.arithmetic(b, op, read, Value(again, right.type, right.range, right.const)).text
+        read = Value(tell(level(again)), reading.type, reading.range)
+        return operators.arithmetic(b, op, Value(first, left.type, left.range, left.const), read).text
+
+    # The level of the reading, from that of the sum and the value.
+    inverse = ("{0} - {1}" if op == "+" else "{0} + {1}" if reading is left else "{1} - ({0})").format
+    shifted = Reading(plain.text, plain.type, plain.range)
+    shifted.binds = plain.binds
+    shifted.solved = lambda level: with_level(solved, lambda value: inverse(level, value))
+    if unsigned is not None:
+        shifted.unsigned = lambda distance, centre: with_level(
+            lambda middle: unsigned(distance, middle), lambda value: inverse(centre, value)
+        )
+    return shifted
 
 
 class _Done(nodes.Node):

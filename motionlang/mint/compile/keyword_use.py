@@ -67,7 +67,9 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     if row.solved and id(node) not in b.levels:
         found.solved = lambda level: f"{operation}({', '.join([*arguments, level])})"
         if row.index == "axis":
-            found.unsigned = lambda level: f"{operation}({', '.join([*arguments, f'({level},)'])})"
+            found.unsigned = lambda level, centre: (
+                f"{operation}({', '.join([*arguments, f'({level}, {centre})'])})"
+            )
     return found
 
 
@@ -136,7 +138,7 @@ def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     made = Reading(f"{function}({texts})", kind, known_range)
     unsigned = found[0].unsigned if row.verb == "absolute" else None
     if unsigned is not None:
-        made.solved = lambda level: f"{function}({unsigned(level)})"
+        made.solved = lambda level: f"{function}({unsigned(level, '0.0')})"
     return made
 
 

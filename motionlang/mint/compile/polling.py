@@ -17,6 +17,7 @@ the values that they have after the skipped iterations.
 
 from __future__ import annotations
 
+from motionlang.mint.compile import operators
 from motionlang.mint.compile.lines import HORIZON, YIELDS
 from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME
 from motionlang.mint.runtime.code_units import SCRATCH
@@ -32,10 +33,10 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
 
-    # State: variables by the text of their values. Idle: counters, and all variables that decide nothing, by
-    # their spelling.
+    # State: variables by the text of their values. Idle: counters with the constants that they are compared
+    # with, and all variables that decide nothing else, by their spelling.
     State = dict[str, Symbol]
-    Idle = tuple[list[str], set[str]]
+    Idle = tuple[dict[str, list[float]], set[str]]
 
 # A loop that names more variables is not checked.
 MAX_VARIABLES = 100
@@ -54,10 +55,11 @@ class Poll:
     __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
     def __init__(
-        self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = ([], set())
+        self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = ({}, set())
     ) -> None:
         counters, mere = idle
-        self._site = b.whole.use("loop", asks, bool(mere), alters, looks_at, len(b.whole.specs))
+        levels = tuple(map(tuple, counters.values()))
+        self._site = b.whole.use("loop", asks, bool(mere), alters, looks_at, levels, len(b.whole.specs))
         self._look, self._next, self._named = b.temp(SCRATCH), b.temp(SCRATCH), state.values()
         self._counted = f"({', '.join(counters)},)" if counters else "()"
         self._compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
@@ -163,19 +165,28 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
 
-    The result has the counters, and all such variables, by their spelling. The readings assigned to them are
+    A counter may be compared with constants, as in `If n > 1000 Then STOP(0)`. The result has the counters, and
+    all such variables, by their spelling. The readings assigned to them are
     called with a level. Iterations that differ only in these variables can be skipped, except for the last
     one: it assigns the values to the copy and the extremum, and a counter is advanced by the number of
     iterations. The condition of an extremum does not change until the reading reverses, so its assignment is
     called with that in place of a level. A mere copy depends on nothing.
     """
     if b.function.kind == "sub" or b.function.jumps or b.watching:
-        return [], set()
+        return {}, set()
     uses: dict[Symbol | None, int] = {}
     # How each variable is assigned. One that is assigned in several ways does decide something.
     ways: dict[Symbol, set[object]] = {}
     levels: dict[int, tuple[Symbol, str]] = {}
+    # The constants that variables are compared with, and the number of places at which they count.
+    constants: dict[Symbol, list[float]] = {}
+    steps: dict[Symbol, int] = {}
     for node in turn:
+        if isinstance(node, nodes.Binary) and node.op in operators.COMPARISONS:
+            for side, other in ((node.left, node.right), (node.right, node.left)):
+                own = _own(b, side)
+                if own is not None and isinstance(other, nodes.Number):
+                    constants.setdefault(own, []).append(other.value)
         own = _own(b, node)
         uses[own] = uses.get(own, 0) + 1
         given = node.body[0] if isinstance(node, nodes.If) and len(node.body) == 1 else node
@@ -194,14 +205,18 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
         elif isinstance(value, nodes.Binary) and value.op in "+-" and _own(b, value.left) is own:
             if isinstance(value.right, nodes.Number) and isinstance(value.right.value, int):
                 uses[own] = uses.get(own, 0) - 2
+                steps[own] = steps.get(own, 0) + 1
                 ways.setdefault(own, set()).add(COUNTER)
         elif own.type.name == FLOAT and reading:
             uses[own] = uses.get(own, 0) - 1
             ways.setdefault(own, set()).add(id(value) if id(value) in levels else WHATEVER)
             levels.setdefault(id(value), (own, WHATEVER))
-    mere = {own for own, found in ways.items() if not uses[own] and len(found) == 1}
+    # A counter that passes a constant must count in one direction, so it is counted at one place.
+    compared = {own: len(found) for own, found in constants.items() if steps.get(own) == 1}
+    mere = {own for own, found in ways.items() if uses[own] == compared.get(own, 0) and len(found) == 1}
     b.levels.update({number: text for number, (own, text) in levels.items() if own in mere})
-    return sorted(own.python for own in mere if COUNTER in ways[own]), {own.python for own in mere}
+    counters = sorted((own.python, constants.get(own, [])) for own in mere if COUNTER in ways[own])
+    return dict(counters), {own.python for own in mere}
 
 
 def is_repeated(row: Keyword) -> bool:

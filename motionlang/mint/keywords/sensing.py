@@ -13,12 +13,15 @@ from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.keywords.state import IS_IDLE, place
 from motionlang.mint.keywords.unsimulated import write_jump
-from motionlang.mint.runtime.binding import of, of_word, scale_of, unchecked
+from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of, unchecked
 from motionlang.mint.runtime.changes import always, end_of_motion, heard, moving, repeatable
 from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.axis import Axis
     from motionlang.mint.keywords.compensation import Compensation
     from motionlang.mint.runtime.binding import Maker, Operation
 
@@ -37,6 +40,8 @@ KINDS: dict[int, tuple[str, ...]] = {
     256: ("OFFSET",),
 }
 OTHER, SUSPENDED = 512, 1024
+# The target of a motion without an end is infinite.
+ENDLESS = 1e300
 _BITS = {word: bit for bit, words in KINDS.items() for word in words}
 
 
@@ -62,7 +67,7 @@ def _shown(environment: Environment, axis: int, target: float) -> float:
 
     POSROLLOVERTARGET gives the number of its wraps.
     """
-    counts = target if abs(target) < 1e300 else environment.controller.position(axis)
+    counts = target if abs(target) < ENDLESS else environment.controller.position(axis)
     return environment.place(axis, counts)
 
 
@@ -310,10 +315,25 @@ def write_turns(environment: Environment, axis: int, value: int) -> None:
 # ------------------------------------------------------------------------------------------------- keywords
 
 AXIS_MODE = Actions(read=of(Environment, read_axis_mode))
-_TARGET = Actions(read=moving(of(Environment, lambda e, axis: _shown(e, axis, e.controller.target(axis)))))
-_LAST_TARGET = Actions(
-    read=moving(of(Environment, lambda e, axis: _shown(e, axis, buffer.end(e.controller.axes[axis]))))
-)
+
+
+def _target(end: Callable[[Axis], float]) -> Maker:
+    """Make a reading of the end of motion, by events; of the position while there is no end."""
+
+    @by_axis
+    def made(environment: Environment, row: Keyword, axis: int) -> Operation:
+        a, moves = environment.controller.axes[axis], end_of_motion(environment)
+
+        def until() -> float:
+            return INFINITY if abs(end(a)) < ENDLESS else moves()
+
+        return heard(environment, lambda: _shown(environment, axis, end(a)), until)
+
+    return made
+
+
+_TARGET = Actions(read=_target(lambda a: a.target))
+_LAST_TARGET = Actions(read=_target(buffer.end))
 _WINDOW = Actions(read=reading(IdleWindows), write=repeatable(writing(IdleWindows)))
 _ENCODER_COUNT = Actions(
     read=moving(

@@ -192,7 +192,7 @@ class Environment(Waits):
         if how == "loop":
             from motionlang.mint.runtime.loop_skipping import Site
 
-            return Site(self, *details[:4])  # type: ignore[arg-type]
+            return Site(self, *details[:5])  # type: ignore[arg-type]
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "wait":

@@ -17,6 +17,8 @@ from motionlang.lang.task import INFINITY, WATCH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from motionlang.lang.dependencies import Note
     from motionlang.mint.runtime.environment import Environment
 
@@ -41,7 +43,8 @@ class Site:
     """A loop of the text.
 
     `asks`: it reads something. `carries`: its last iteration must be executed. `alters`: an iteration may
-    change a variable that others wait for, and restore it. `looks_at` names what it reads. `left` is the
+    change a variable that others wait for, and restore it. `looks_at` names what it reads. `levels` are the
+    constants with which each counter is compared. `left` is the
     number of iterations that run unchecked, or `due` the statement up to which they do, in a loop that does
     not count iterations.
     """
@@ -50,6 +53,7 @@ class Site:
         "_base",
         "_due",
         "_environment",
+        "_levels",
         "_statements",
         "alters",
         "asks",
@@ -59,10 +63,16 @@ class Site:
     )
 
     def __init__(
-        self, environment: Environment, asks: bool, carries: bool, alters: bool, looks_at: str = ""
+        self,
+        environment: Environment,
+        asks: bool,
+        carries: bool,
+        alters: bool,
+        looks_at: str = "",
+        levels: Sequence[Sequence[float]] = (),
     ) -> None:
         self._environment, self.asks, self.carries, self.alters = environment, asks, carries, alters
-        self.looks_at = looks_at
+        self.looks_at, self._levels = looks_at, levels
         self.left = self._due = 0.0
         self._statements = environment.statements
         self._base = self._statements.base
@@ -137,7 +147,7 @@ class Site:
             counted = environment.machine.accelerators.counted
             if counted is None:
                 return None
-            most = counted(counters, steps)
+            most = counted(counters, steps, self._levels)
         if until == most == INFINITY:
             raise Rejected("never", "the loop polls for something that can no longer happen", "")
         if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:

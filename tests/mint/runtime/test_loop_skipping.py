@@ -96,6 +96,17 @@ PROGRAMS |= {
     "Until INX(0)\nPRINT k, m, TIME",
     "a counter that a Define looks at": "Dim n As Integer\nDefine enough = n > 500\nMOVER = 30 : GO\nRepeat\n"
     "  n = n + 1\nUntil enough Or IDLE\nPRINT n, TIME",
+    "the distance from a target": "SPEED = 50 : MOVER = 5 : GO\nWhile ABS(POS - POSTARGET) > 1 : End While\n"
+    "PRINT TIME, POS\nMOVER = 5 : GO\nRepeat : Until POSTARGETLAST - POS < 2\nPRINT TIME, POS\nt = TIME\n"
+    "While 3 + TIME - t < 40 : End While\nWhile 5 > t - (60 - TIME) : End While\nPRINT TIME - t",
+    "the target of a jog": "JOG = 30\nWhile POSTARGET < 4 : End While\nPRINT TIME, POS\nSTOP",
+    "a counter that counts out": "Dim n As Integer, k As Integer\nMOVER = 30 : GO\nRepeat\n  n = n + 3\n"
+    "  If n > 900 Then OUTX(1) = 1\n  If 30000 <= n Then k = TIME\n  If n = 60000 Then STOP\nUntil IDLE\n"
+    "PRINT n, k, TIME",
+    "a counter that goes to and fro": "Dim n As Integer, k As Integer\nMOVER = 30 : GO\nRepeat\n  n = n + 3\n"
+    "  If n > 900 Then k = 1\n  n = n - 2\nUntil k Or IDLE\nPRINT n, k, TIME",
+    "a counter that counts down to a level": "Dim n As Integer\nn = 5000\nMOVER = 30 : GO\nWhile n > 0 And Not IDLE\n"
+    "  n = n - 1\nEnd While\nPRINT n, TIME",
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
     "  If s = 1 And AUXENCODER(1) <= -1000 Then s = 2 : PRINT TIME : AUXENCODERWRAP(0) = 40\n"
     "  If s = 2 And AUXENCODER(0) < 10 Then Exit Loop\nEnd Loop\nPRINT TIME, AUXENCODER(0)",
@@ -311,6 +322,25 @@ def test_a_state_machine_polls_for_eight_hours_at_the_price_of_its_moves(
     moves = len(result.controller.log.moves)
     assert moves > 1900
     assert count < 20 * moves
+
+
+# Each waits for 400 s: an iteration of the counter takes 20 µs, and a ramp of 0.1 s delays the move by half of it.
+SHIFTED = {
+    "a time-out": "t = TIME\nWhile TIME - t < 400000 : End While",
+    "a time-out among others": "t = TIME\nRepeat : Until INX(5) Or 400000 <= TIME + 3 - (t + 3)",
+    "a distance": "SPEED = 1 : ACCEL = 10 : DECEL = 10 : MOVER = 500 : GO\n"
+    "While ABS(POS - POSTARGET) > 100.05 : End While",
+    "a counter": "Dim n As Integer\nWhile n < 20000000 : n = n + 1 : End While",
+}
+
+
+@pytest.mark.parametrize("name", SHIFTED)
+def test_a_comparison_of_a_sum_costs_no_more_than_that_of_a_reading(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    result, count = effort(f"{SHIFTED[name]}\nPRINT TIME\nCANCEL(0)", monkeypatch)
+    assert float(result.output[0]) == pytest.approx(400_000, abs=1)
+    assert count < 200
 
 
 @pytest.mark.parametrize("name", FOR_EVER)
