@@ -43,8 +43,9 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
             continue
         if kind in _HANDLED and max(handled.get(None, -1), handled.get(axis, -1)) > place:
             continue
-        line = ordered or run.dialect.locate(run.source, at)[0]
+        line = ordered or (run.dialect.locate(run.source, at)[0] if at >= 0 else 0)
         name = next(name for name, kinds in ALLOWED.items() if kind in kinds)
         what = f"{kind} on axis {axis} at {time:.6g} s"
-        found[kind, axis] = f"{run.source.name}:{line}: {what} ({text}); --allow {name} accepts it"
+        where = f"{run.source.name}:{line}" if line else run.source.name  # no line before the first statement
+        found[kind, axis] = f"{where}: {what} ({text}); --allow {name} accepts it"
     return list(found.values())

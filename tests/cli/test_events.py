@@ -178,3 +178,12 @@ def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: py
     report = json.loads(ran.out)
     assert (ran.status, report["status"], report["diagnostics"][0]["code"]) == (1, "fault", "limit")
     assert "the log of the run has reached 1e-05 GB" in ran.err
+
+
+def test_an_event_before_the_first_statement_has_no_line(cell: Cell) -> None:
+    """The enable input is off at power-up, when no statement has run."""
+    cell.write("a.machine.toml", "[axis.0]\nenable_input = 2\n[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n")
+    cell.write("a.mnt", "PAUSE INX(2)\nDRIVEENABLE(0) = 1\nMOVER(0) = 5 : GO(0)\n")
+    ran = cell("run", "a.mnt", "--report", "none")
+    assert ran.status == 1
+    assert ran.err == "a.mnt: e-stop on axis 0 at 0 s (input 2 is off); --allow fault accepts it\n"

@@ -99,7 +99,7 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
 
 
 def _waits_too_far(axis: _Axis, number: int, command: Command) -> Fault | None:
-    """Follow the distance of a move; return the fault of a WR that waits for a longer one."""
+    """Follow the distance of a move, and return the fault of a WR for a longer one."""
     verb = _verb(command)
     if verb == "move_by":
         known = axis.distance == 0.0 and command.kind == NUMBER
