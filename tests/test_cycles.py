@@ -22,12 +22,14 @@ GROUPS: dict[tuple[str, str], str] = {
     ("controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
     ("lang", "dependencies task"): "a task records what it reads; what it read decides when it goes on",
     ("log", "__init__ log moves"): "the folder's `__init__` has the formats that the log and its moves share",
+    ("mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
     ("mccl/runtime", "board loop_log poll task"): "a board runs tasks, and a task commands its board",
-    ("mint/compile", "body loop_times polling splitting stops"): "a body is handed to those who write a part of it",
+    ("mint/compile", "body conversions loop_times operators polling splitting stops"): "a body is handed to those who write a part of it",
     ("mint/compile", "calls expressions keyword_use path_use terminal_use unsimulated_use words"):
         "an expression may be a keyword, whose arguments are expressions",
     ("mint/compile", "for_loops loops statements"): "a loop is a statement, and contains statements",
     ("mint/compile", "compiler error_recovery"): "to find further mistakes, a program is compiled again without a line",
+    ("mint/hosts", "console port"): "a console has ports, and what a port receives acts on its console",
     ("mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
                       "table_motion_splines"):
         "cams, splines and compensation share their tables, followers and triggers their masters",
