@@ -36,6 +36,8 @@ CLOSE = 1e-7
 # A task that lets more time than this, s, pass between two checks is monitoring or displaying something, and
 # is not in a futile poll.
 WATCH = 0.03
+# The first letter of the names of functions in generated code that are a part of another one.
+PART = "q"
 
 
 class Wait:
@@ -269,10 +271,12 @@ class GeneratorTask(Task):
         generator: Any = self._generator
         if generator is not None and generator.gi_yieldfrom is None and generator.gi_frame is not None:
             return (self._places[generator.gi_frame.f_lineno],)
-        places = []
+        places: list[int] = []
         inner = generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
             if frame.f_code.co_filename == self._file:
+                if frame.f_code.co_name[0] == PART:
+                    places.pop()  # its caller is the same function
                 places.append(self._places[frame.f_lineno])
             inner = getattr(inner, "gi_yieldfrom", None)
         return tuple(places) or (self._places[0],)
@@ -289,8 +293,10 @@ class GeneratorTask(Task):
         while (
             frame is not None and frame.f_back is not None and frame.f_back.f_code.co_filename == self._file
         ):
+            is_part = frame.f_code.co_name[0] == PART
             frame = frame.f_back
-            found.append(self._place(frame))
+            if not is_part:
+                found.append(self._place(frame))
         return tuple(found[::-1])
 
     def _place(self, frame: FrameType) -> int:

@@ -14,8 +14,8 @@ its parts are inside it.
 
 from __future__ import annotations
 
+from motionlang.lang.task import PART
 from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, ROOM, YIELDS, Line, moved, names_in
-from motionlang.mint.runtime.code_units import PART
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

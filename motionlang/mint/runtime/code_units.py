@@ -33,8 +33,6 @@ TIME = ("t", "H")
 COUNTING = ("n", "N", "D")
 # The variable of a debug build that holds the cells of a function's own variables.
 CELLS = "m_"
-# The prefix of functions that are a part of another one.
-PART = "q"
 # The prefix of variables that hold no data of the program, or none beyond the next `yield`.
 SCRATCH = "m"
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from sys import _getframe
 
 from motionlang.lang.debugging import Frame, Variable
-from motionlang.mint.runtime.code_units import CELLS, FILE, PART
+from motionlang.lang.task import PART
+from motionlang.mint.runtime.code_units import CELLS, FILE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -77,6 +78,10 @@ class Inspection:
                 found.append(Frame(self._functions[name][0], inner, self._variables(frame)))
                 inner = None
         return found
+
+    def unlisted(self, task: Task | None, name: str) -> Variable | None:
+        """Return None: all variables are listed."""
+        return None
 
     def depth(self, task: Task) -> int:
         """Return how many calls and GoSubs the running task is in."""

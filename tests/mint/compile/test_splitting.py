@@ -31,6 +31,13 @@ PROGRAMS = sorted(
 MOTORS = {"torque", "wrapped_compare"}
 
 
+def test_a_part_of_a_long_program_is_not_a_caller() -> None:
+    """The wait in the middle of 800 statements is called by no sub."""
+    text = "Dim n As Integer\n" + "n = n + 1\n" * 400 + "WAIT(5)\n" + "n = n + 1 : OUTX(1) = 1\n" * 400
+    (wait,) = run(Source("long.mnt", text), cache=False).machine.log.waits
+    assert wait.callers == ()
+
+
 def machine_of(path: Path) -> dict[str, object]:
     """Return the machine of a page: from a file, or from its own comments.
 
