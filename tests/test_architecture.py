@@ -27,6 +27,7 @@ LEVELS: dict[str, int] = {
     "analysis.guesses": 12,
     "library": 12,
     "analysis.diff": 11,
+    "debug": 11,
     "analysis.sweeps": 11,
     "analysis.scenarios": 11,
     "execution": 10,

@@ -165,6 +165,16 @@ class Feedback:
         assert self._sight is not None
         return float(self._sight.encoder[k]) - self._servo.offset
 
+    def known_position(self, time: float) -> float | None:
+        """Return the measured position at a time, counts, if it has been computed already."""
+        sight = self._sight
+        if self._servo is None or sight is None:
+            return None
+        number = sample_at(time, self._rate)
+        if not sight.first <= number < sight.end:
+            return None
+        return float(sight.encoder[number - sight.first]) - self._servo.offset
+
     @property
     def velocity(self) -> float:
         """Velocity of the motor, counts/s."""

@@ -30,6 +30,12 @@ if TYPE_CHECKING:
             `place` is the source offset of a task that is stopped in the hook; None for one that waits.
             """
 
+        def unlisted(self, task: Task | None, name: str) -> Variable | None:
+            """Return a variable that `module` leaves out, by its name; None if there is none.
+
+            The task is None at the end of the run.
+            """
+
         def depth(self, task: Task) -> int:
             """Return how many calls the running task is in."""
 

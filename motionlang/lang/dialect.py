@@ -10,7 +10,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import Any
 
     from motionlang.errors import Diagnostic
@@ -195,6 +195,10 @@ class Dialect:
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
         """Return line, column and length of the source position `at` of a task or a node."""
         raise NotImplementedError
+
+    def locations(self, source: Source, places: Sequence[int]) -> list[tuple[int, int, int]]:
+        """Return line, column and length of many source positions."""
+        return [self.locate(source, at) for at in places]
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
         """Return name, first and last line of each sub, task and handler of a program."""

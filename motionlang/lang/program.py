@@ -35,6 +35,11 @@ class Program:
         return ()
 
     @property
+    def entries(self) -> Sequence[int]:
+        """The statements of a debug build that begin a macro in the middle of a line."""
+        return ()
+
+    @property
     def warnings(self) -> Sequence[Diagnostic]:
         """Warnings to report before a run."""
         return ()

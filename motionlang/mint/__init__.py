@@ -6,7 +6,7 @@ from motionlang.lang.dialect import Dialect
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Interactive, Ranges
@@ -140,6 +140,12 @@ class Mint(Dialect):
 
         module = parse(source)
         return module.line(at), module.column(at), module.length(at)
+
+    def locations(self, source: Source, places: Sequence[int]) -> list[tuple[int, int, int]]:
+        from motionlang.mint.syntax.parser import parse
+
+        module = parse(source)
+        return [(module.line(at), module.column(at), module.length(at)) for at in places]
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
         from motionlang.mint.syntax.extent import blocks

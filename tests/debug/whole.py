@@ -23,8 +23,4 @@ def whole(run: Run) -> tuple[str, list[list[list[object]]]]:
     The report has the figures of its loops.
     """
     log = run.machine.log
-    return text(run), [[_values(each) for each in getattr(log, name)] for name in STREAMS]
-
-
-def _values(record: object) -> list[object]:
-    return [getattr(record, name) for name in type(record).__slots__]  # type: ignore[attr-defined]
+    return text(run), [[list(each) for each in getattr(log, name)] for name in STREAMS]

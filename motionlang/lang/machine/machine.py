@@ -221,6 +221,11 @@ class Machine:
             self.warned.append(found)
             self.warn(found)
 
+    @property
+    def has_controller(self) -> bool:
+        """True once the controller is powered up."""
+        return self._controller is not None
+
     def moving(self) -> list[int]:
         """The axes that are not idle."""
         return [] if self._controller is None else self._controller.moving()

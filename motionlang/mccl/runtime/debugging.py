@@ -18,18 +18,17 @@ _LOW, _HIGH = -(2**31), 2**31 - 1
 class Inspection:
     """The registers of a board, and the lines and macros that its tasks are in."""
 
-    __slots__ = ("_board",)
+    __slots__ = ("_board", "_foreground")
 
-    def __init__(self, board: Board) -> None:
-        self._board = board
+    def __init__(self, board: Board, foreground: CommandTask) -> None:
+        self._board, self._foreground = board, foreground
 
     def module(self) -> list[Variable]:
         """Return the registers that all tasks share, without those that are 0."""
-        task = self._board.tasks[0] if self._board.tasks else None
-        if task is None:
-            return []
         numbers = range(PRIVATE, len(self._board.registers))
-        return [_register(task, number) for number in numbers if self._board.registers[number] != 0]
+        return [
+            _register(self._foreground, number) for number in numbers if self._board.registers[number] != 0
+        ]
 
     def frames(self, task: Task, place: int | None) -> list[Frame]:
         """Return the macro calls of a task, the innermost first.
@@ -49,12 +48,14 @@ class Inspection:
         assert isinstance(task, CommandTask)
         return len(task.calls)
 
-    def register(self, task: Task, number: int) -> Variable | None:
-        """Return a register as a task sees it; None if there is none of that number."""
+    def unlisted(self, task: Task | None, name: str) -> Variable | None:
+        """Return a register by its name, such as R10, as a task sees it."""
+        task = task or self._foreground
         assert isinstance(task, CommandTask)
-        if not 0 <= number < len(self._board.registers):
+        number = name[1:]
+        if name[:1].upper() != "R" or not number.isdecimal() or int(number) >= len(self._board.registers):
             return None
-        return _register(task, number)
+        return _register(task, int(number))
 
     def _title(self, line: Line | None) -> str:
         for number, macro in self._board.macros.items():

@@ -37,6 +37,18 @@ class MacroFile(Program):
         return [at for line in self.lines if isinstance(line, Line) for at in line.places]
 
     @property
+    def entries(self) -> list[int]:
+        """The first commands of macros, which follow their definitions in a line."""
+        found = []
+        for line in self.lines:
+            if isinstance(line, Line):
+                defining = [
+                    each.row is not None and each.row.verb == "define_macro" for each in line.commands
+                ]
+                found += [at for at, defined in zip(line.places[1:], defining, strict=False) if defined]
+        return found
+
+    @property
     def is_doubtful(self) -> bool:
         first = self.lines[0] if self.lines else None
         return first is not None and not (isinstance(first, Line) and first.commands[0].row is not None)
@@ -59,8 +71,9 @@ class MacroFile(Program):
 
             board.hook = machine.hook
             assert board.hook is not None, "a debug build needs a machine with a hook"
-            board.hook.inspection = Inspection(board)
         task = FileTask(self, board)
+        if board.hook is not None:
+            board.hook.inspection = Inspection(board, task)
         task.override(machine.overrides)
         return task
 

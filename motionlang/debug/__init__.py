@@ -1,0 +1,1 @@
+"""A debugger that steps back: stops, replay and the journal, without any protocol."""

@@ -1,0 +1,568 @@
+"""The debugger: forward and back through a run, breakpoints, and changes by hand.
+
+Problem. A user stops a program somewhere and asks how it came to be there. The run has gone on by then.
+
+Idea. A stop is the number of a statement (`replay.py`). Forward, the run continues from where its thread waits. Back, a
+new run goes to an earlier number. To find that number, each run remembers the statements just
+before a stop, and a search runs up to the stop once more and notes the last hit.
+
+Moments that no statement marks, such as a limit in the middle of a wait, are looked for in the log, whenever the run
+stops and every `STRIDE` statements. The first statement after the moment becomes the stop. If the program ends before
+there is one, it is the last statement.
+
+Invariants.
+- After each command there is one run: stopped at `stop`, or ended (`stop` is None, `run` has the result).
+- The same commands give the same stops, and no command changes the result of the run. Changes by hand are in the
+  journal.
+- Hit counts count executed statements from the start of the program. Iterations of a polling loop that are skipped
+  execute none.
+"""
+
+from __future__ import annotations
+
+from motionlang.debug import moments, scopes
+from motionlang.debug.breakpoints import Breakpoint, Watched
+from motionlang.debug.expressions import WrongExpression
+from motionlang.debug.journal import Assigned, Entered, Journal
+from motionlang.debug.replay import MEMORY, Output, Point, Remembered, Replay, Setup
+from motionlang.debug.state import State
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+
+    from motionlang.debug.moments import Moment, Search
+    from motionlang.lang.debugging import Variable
+    from motionlang.lang.dialect import Dialect
+    from motionlang.result import Run
+    from motionlang.source import Source
+
+INFINITY = float("inf")
+# Statements between two searches of the log.
+STRIDE = 4096
+
+
+@record
+class Stop:
+    """A stop before a statement.
+
+    `reason` is "entry", "step", "breakpoint", "moment", "change", "pause", "goto" or "start".
+    """
+
+    number: int
+    time: float
+    task: str
+    line: int
+    column: int
+    reason: str
+    text: str = ""
+
+
+class NotStopped(Exception):
+    """A question about a program that has ended, or has not begun."""
+
+
+class Debugger:
+    """A program that is run forward and back."""
+
+    def __init__(
+        self,
+        source: Source,
+        language: Dialect,
+        settings: Mapping[str, object] | None = None,
+        *,
+        overrides: Mapping[str, float | str] | None = None,
+        until: float | None = None,
+        show: Callable[[str], object] = lambda text: None,
+        say: Callable[[str], object] = lambda text: None,
+        ask: Callable[[str], str | None] | None = None,
+    ) -> None:
+        """Compile the program; raise ProgramError with all its errors.
+
+        `show` takes its output, and `say` the texts of log points. `ask` returns a line for INPUT.
+        """
+        self._say, self._ask = say, ask
+        self._settings, self._overrides = dict(settings or {}), dict(overrides or {})
+        self.language, self._until = language, until
+        self.journal = Journal()
+        self._output = Output(show)
+        self.breakpoints: list[Breakpoint] = []
+        self.searches: list[Search] = []
+        self.watched: list[Watched] = []
+        self.stops_at_errors = False
+        self.stop: Stop | None = None
+        self.source = source
+        self._lines: dict[int, list[int]] = {}
+        self._places: dict[int, tuple[int, int, int]] = {}
+        self._load(source)
+        self._replay = self._new()
+        # The time up to which moments have been searched, and the number of the statement of the last log point.
+        self._after, self._logged = -1.0, 0
+        # The numbers and times at which the run has been checked since the last stop.
+        self._marks: list[tuple[int, float]] = []
+        # The run of a search, while there is one, and the statements before the stop that it has found.
+        self._searching: Replay | None = None
+        self._history: list[Remembered] = []
+
+    def _load(self, source: Source) -> None:
+        program = self.language.debug(source, self._settings)
+        self.source = source
+        self._setup = Setup(source, self.language, self._settings, self._overrides, self._until, program)
+        self._entries = frozenset(program.entries)
+        self._lines.clear()
+        self._places.clear()
+        located = self.language.locations(source, program.places)
+        for place, (line, column, length) in zip(program.places, located, strict=True):
+            self._places[place] = line, column, length
+            self._lines.setdefault(line, []).append(place)
+
+    def _new(self) -> Replay:
+        return Replay(self._setup, self.journal, self._output, self._ask)
+
+    # ------------------------------------------------------------------------------------------------- state
+
+    @property
+    def run(self) -> Run | None:
+        """The result, if the program has ended."""
+        return self._replay.run
+
+    @property
+    def lines(self) -> list[int]:
+        """The lines with statements, at which the program can stop."""
+        return sorted(self._lines)
+
+    def line_for(self, line: int) -> int | None:
+        """Return the first line from `line` on with a statement; None if there is none."""
+        return min((each for each in self._lines if each >= line), default=None)
+
+    def place_of(self, at: int) -> tuple[int, int, int]:
+        """Return line, column and length of a source offset."""
+        found = self._places.get(at)
+        if found is None:
+            found = self._places[at] = self.language.locate(self.source, at)
+        return found
+
+    def state(self) -> State:
+        """Return the state at the stop, or at the end.
+
+        Raises NotStopped before the first statement.
+        """
+        replay = self._replay
+        if replay.point is None and replay.run is None:
+            raise NotStopped
+        return State(self, replay)
+
+    def abandon(self) -> None:
+        """End the session; nothing of it goes on."""
+        self._replay.abandon()
+
+    def pause(self) -> None:
+        """Stop a run or a search before its next statement; may be called from any thread."""
+        self._replay_in_force.pause()
+
+    # ----------------------------------------------------------------------------------------------- forward
+
+    def start(self, stop_on_entry: bool = True) -> Stop | None:
+        """Begin the run: to its first statement, or to the first stop."""
+        if stop_on_entry:
+            return self._at(self._replay.go(lambda point: True, 0), "entry")
+        return self.go_on()
+
+    def go_on(self) -> Stop | None:
+        """Continue to the next stop; None at the end."""
+        return self._forward(None, "")
+
+    def step_in(self) -> Stop | None:
+        """Go to the next statement of the task, also into a sub or a macro."""
+        task = self._point().task
+        return self._forward(lambda point: point.task is task or task.done, "step")
+
+    def next(self) -> Stop | None:
+        """Go to the next statement of the task that is not in a call of this one."""
+        return self._over(0)
+
+    def step_out(self) -> Stop | None:
+        """Go to the first statement after the present sub or macro."""
+        return self._over(-1)
+
+    def _over(self, more: int) -> Stop | None:
+        task, replay = self._point().task, self._replay
+        depth = self._depth() + more
+        return self._forward(
+            lambda point: (point.task is task and replay.depth(task) <= depth) or task.done, "step"
+        )
+
+    def _depth(self) -> int:
+        task = self._point().task
+        return self._replay.ask(lambda: self._replay.depth(task))
+
+    def _point(self) -> Point:
+        if self._replay.point is None:
+            raise NotStopped
+        return self._replay.point
+
+    def _forward(self, steps: Callable[[Point], bool] | None, reason: str) -> Stop | None:
+        """Continue to a stop: a breakpoint, a moment, or where `steps` is true."""
+        if self._replay.run is not None:
+            return None
+        begin = 0 if self._replay.point is None else self._replay.point.number
+        found: list[tuple[str, str]] = []
+        searching = bool(self.searches) or self.stops_at_errors
+        every = steps is not None or bool(self.watched)
+        self._marks = [(begin, self.stop.time if self.stop else 0.0)]
+
+        def decide(point: Point) -> bool:
+            hit = self._hit(point, True)
+            if hit is not None:
+                found.append(hit)
+                return True
+            if steps is not None and steps(point):
+                found.append((reason, ""))
+                return True
+            if searching and point.number >= self._marks[-1][0] + STRIDE:
+                self._marks.append((point.number, point.time))
+                if not every:
+                    self._replay.consider_from(point.number + STRIDE)
+                return bool(self._moments(point.time))
+            return False
+
+        if self.watched and self._replay.point is not None:
+            self._replay.ask(lambda: self._note_values(self._point()))
+        while True:
+            limit = 0 if every else begin + STRIDE if searching else INFINITY
+            point = self._replay.go(decide, limit, self._stopping_places())
+            moment = self._earliest(point)
+            if moment is not None:
+                return self._to_moment(moment, begin)
+            if point is None:
+                return self._at(None, "")
+            if found:
+                return self._at(point, *found[-1])
+            if self._replay.paused:
+                return self._at(point, "pause")
+            begin = point.number
+
+    def _stopping_places(self) -> frozenset[int]:
+        return frozenset(place for each in self.breakpoints for place in each.places)
+
+    def _at(self, point: Point | None, reason: str, text: str = "") -> Stop | None:
+        """Make a point the stop."""
+        if point is None:
+            self.stop = None
+            return None
+        line, column, _ = self.place_of(point.place)
+        self.stop = Stop(point.number, point.time, point.task.name, line, column, reason, text)
+        self._after = point.time
+        return self.stop
+
+    # ------------------------------------------------------------------------------------------- breakpoints
+
+    def _hit(self, point: Point, live: bool) -> tuple[str, str] | None:
+        """Return why the program stops at a point: reason and text; None if it does not."""
+        for watched in self.watched:
+            change = watched.change(self._replay_in_force, point)
+            if change:
+                return "change", f"{change} before line {self.place_of(point.place)[0]}"
+        for each in self.breakpoints:
+            if point.place not in each.places:
+                continue
+            state = State(self, self._replay_in_force, point)
+            try:
+                if each.condition is not None and not each.condition(state):
+                    continue
+            except ValueError as error:
+                return "breakpoint", f"the condition has no value: {error}"
+            count = self._replay_in_force.hits[each] = self._replay_in_force.hits.get(each, 0) + 1
+            if not each.counts(count):
+                continue
+            if each.message is None:
+                return "breakpoint", each.text
+            if live and point.number > self._logged:
+                self._logged = point.number
+                self._say(each.message(state))
+        return None
+
+    @property
+    def _replay_in_force(self) -> Replay:
+        return self._searching or self._replay
+
+    def set_breakpoints(self, breakpoints: Iterable[Breakpoint]) -> None:
+        """Replace all breakpoints by line; hits are counted from the start of the program."""
+        self.breakpoints = list(breakpoints)
+        if any(each.is_counted for each in self.breakpoints) and self._replay.point is not None:
+            self._go_to(self._replay.point.number)
+
+    def places_at(self, line: int) -> tuple[int, ...]:
+        """Return the source offsets at which the program may begin a line."""
+        places = self._lines.get(line, [])
+        return (*places[:1], *(each for each in places[1:] if each in self._entries))
+
+    def _note_values(self, point: Point) -> None:
+        for watched in self.watched:
+            watched.note(self._replay, point)
+
+    # ----------------------------------------------------------------------------------------------- moments
+
+    def _moments(self, until: float) -> list[Moment]:
+        machine = self._replay.machine
+        found = [each for search in self.searches for each in search(machine, self._after, until)]
+        return sorted(found, key=lambda each: each.time)
+
+    def _earliest(self, point: Point | None) -> Moment | None:
+        """Return the first moment since the last stop, up to a point or the end."""
+        run = self._replay.run
+        if not self.searches and not (self.stops_at_errors and point is None):
+            return None
+        until = point.time if point is not None else run.time if run is not None else 0.0
+        found = self._replay.ask(lambda: self._moments(until))
+        if found:
+            first = found[0].time
+            text = "; ".join(dict.fromkeys(each.text for each in found if each.time == first))
+            return moments.Moment(first, text, found[0].at)
+        if point is None and run is not None and self.stops_at_errors and self._after < run.time + 1.0:
+            wrong = [each for each in run.diagnostics if each.severity == "error"]
+            if wrong:
+                return moments.Moment(INFINITY, wrong[0].message)
+        return None
+
+    def _to_moment(self, moment: Moment, begin: int) -> Stop | None:
+        """Go to the first statement at or after a moment, or else to the last one."""
+        ended = self._replay.run is not None
+        last = self._replay.hook.count
+        if moment.time < INFINITY:
+            lowest = max([number for number, time in self._marks if time < moment.time], default=begin)
+            where = "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
+            text = f"{moment.text} at {moment.time:.9g} s{where}"
+            here = self._replay.point
+            if here is None or here.number > lowest + 1:
+                self._go_to(lowest + 1, lambda point: point.time >= moment.time)
+        else:
+            text = moment.text
+            self._go_to(last)
+        if self._replay.point is None and ended:
+            self._go_to(last)
+        stop = self._at(self._replay.point, "moment", text)
+        self._after = moment.time if moment.time < INFINITY else INFINITY
+        return stop
+
+    # -------------------------------------------------------------------------------------------------- back
+
+    def _go_to(self, number: int, decide: Callable[[Point], bool] | None = None) -> Point | None:
+        """Run again up to a statement, or from there to where `decide` is true."""
+        self._replay.abandon()
+        self._replay = replay = self._new()
+        counted = frozenset(place for each in self.breakpoints if each.is_counted for place in each.places)
+
+        def there(point: Point) -> bool:
+            if point.place in counted:
+                self._hit(point, False)
+            return point.number >= number and (decide is None or decide(point))
+
+        return replay.go(there, max(number - MEMORY, 0), counted)
+
+    def _search(self, last: int, first: int, note: Callable[[Point], None], places: frozenset[int]) -> None:
+        """Run up to a statement once more, and note points before it."""
+        self._searching = replay = self._new()
+        try:
+
+            def decide(point: Point) -> bool:
+                if point.number < last:
+                    note(point)
+                return point.number >= last
+
+            replay.go(decide, first, places)
+        finally:
+            replay.abandon()
+            self._searching = None
+
+    def step_back(self) -> Stop | None:
+        """Go to the statement of the task before this one, but not into a call."""
+        if self._replay.run is not None:
+            return self._at(self._go_to(self._replay.hook.count), "step")
+        point, depth = self._point(), self._depth()
+        found = _before(list(self._replay.recent), point.number, point.task.name, depth)
+        reach = MEMORY
+        while found is None and self._recorded_from() > 1:
+            reach *= 16
+            self._remember_more(point.number, reach)
+            found = _before(self._history, point.number, point.task.name, depth)
+            if reach >= point.number:
+                break
+        if found is None and point.number > 1:
+            found = point.number - 1  # the task began here
+        if found is None:
+            return self._at(point, "start", "this is the first statement")
+        return self._at(self._go_to(found), "step")
+
+    def _recorded_from(self) -> int:
+        return self._replay.recent[0].number if self._replay.recent else self._point().number
+
+    def _remember_more(self, number: int, reach: int) -> None:
+        self._history = []
+
+        def note(point: Point) -> None:
+            replay = self._replay_in_force
+            self._history.append(
+                Remembered(point.number, point.task.name, replay.depth(point.task), point.place)
+            )
+
+        self._search(number, max(number - reach, 0), note, frozenset())
+
+    def reverse(self) -> Stop | None:
+        """Go back to the last stop before this one, or to the first statement."""
+        ended = self._replay.run is not None
+        here = self._replay.hook.count + 1 if ended else self._point().number
+        hits: list[tuple[int, str, str]] = []
+
+        def note(point: Point) -> None:
+            hit = self._hit(point, False)
+            if hit is not None:
+                hits.append((point.number, *hit))
+
+        moment = self._last_moment()
+        if self.breakpoints or self.watched:
+            first = 0 if self.watched else here
+            self._search(here, first, note, self._stopping_places())
+        if moment is not None:
+            number, text = moment
+            if number < here and (not hits or number > hits[-1][0]):
+                hits.append((number, "moment", text))
+        if not hits:
+            return self._at(self._go_to(1), "start", "this is the first statement")
+        number, reason, text = hits[-1]
+        return self._at(self._go_to(number), reason, text)
+
+    def _last_moment(self) -> tuple[int, str] | None:
+        """Return the last statement before the stop that follows a moment, and its text."""
+        if not self.searches:
+            return None
+        run, stop = self._replay.run, self.stop
+        end = run.time if run is not None else stop.time if stop is not None else 0.0
+        here = self._replay.hook.count + 1 if run is not None else self._point().number
+        after, self._after = self._after, -1.0
+        try:
+            found = self._replay.ask(lambda: self._moments(end))
+        finally:
+            self._after = after
+        while found:
+            moment = found.pop()
+            number = self._first_from(moment.time, here)
+            if number is None:
+                number = self._replay.hook.count if run is not None else here
+            if number < here:
+                where = (
+                    "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
+                )
+                return number, f"{moment.text} at {moment.time:.9g} s{where}"
+        return None
+
+    def _first_from(self, time: float, before: int) -> int | None:
+        """Return the number of the first statement at or after a time, below a number."""
+        found: list[int] = []
+
+        def note(point: Point) -> None:
+            if point.time >= time and not found:
+                found.append(point.number)
+
+        self._search(before, 0, note, frozenset())
+        return found[0] if found else None
+
+    def go_to_time(self, time: float) -> Stop | None:
+        """Go to the first statement at or after a time; to the last one if there is none."""
+        self._replay.abandon()
+        self._replay = replay = self._new()
+        before = 0
+
+        def decide(point: Point) -> bool:
+            nonlocal before
+            if point.time >= time:
+                return True
+            before = point.number
+            replay.consider_from(before + STRIDE)
+            return False
+
+        point = replay.go(decide, 0)
+        if point is None or point.number > before + 1:
+            point = self._go_to(before + 1, lambda each: each.time >= time)
+        if point is None:
+            point = self._go_to(self._replay.hook.count)
+        return self._at(point, "goto")
+
+    def go_to_number(self, number: int) -> Stop | None:
+        """Go to a statement by its number."""
+        return self._at(self._go_to(max(number, 1)), "goto")
+
+    def last_change(self, path: Sequence[str]) -> Stop | None:
+        """Go back to the statement that gave a variable its value; None if none did."""
+        point = self._point()
+        watched = Watched(tuple(path))
+        replay, previous, found = self._replay, 0, 0
+        values: dict[tuple[str, ...], object] = {}
+
+        def note(each: Point) -> None:
+            nonlocal previous, found, values
+            if watched.change(self._replay_in_force, each):
+                found = previous
+            previous, values = each.number, self._replay_in_force.values
+
+        self._search(point.number, 0, note, frozenset())
+        replay.values |= values
+        if replay.ask(lambda: watched.change(replay, point)):
+            found = previous
+        if not found:
+            return None
+        return self._at(self._go_to(found), "change", f"this statement changes {path[-1]}")
+
+    # ------------------------------------------------------------------------------------------------ changes
+
+    def assign(self, path: Sequence[str], value: object) -> Variable:
+        """Give a variable another value; raise ValueError if that is not possible."""
+        point, replay = self._point(), self._replay
+        variable = replay.ask(lambda: scopes.find(replay.hook, point, path))
+        if variable is None:
+            raise ValueError(f"there is no variable {path[-1]} here")
+        if variable.set is None:
+            raise ValueError(f"{variable.name} cannot be set; set one of its elements")
+        give = variable.set
+        replay.ask(lambda: give(value))
+        self._changed()
+        self.journal.add(Assigned(point.number, tuple(path), value))
+        found = replay.ask(lambda: scopes.find(replay.hook, point, path))
+        assert found is not None
+        return found
+
+    def enter(self, entries: Mapping[str, object]) -> None:
+        """Change inputs or press keys now; the entries are those of a machine file."""
+        point = self._point()
+        self._replay.enter(entries)
+        self._changed()
+        self.journal.add(Entered(point.number, dict(entries)))
+
+    def _changed(self) -> None:
+        """Show the output from here on again, because the run continues differently."""
+        self._output.forget(self._replay.written)
+        self._logged = min(self._logged, self._point().number)
+
+    def restart(self, source: Source) -> Stop | None:
+        """Run another text with the same journal, up to the time of the stop.
+
+        Raises ProgramError, and leaves everything as it is, if the text has errors.
+        """
+        time = self.stop.time if self.stop is not None else 0.0
+        self._load(source)
+        self._replay.abandon()
+        self._output.forget(0)
+        return self.go_to_time(time)
+
+
+def _before(recent: Iterable[Remembered], number: int, task: str, depth: int) -> int | None:
+    """Return the last statement of a task before a number, in at most `depth` calls."""
+    found = None
+    for each in recent:
+        if each.number < number and each.task == task and each.depth <= depth:
+            found = each.number
+    return found
+
+
+__all__ = ["Breakpoint", "Debugger", "NotStopped", "Stop", "Watched", "WrongExpression"]

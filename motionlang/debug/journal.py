@@ -1,0 +1,73 @@
+"""The journal of a session: changes by hand, with the statement that follows them.
+
+A replay makes the same changes before the same statements. An entry made after stepping back invalidates all later
+ones, because they belong to another continuation of the run.
+"""
+
+from __future__ import annotations
+
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+
+@record
+class Assigned:
+    """A variable that was given another value.
+
+    `path` is its scope and the names that lead to it.
+    """
+
+    statement: int
+    path: tuple[str, ...]
+    value: object
+
+
+@record
+class Entered:
+    """Inputs and keys as entries of a machine file; times count from the statement."""
+
+    statement: int
+    entries: Mapping[str, object]
+
+
+@record
+class Answered:
+    """An answer to INPUT."""
+
+    statement: int
+    text: str
+
+
+class Journal:
+    """All changes by hand in the order of their statements, and the answers to INPUT."""
+
+    def __init__(self) -> None:
+        self.changes: list[Assigned | Entered] = []
+        self.answers: list[Answered] = []
+
+    def add(self, change: Assigned | Entered) -> None:
+        """Add a change, and remove all that came after its statement."""
+        self._truncate(change.statement)
+        self.changes.append(change)
+
+    def answer(self, statement: int, text: str, number: int) -> None:
+        """Add the answer to the INPUT of that number, counted from 0."""
+        del self.answers[number:]
+        self.answers.append(Answered(statement, text))
+
+    def at(self, statement: int) -> Sequence[Assigned | Entered]:
+        """Return the changes before a statement."""
+        return [each for each in self.changes if each.statement == statement]
+
+    def following(self, statement: int) -> float:
+        """Return the number of the next statement with a change; infinite if none."""
+        return min(
+            (each.statement for each in self.changes if each.statement > statement), default=float("inf")
+        )
+
+    def _truncate(self, statement: int) -> None:
+        self.changes = [each for each in self.changes if each.statement <= statement]
+        self.answers = [each for each in self.answers if each.statement < statement]

@@ -1,0 +1,244 @@
+"""Moments of a run that no statement marks: motion, limits, faults, outputs.
+
+They are found in what a run has logged by then: events, moves, changes of channels, and the motion of the axes. A
+search covers the times after one up to another.
+
+    axis 0 starts     axis 0 stops     input 5 rises     output 2 falls     position(0) > 120 and input(3)
+
+A condition becomes true where its state changes from false to true. Between two changes in the log the motion is
+sampled, `SAMPLES` times in each profile, and the time is then found by bisection.
+"""
+
+from __future__ import annotations
+
+import re
+
+from motionlang.debug.expressions import WrongExpression, parse
+from motionlang.log.track import WholeTrack
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
+
+    from motionlang.debug.expressions import Expression
+    from motionlang.lang.machine.machine import Machine
+
+    # Yields the moments after one time up to another.
+    Search = Callable[[Machine, float, float], Iterable["Moment"]]
+
+# Samples of each profile in which a condition is looked for, and the resolution of its time, s.
+SAMPLES = 64
+RESOLUTION = 1e-9
+INFINITY = float("inf")
+# The exception filters by name: what they are called, and the kinds of events.
+FILTERS = {
+    "error": ("Run-time errors", ()),
+    "fault": ("Faults of an axis", ("fault", "following error", "e-stop", "abort")),
+    "limit": ("Limits reached", ("limit", "soft limit")),
+    "clamp": ("Values clamped to a limit", ("clamp",)),
+}
+_AXIS = re.compile(r"\s*axis\s+(\d+)\s+(starts|stops)\s*", re.IGNORECASE)
+_CHANNEL = re.compile(r"\s*(input|output)\s+(\d+)\s+(rises|falls|changes)\s*", re.IGNORECASE)
+FORMS = "axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a condition such as position(0) > 120"
+
+
+@record
+class Moment:
+    """Something that happened at a time, s.
+
+    `at` is the source offset of the program then, if it is known.
+    """
+
+    time: float
+    text: str
+    at: int | None = None
+
+
+def search(text: str) -> Search:
+    """Return the search of a motion breakpoint; raise WrongExpression if it is none."""
+    match = _AXIS.fullmatch(text)
+    if match is not None:
+        return _axis(int(match[1]), match[2].lower())
+    match = _CHANNEL.fullmatch(text)
+    if match is not None:
+        return channel(match[1].lower(), int(match[2]), match[3].lower())
+    try:
+        expression = parse(text)
+        expression(_Blank())
+    except WrongExpression as error:
+        raise WrongExpression(f"{error}; a motion breakpoint is {FORMS}") from None
+    return lambda machine, after, until: _becomes_true(expression, text, machine, after, until)
+
+
+def filtered(kinds: Iterable[str]) -> Search:
+    """Return the search of events of some kinds."""
+    wanted = frozenset(kinds)
+
+    def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+        for event in _since(machine.log.events, after):
+            if event.time <= until and event.kind in wanted:
+                axis = "" if event.axis is None else f" of axis {event.axis}"
+                text = f": {event.text}" if event.text else ""
+                yield Moment(event.time, f"{event.kind}{axis}{text}", event.at)
+
+    return find
+
+
+def complaints(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+    """Yield the errors that did not end the program, such as rejected commands."""
+    for each in machine.diagnostics:
+        if each.severity == "error" and each.first is not None and after < each.first <= until:
+            yield Moment(each.first, f"{each.message}, line {each.line}")
+
+
+def channel(what: str, number: int, how: str) -> Search:
+    """Return the search of changes of a digital input or output."""
+
+    def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+        log = machine.log.inputs if what == "input" else machine.log.outputs
+        for each in _since(log, after):
+            if each.channel == number and each.time <= until:
+                rises = bool(each.value)
+                if how == "changes" or (how == "rises") is rises:
+                    yield Moment(each.time, f"{what} {number} {'rises' if rises else 'falls'}")
+
+    return find
+
+
+def _since(stream: Any, after: float) -> list[Any]:
+    """Return the records of a stream after a time, in order."""
+    found = []
+    for each in reversed(stream):
+        if each.time <= after:
+            break
+        found.append(each)
+    return found[::-1]
+
+
+def _axis(number: int, how: str) -> Search:
+    if how == "stops":
+        return lambda machine, after, until: _stops(machine, number, after, until)
+
+    def starts(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+        found = []
+        for move in reversed(machine.log.moves):
+            if move.start_time <= after:
+                break
+            found.append(move)
+        for move in reversed(found):
+            if (
+                move.axis == number
+                and move.start_time <= until
+                and (move.profile is None or move.profile.duration)
+            ):
+                yield Moment(move.start_time, f"axis {number} starts {move.command}")
+
+    return starts
+
+
+def _stops(machine: Machine, number: int, after: float, until: float) -> Iterator[Moment]:
+    axis = machine.controller.axes.get(number) if machine.has_controller else None
+    if axis is None:
+        return
+    track = WholeTrack(axis)
+    starts, profiles = track.between(after, until)
+    for k, (start, profile) in enumerate(zip(starts, profiles, strict=True)):
+        end = min(start + profile.duration, starts[k + 1] if k + 1 < len(starts) else INFINITY)
+        moved = profile.duration > 0 and any(
+            profile.velocity(profile.duration * part) for part in (0.25, 0.5, 0.75)
+        )
+        if moved and after < end <= until and abs(track.at(end + RESOLUTION).velocity) < RESOLUTION:
+            yield Moment(end, f"axis {number} stops")
+
+
+# --------------------------------------------------------------------------------------------------- conditions
+
+
+class _Blank:
+    """Any state, to check an expression without a run."""
+
+    def variable(self, name: str, subscripts: list[float]) -> float | None:
+        return None
+
+    def reading(self, what: str, number: int) -> float:
+        return 1.0
+
+
+class Past:
+    """The state of a machine at an earlier time, from the log."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine, self.time = machine, 0.0
+        self._tracks: dict[int, WholeTrack] = {}
+
+    def variable(self, name: str, subscripts: list[float]) -> float | None:
+        """Return None: the log has no variables."""
+        return None
+
+    def reading(self, what: str, number: int) -> float:
+        """Return a reading at `time`."""
+        if what == "time":
+            return self.time
+        if what in ("input", "output"):
+            log = self._machine.log.inputs if what == "input" else self._machine.log.outputs
+            for each in reversed(log):
+                if each.channel == number and each.time <= self.time:
+                    return each.value
+            return 0.0
+        track = self._track(number)
+        state = track.at(self.time)
+        if what == "velocity":
+            return track.scale.to_user(state.velocity, "uu/s")
+        if what == "idle":
+            return float(state.velocity == 0.0)
+        return track.scale.position_to_user(state.position)
+
+    def _track(self, number: int) -> WholeTrack:
+        found = self._tracks.get(number)
+        if found is None:
+            axis = self._machine.controller.axes.get(number)
+            if axis is None:
+                raise WrongExpression(f"there is no axis {number}")
+            found = self._tracks[number] = WholeTrack(axis)
+        return found
+
+
+def _becomes_true(
+    expression: Expression, text: str, machine: Machine, after: float, until: float
+) -> Iterator[Moment]:
+    if not machine.has_controller:
+        return
+    state = Past(machine)
+
+    def holds(time: float) -> bool:
+        state.time = time
+        return bool(expression(state))
+
+    before, held = after, holds(after)
+    for time in _samples(machine, after, until):
+        now = holds(time)
+        if now and not held:
+            low, high = before, time
+            while high - low > RESOLUTION:
+                middle = 0.5 * (low + high)
+                if not low < middle < high:
+                    break
+                low, high = (low, middle) if holds(middle) else (middle, high)
+            yield Moment(high, f"{text.strip()} holds")
+        before, held = time, now
+
+
+def _samples(machine: Machine, after: float, until: float) -> list[float]:
+    """Return the times at which a condition is evaluated."""
+    found = {until}
+    for log in (machine.log.inputs, machine.log.outputs):
+        found.update(each.time for each in _since(log, after))
+    for axis in machine.controller.axes.values():
+        starts, profiles = WholeTrack(axis).between(after, until)
+        for start, profile in zip(starts, profiles, strict=True):
+            length = min(profile.duration, until - start)
+            if length > 0 and start + length > after:
+                found.update(start + length * k / SAMPLES for k in range(SAMPLES + 1))
+    return sorted(each for each in found if after < each <= until)

@@ -1,0 +1,330 @@
+"""One execution of a program, in a thread that blocks in the hook at a stop.
+
+Problem. A debugger asks for the state of a run at a statement, and then for an earlier one. A run cannot go back, and a
+run that is cut and continued differs in last bits.
+
+Idea. Runs are deterministic. A statement has the same number in each run, so a stop is a number, and going back is
+running again up to an earlier one. The run is never cut: its thread waits in the hook, in the middle of whatever it was
+doing, while another thread asks for its state. All questions are answered in the thread of the run, where the frames of
+the program are.
+
+    controlling thread                       thread of the run
+    go(…)              -- None ------------> continues
+      waits                                  … statement 17: decide(point) is true
+      returns          <-- "stopped" ------- waits in the hook
+    ask(question)      -- question --------> answers
+      returns          <-- answer ---------- waits in the hook
+    abandon()          -- ABANDON ---------> raises `Abandoned` through the program
+
+Invariants.
+- One thread runs at a time, except for `pause`, which only makes the next statement a stop.
+- The changes of the journal are made before their statements, in every run.
+- An abandoned run leaves nothing behind: it writes no files, and its output is shown only where it is new.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from queue import SimpleQueue
+
+from motionlang.controller.faults import Rejected
+from motionlang.debug.journal import Assigned, Entered
+from motionlang.debug.scopes import find
+from motionlang.execution import run
+from motionlang.lang.debugging import Hook
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from typing import Any, TypeVar
+
+    from motionlang.debug.journal import Journal
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.program import Program
+    from motionlang.lang.task import Task
+    from motionlang.result import Run
+    from motionlang.source import Source
+
+    Answer = TypeVar("Answer")
+
+INFINITY = float("inf")
+# The number of statements before a stop that a replay remembers, so that stepping back takes one replay.
+MEMORY = 64
+# Enough for the deepest recursion of a program on systems whose threads have small stacks.
+STACK_SIZE = 64 * 1024 * 1024
+
+
+class Abandoned(BaseException):
+    """Raised in the hook to end a run that is no longer needed."""
+
+
+class Cancelled(Exception):
+    """The session ended while the run waited for the operator."""
+
+
+@record
+class Point:
+    """A statement that is about to be executed.
+
+    It has its number, its time, s, and its source offset.
+    """
+
+    number: int
+    time: float
+    task: Task
+    place: int
+
+
+@record
+class Remembered:
+    """A statement before a stop."""
+
+    number: int
+    task: str
+    depth: int
+    place: int
+
+
+@record
+class Setup:
+    """The common data of all runs of a session."""
+
+    source: Source
+    language: Dialect
+    settings: Mapping[str, object]
+    overrides: Mapping[str, float | str]
+    until: float | None
+    program: Program
+
+
+class Output:
+    """The output of a session; text that an earlier run has shown is not repeated."""
+
+    def __init__(self, show: Callable[[str], object]) -> None:
+        self._show, self._shown = show, 0
+
+    def write(self, begin: int, text: str) -> None:
+        """Show the new part of a text that begins at character `begin` of the output."""
+        new = text[max(self._shown - begin, 0) :]
+        self._shown = max(self._shown, begin + len(text))
+        if new:
+            self._show(new)
+
+    def forget(self, length: int) -> None:
+        """Show all output after the first `length` characters again."""
+        self._shown = min(self._shown, length)
+
+
+class Replay:
+    """A run in a thread of its own.
+
+    `ask_user` returns the line for an INPUT; without it there is no operator, as in a plain run.
+    """
+
+    def __init__(
+        self,
+        setup: Setup,
+        journal: Journal,
+        output: Output,
+        ask_user: Callable[[str], str | None] | None = None,
+    ) -> None:
+        self._setup, self._journal, self._output, self._ask_user = setup, journal, output, ask_user
+        self.hook = Hook(self._stop)
+        self.machine: Machine
+        self.point: Point | None = None
+        # The result, once the program has ended, and an internal error.
+        self.run: Run | None = None
+        self.error: BaseException | None = None
+        self.problems: list[str] = []
+        # Hits by breakpoint, and the last values of watched variables.
+        self.hits: dict[object, int] = {}
+        self.values: dict[tuple[str, ...], object] = {}
+        # The statements before the last call of the hook, without gaps.
+        self.recent: deque[Remembered] = deque(maxlen=MEMORY)
+        self.written = 0
+        self._answers_used = 0
+        self._decide: Callable[[Point], bool] = lambda point: False
+        self._limit = INFINITY
+        # True if `pause` caused the last stop.
+        self.paused = self._pausing = False
+        self._orders: SimpleQueue[Callable[[], object] | str] = SimpleQueue()
+        self._news: SimpleQueue[str] = SimpleQueue()
+        self._answers: SimpleQueue[tuple[Any, BaseException | None]] = SimpleQueue()
+        self._thread: threading.Thread | None = None
+
+    # ---------------------------------------------------------------------------- from the controlling thread
+
+    def go(
+        self,
+        decide: Callable[[Point], bool],
+        limit: float = INFINITY,
+        places: frozenset[int] | None = None,
+    ) -> Point | None:
+        """Continue until `decide` is true; return the stop, or None at the end of the run.
+
+        `decide` is called before each statement from number `limit` on, and before those at `places`.
+        """
+        if self.run is not None or self.error is not None:
+            return None
+        self._decide, self._limit = decide, limit
+        self.hook.places = places
+        self._arm()
+        self.point = None
+        if self._thread is None:
+            self._start()
+        else:
+            self._orders.put("go")
+        while self._news.get() == "asks":
+            self._orders.put("go" if self._answer_input() else "abandon")
+        if self.error is not None:
+            raise self.error
+        return self.point
+
+    def ask(self, question: Callable[[], Answer]) -> Answer:
+        """Answer a question in the thread of the run, at its stop."""
+        if self.point is None:
+            return question()
+        self._orders.put(question)
+        answer, trouble = self._answers.get()
+        if trouble is not None:
+            raise trouble
+        return answer  # type: ignore[no-any-return]
+
+    def pause(self) -> None:
+        """Stop before the next statement; may be called from any thread."""
+        self._pausing = True
+        self.hook.limit = 0
+
+    def consider_from(self, number: int) -> None:
+        """Ask `decide` from a later statement on; called by `decide` itself."""
+        self._limit = number
+
+    def abandon(self) -> None:
+        """End the thread of the run."""
+        if self._thread is not None and self.run is None and self.point is not None:
+            self._orders.put("abandon")
+            self._thread.join()
+            self.point = None
+
+    def enter(self, entries: Mapping[str, object]) -> None:
+        """Add inputs and keys to the world now."""
+        self.ask(lambda: self.machine.add_entries(entries))
+
+    # -------------------------------------------------------------------------------- in the thread of the run
+
+    def _start(self) -> None:
+        before = threading.stack_size(STACK_SIZE)
+        try:
+            self._thread = threading.Thread(target=self._main, name="program", daemon=True)
+            self._thread.start()
+        finally:
+            threading.stack_size(before)
+
+    def _main(self) -> None:
+        setup = self._setup
+        try:
+            self.run = run(
+                setup.source,
+                dialect=setup.language,
+                machine=setup.settings,
+                until=setup.until,
+                overrides=setup.overrides,
+                show=self._show,
+                begun=self._begun,
+                compiled=setup.program,
+                hook=self.hook,
+                cache=False,
+            )
+        except Abandoned:
+            self.error = Cancelled()
+        except BaseException as error:
+            self.error = error
+        self._news.put("ended")
+
+    def _begun(self, machine: Machine) -> None:
+        self.machine = machine
+        if self._ask_user is not None:
+            machine.ask = self._input
+
+    def _show(self, text: str) -> None:
+        begin, self.written = self.written, self.written + len(text)
+        self._output.write(begin, text)
+
+    def _stop(self, task: Task, time: float, place: int) -> None:
+        point = Point(self.hook.count, time, task, place)
+        for change in self._journal.at(point.number):
+            self.make(change, point)
+        self._remember(point)
+        decided = self._decide(point)
+        if decided or self._pausing:
+            self.paused, self._pausing = not decided, False
+            self.point = point
+            self._news.put("stopped")
+            self._wait()
+        self._arm()
+
+    def _wait(self) -> None:
+        """Answer questions until the run continues."""
+        while True:
+            order = self._orders.get()
+            if order == "go":
+                return
+            if order == "abandon":
+                raise Abandoned
+            assert callable(order)
+            try:
+                self._answers.put((order(), None))
+            except BaseException as error:
+                self._answers.put((None, error))
+
+    def _arm(self) -> None:
+        """Set the number of the next statement for `decide` or for the journal."""
+        self.hook.limit = min(self._limit, self._journal.following(self.hook.count))
+        if self._pausing:
+            self.hook.limit = 0
+
+    def _remember(self, point: Point) -> None:
+        recent = self.recent
+        if recent and recent[-1].number != point.number - 1:
+            recent.clear()
+        recent.append(Remembered(point.number, point.task.name, self.depth(point.task), point.place))
+
+    def depth(self, task: Task) -> int:
+        """Return how many calls the running task is in."""
+        assert self.hook.inspection is not None
+        return self.hook.inspection.depth(task)
+
+    def make(self, change: Assigned | Entered, point: Point) -> None:
+        """Make a change of the journal before a statement."""
+        try:
+            if isinstance(change, Entered):
+                self.machine.add_entries(change.entries)
+            else:
+                variable = find(self.hook, point, change.path)
+                if variable is None or variable.set is None:
+                    self.problems.append(f"there is no variable {change.path[-1]} here any more")
+                else:
+                    variable.set(change.value)
+        except (ValueError, Rejected) as error:
+            self.problems.append(str(error))
+
+    def _input(self) -> str | None:
+        """Return the line for an INPUT: from the journal, or from the user."""
+        number, self._answers_used = self._answers_used, self._answers_used + 1
+        if number >= len(self._journal.answers):
+            self._news.put("asks")
+            self._wait()
+        answers = self._journal.answers
+        return answers[number].text if number < len(answers) else None
+
+    def _answer_input(self) -> bool:
+        """Ask the user for the line of an INPUT; False if the session ends instead."""
+        assert self._ask_user is not None
+        line = self._ask_user(self.machine.terminal.begun)
+        if line is None:
+            return False
+        self._journal.answer(self.hook.count, line, self._answers_used - 1)
+        return True

@@ -1,0 +1,189 @@
+"""The state at a stop as variables: calls, data of the program, axes, channels.
+
+Nothing here changes the run: positions are computed from the profiles at the time of the stop, and a motor shows only
+samples that the run has computed by itself.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import names
+from motionlang.debug.expressions import WrongExpression
+from motionlang.lang.debugging import Variable
+from motionlang.record import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.io.inputs import Channels
+    from motionlang.debug.replay import Point
+    from motionlang.lang.debugging import Frame, Hook
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.task import Task
+
+# The first word of the path of a variable: of the program, or of the innermost call, the next one and so on.
+MODULE, LOCAL = "module", "local"
+INFINITY = float("inf")
+
+
+@record
+class Waiting:
+    """A task or an event handler, and what it waits for ("" if it can run)."""
+
+    name: str
+    task: Task
+    why: str
+    is_handler: bool
+
+
+def tasks(machine: Machine, running: Task | None) -> list[Waiting]:
+    """Return the tasks and handlers of a program; the running one is among them."""
+    scheduler = machine.scheduler
+    if scheduler is None:
+        return []
+    found = []
+    for task in [*scheduler.interrupts, *scheduler.tasks]:
+        if task.done:
+            continue
+        wait = task.wait
+        why = "" if wait is None or task is running else f"waits {wait.why}"
+        found.append(Waiting(task.name, task, why, task in scheduler.interrupts))
+    return found
+
+
+def frames(hook: Hook, task: Task, point: Point | None) -> Sequence[Frame]:
+    """Return the calls of a task, the innermost first; `point` is the stop of the run."""
+    assert hook.inspection is not None
+    stopped = point is not None and point.task is task
+    return hook.inspection.frames(task, point.place if stopped and point is not None else None)
+
+
+def module(hook: Hook) -> list[Variable]:
+    """Return the variables of the whole program, or the shared registers."""
+    assert hook.inspection is not None
+    return hook.inspection.module()
+
+
+def find(hook: Hook, point: Point | None, path: Sequence[str]) -> Variable | None:
+    """Return the variable at a path: its scope and the names that lead to it.
+
+    `point` is None at the end of the run, where there are no calls.
+    """
+    if hook.inspection is None:
+        return None
+    scope, *rest = path
+    if scope == MODULE:
+        found: Iterable[Variable] = module(hook)
+    elif point is None:
+        return None
+    else:
+        calls = frames(hook, point.task, point)
+        number = int(scope.removeprefix(LOCAL))
+        found = calls[number].variables if number < len(calls) else []
+    variable = None
+    for name in rest:
+        variable = next((each for each in found if each.name.lower() == name.lower()), None)
+        if variable is None and len(rest) == 1:
+            variable = hook.inspection.unlisted(None if point is None else point.task, name)
+        if variable is None:
+            return None
+        found = variable.value if isinstance(variable.value, list) else []
+    return variable
+
+
+def named(hook: Hook, point: Point | None, name: str) -> tuple[tuple[str, ...], Variable] | None:
+    """Return the path and the variable of a name, as the program finds it."""
+    for scope in (f"{LOCAL}0", MODULE):
+        variable = find(hook, point, (scope, name))
+        if variable is not None:
+            return (scope, variable.name), variable
+    return None
+
+
+# ------------------------------------------------------------------------------------------------------ machine
+
+
+def axes(machine: Machine, time: float) -> list[Variable]:
+    """Return each axis at a time not before the clock's.
+
+    There are none before the program uses the controller.
+    """
+    if not machine.has_controller:
+        return []
+    controller = machine.controller
+    return [
+        Variable(f"axis {number}", "axis", _axis(controller, axis, time))
+        for number, axis in controller.axes.items()
+    ]
+
+
+def _axis(controller: Controller, axis: Axis, time: float) -> list[Variable]:
+    scale = axis.scale
+    target = axis.target
+    found = [
+        Variable("position", "uu", scale.position_to_user(axis.position(time))),
+        Variable("velocity", "uu/s", scale.to_user(axis.velocity(time), "uu/s")),
+        Variable("target", "uu", None if abs(target) == INFINITY else scale.position_to_user(target)),
+        Variable("state", "", _state(controller, axis)),
+        Variable("faults", "", names(axis.faults) or "none"),
+        Variable("buffer", "", [_move(number, each) for number, each in enumerate(axis.buffer)]),
+    ]
+    motor = None if axis.feedback is None else axis.feedback.known_position(time)
+    if motor is not None:
+        found.insert(1, Variable("measured position", "uu", scale.position_to_user(motor)))
+    return found
+
+
+def _state(controller: Controller, axis: Axis) -> str:
+    if not axis.enabled:
+        return "off"
+    return "idle" if controller.is_idle(axis.index) else "moving"
+
+
+def _move(number: int, move: object) -> Variable:
+    released = "" if getattr(move, "released", True) else ", not released"
+    line = getattr(move, "line", 0)
+    return Variable(f"move {number}", "", f"{getattr(move, 'command', move)}, line {line}{released}")
+
+
+def reading(machine: Machine, time: float, what: str, number: int) -> float:
+    """Return a reading for an expression; raise WrongExpression for an unknown axis."""
+    if not machine.has_controller:
+        return 0.0
+    controller = machine.controller
+    if what in ("input", "output"):
+        return float((controller.inputs if what == "input" else controller.outputs)[number])
+    axis = controller.axes.get(number)
+    if axis is None:
+        raise WrongExpression(f"there is no axis {number}")
+    if what == "position":
+        return axis.scale.position_to_user(axis.position(time))
+    if what == "velocity":
+        return axis.scale.to_user(axis.velocity(time), "uu/s")
+    if what == "target":
+        return axis.scale.position_to_user(axis.target)
+    return float(axis.velocity(time) == 0.0 and controller.is_idle(number))
+
+
+def inputs(machine: Machine) -> list[Variable]:
+    """Return the inputs that have had a value other than 0, digital and analogue."""
+    if not machine.has_controller:
+        return []
+    controller = machine.controller
+    digital = _channels("input", controller.inputs)
+    return digital + _channels("analogue input", controller.analogue_inputs)
+
+
+def outputs(machine: Machine) -> list[Variable]:
+    """Return the outputs that have had a value other than 0, digital and analogue."""
+    if not machine.has_controller:
+        return []
+    controller = machine.controller
+    digital = _channels("output", controller.outputs)
+    return digital + _channels("analogue output", controller.analogue_outputs)
+
+
+def _channels(what: str, values: Channels) -> list[Variable]:
+    return [Variable(f"{what} {channel}", "", values[channel]) for channel in values.touched]

@@ -1,0 +1,101 @@
+"""The state at a stop as a debugger shows it: tasks, calls, scopes, expressions."""
+
+from __future__ import annotations
+
+from motionlang.debug import scopes
+from motionlang.debug.expressions import WrongExpression, parse
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.debug.debugger import Debugger
+    from motionlang.debug.replay import Point, Replay
+    from motionlang.debug.scopes import Waiting
+    from motionlang.lang.debugging import Frame, Variable
+    from motionlang.lang.task import Task
+
+
+class State:
+    """The state of a run at its stop, or at its end."""
+
+    def __init__(self, debugger: Debugger, replay: Replay, point: Point | None = None) -> None:
+        self._debugger, self._replay = debugger, replay
+        self._point = replay.point if point is None else point
+        # A point is given in the thread of the run itself.
+        self._ask = replay.ask if point is None else lambda question: question()
+
+    @property
+    def time(self) -> float:
+        """The time of the statement, s, or of the end."""
+        run = self._replay.run
+        return self._point.time if self._point is not None else run.time if run is not None else 0.0
+
+    def tasks(self) -> list[Waiting]:
+        """Return the tasks and event handlers, each with what it waits for."""
+        running = None if self._point is None else self._point.task
+        return self._ask(lambda: scopes.tasks(self._replay.machine, running))
+
+    def frames(self, task: Task) -> Sequence[Frame]:
+        """Return the calls of a task, the innermost first."""
+        return self._ask(lambda: scopes.frames(self._replay.hook, task, self._point))
+
+    def module(self) -> list[Variable]:
+        """Return the variables of the whole program, or the shared registers."""
+        return self._ask(lambda: scopes.module(self._replay.hook))
+
+    def axes(self) -> list[Variable]:
+        """Return the axes at the exact time of the stop."""
+        return self._ask(lambda: scopes.axes(self._replay.machine, self.time))
+
+    def inputs(self) -> list[Variable]:
+        return self._ask(lambda: scopes.inputs(self._replay.machine))
+
+    def outputs(self) -> list[Variable]:
+        return self._ask(lambda: scopes.outputs(self._replay.machine))
+
+    def find(self, path: Sequence[str]) -> Variable | None:
+        """Return the variable at a path, as in `scopes.find`."""
+        return self._ask(lambda: scopes.find(self._replay.hook, self._point, path))
+
+    def named(self, name: str) -> tuple[tuple[str, ...], Variable] | None:
+        """Return the path and the variable of a name at the stop."""
+        return self._ask(lambda: scopes.named(self._replay.hook, self._point, name))
+
+    def evaluate(self, text: str) -> object:
+        """Return the value of an expression, or the variable of a name.
+
+        Raises WrongExpression.
+        """
+        found = self.named(text.strip())
+        if found is not None:
+            return found[1]
+        return parse(text)(self)
+
+    # ------------------------------------------------------------------------------------- for expressions
+
+    def variable(self, name: str, subscripts: list[float]) -> float | str | None:
+        """Return the value of a variable or an element for an expression."""
+        found = self.named(name)
+        if found is None:
+            return None
+        value = found[1].value
+        if subscripts:
+            wanted = f"{found[1].name}({', '.join(f'{each:g}' for each in subscripts)})"
+            elements = value if isinstance(value, list) else []
+            element = next((each for each in elements if each.name.lower() == wanted.lower()), None)
+            if element is None:
+                raise WrongExpression(f"there is no {wanted}")
+            value = element.value
+        if value is None:
+            raise WrongExpression(f"{name} has no value yet")
+        if isinstance(value, list):
+            raise WrongExpression(f"{name} is an array")
+        assert isinstance(value, (int, float, str))
+        return value
+
+    def reading(self, what: str, number: int) -> float:
+        """Return a reading for an expression."""
+        if what == "time":
+            return self.time
+        return self._ask(lambda: scopes.reading(self._replay.machine, self.time, what, number))
