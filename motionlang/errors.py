@@ -70,6 +70,7 @@ CODES: dict[str, str] = {
     "extra": "An optional library that the command needs is not installed.",
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",
+    "mcapi": "The library for hosts, a host program or a log of its calls cannot be used.",
     "machine-file": "The machine file is invalid.",
     "option": "An option of the command line does not fit the program or its machine file.",
     "guess": "The result depends on guesses of motionlang init.",

@@ -33,6 +33,7 @@ PAGES = {
     "compare": "compare.md",
     "probe": "probe.md",
     "serve": "serve.md",
+    "mcapi": "mcapi.md",
 }
 
 # Commands that are `run` with one of its options; their options are those of `run`.

@@ -12,6 +12,7 @@ import re
 import textwrap
 from pathlib import Path
 
+from motionlang.mcapi import constants
 from motionlang.mcapi.calls import readings, settings  # noqa: F401
 from motionlang.mcapi.table import FUNCTIONS, STRUCTURES, Argument, Function, Structure
 from motionlang.mccl.keywords import table
@@ -207,9 +208,163 @@ def page() -> str:
     return PAGE_HEAD.format(**counts) + "\n".join(rows) + "\n"
 
 
+# ---------------------------------------------------------------------------------------------- the C library
+
+HEADER = """\
+/* Functions, structures and constants of MCAPI 4.4.1, for hosts of a virtual board.
+ *
+ * Written by `python -m tests.mcapi_files`, not by hand. Hosts ask for the guards of several versions.
+ */
+#ifndef MCAPI_H
+#define MCAPI_H
+#define __MCAPI_H__
+#define _INC_MCAPI
+
+#ifdef _WIN32
+#include <windows.h>
+#else
+typedef unsigned short WORD;
+typedef unsigned long DWORD;
+typedef unsigned long HWND;
+typedef const char *LPCSTR;
+#endif
+#ifndef APIENTRY
+#define APIENTRY
+#endif
+#ifndef MCAPI_EXPORT
+#define MCAPI_EXPORT
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef short HCTRLR;
+typedef void (MCINTERRUPTPROC)(HWND, HCTRLR, WORD, DWORD);
+"""
+FOOT = """
+#ifdef __cplusplus
+}
+#endif
+#endif
+"""
+
+
+def c_type(each: Argument) -> str:
+    """Return the type of an argument in C."""
+    if each.kind in STRUCTURES:
+        return f"{each.kind} *"
+    if each.kind == "memory":
+        return "MCINTERRUPTPROC *" if each.name == "lpIntFunc" else "void *"
+    texts = {"v": "void *", "buf": "char *"}
+    if each.kind in texts:
+        return texts[each.kind]
+    if each.kind == "str":
+        return "const char *"
+    pointer = " *" if each.out or each.size else " "
+    return C_TYPES[each.kind] + pointer
+
+
+def c_arguments(function: Function) -> list[tuple[str, str]]:
+    """Return type and name of each argument in C, with the handle in its place."""
+    found = [(c_type(each), each.name) for each in function.arguments]
+    if function.has_handle:
+        found.insert(function.handle_index, ("HCTRLR ", "hCtlr"))
+    return found
+
+
+def prototype(function: Function) -> str:
+    given = ", ".join(kind + name for kind, name in c_arguments(function))
+    return f"MCAPI_EXPORT {C_TYPES[function.kind]} APIENTRY {function.name}({given})"
+
+
+def header() -> str:
+    """Return the text of `mcapi.h`."""
+    names = {name: value for name, value in vars(constants).items() if name.isupper() and name != "MESSAGES"}
+    defines = "\n".join(f"#define {name} {value}" for name, value in names.items())
+    structures = []
+    for each in STRUCTURES.values():
+        fields = [
+            f"    {C_TYPES[field.kind]} {field.name}{f'[{field.count}]' if field.count > 1 else ''};"
+            for field in each.fields
+        ]
+        structures.append("typedef struct {\n" + "\n".join(fields) + f"\n}} {each.name};")
+    prototypes = ";\n".join(map(prototype, FUNCTIONS.values()))
+    packed = "#pragma pack(push, 4)\n" + "\n\n".join(structures) + "\n#pragma pack(pop)\n"
+    return f"{HEADER}\n{defines}\n\n{packed}\n{prototypes};\n{FOOT}"
+
+
+def letters(function: Function) -> str:
+    """Return the arguments as the library reads them, a letter each."""
+    places = {name: place for place, (_, name) in enumerate(handle_first(function))}
+    found = "h" if function.has_handle else ""
+    for each in function.arguments:
+        found += (">" if each.out else "") + ("?" if each.optional else "")
+        if each.kind in STRUCTURES:
+            found += "S" + chr(ord("a") + list(STRUCTURES).index(each.kind))
+        elif each.kind == "v":
+            found += f"v{places[each.type]}"
+        elif each.kind == "buf":
+            found += f"b{places[each.size]}"
+        elif each.size:
+            found += f"[{each.kind}{places[each.size]}"
+        else:
+            found += {"str": "t", "memory": "m"}.get(each.kind, each.kind)
+    return found
+
+
+def handle_first(function: Function) -> list[tuple[str, str]]:
+    """Return the arguments in the order of a line."""
+    found = c_arguments(function)
+    if function.has_handle:
+        found.insert(0, found.pop(function.handle_index))
+    return found
+
+
+def stub(number: int, function: Function) -> str:
+    """Return the stub of a function."""
+    values = []
+    for kind, name in handle_first(function):
+        field = "p" if kind.endswith("*") else "d" if kind == "double " else "i"
+        values.append(
+            f"{{.{field} = {name}}}" if kind != "HWND " else f"{{.i = (long long)(intptr_t){name}}}"
+        )
+    types = ", ".join(kind.strip() for kind, _ in c_arguments(function))
+    names = ", ".join(name for _, name in c_arguments(function))
+    result = C_TYPES[function.kind]
+    store, back = ("r.i = ", f"return ({result})") if function.kind else ("", "")
+    return (
+        f"{prototype(function)}\n{{\n"
+        f"    item a[] = {{{', '.join(values)}}}, r = {{0}};\n"
+        f"    double begin;\n"
+        f"    void *real = enter({number}, &begin);\n"
+        f"    if (real) {store}(({result} (APIENTRY *)({types}))(intptr_t)real)({names});\n"
+        f"    {back}leave({number}, a, r, begin, real != NULL){'.i' if back else ''};\n}}\n"
+    )
+
+
+def stubs() -> str:
+    """Return the text of `stubs.h`."""
+    head = "/* The stubs of the functions, written by `python -m tests.mcapi_files`, not by hand. */\n\n"
+    layouts = []
+    for each in STRUCTURES.values():
+        fields = "".join(field.kind * field.count for field in each.fields)
+        fields = "c" + fields[1:] if each.has_size else fields
+        older = ", ".join(map(str, (*each.older, 0)))
+        layouts.append(f'    {{"{fields}", {{{older}}}}}, /* {each.name} */')
+    rows = [f'    {{"{each.name}", "{each.result}", "{letters(each)}"}},' for each in FUNCTIONS.values()]
+    tables = (
+        "static const structure STRUCTURES[] = {\n" + "\n".join(layouts) + "\n};\n\n"
+        "static const function FUNCTIONS[] = {\n" + "\n".join(rows) + "\n};\n\n"
+    )
+    return head + tables + "\n".join(stub(number, each) for number, each in enumerate(FUNCTIONS.values()))
+
+
 FILES = {
     PACKAGE / "binding.py": binding,
     ROOT / "docs" / "mcapi-functions.md": page,
+    PACKAGE / "library" / "mcapi.h": header,
+    PACKAGE / "library" / "stubs.h": stubs,
 }
 
 

@@ -24,7 +24,8 @@ GROUPS: dict[tuple[str, str], str] = {
     ("log", "__init__ log moves"): "the folder's `__init__` has the formats that the log and its moves share",
     ("mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
     ("mccl/runtime", "board loop_log poll task"): "a board runs tasks, and a task commands its board",
-    ("mint/compile", "body conversions loop_times operators polling splitting stops"): "a body is handed to those who write parts of it",
+    ("mint/compile", "body conversions loop_times operators polling splitting stops"):
+        "a body is handed to those who write parts of it",
     ("mint/compile", "calls expressions keyword_use path_use terminal_use unsimulated_use words"):
         "an expression may be a keyword, whose arguments are expressions",
     ("mint/compile", "for_loops loops statements"): "a loop is a statement, and contains statements",

@@ -54,17 +54,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser = add_command(commands, "serve", summary, serve_command, EPILOG)
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?", help="commands to send to the board first; - reads standard input")
-    add(
-        "--tcp",
-        type=_address,
-        action="append",
-        default=[],
-        metavar="HOST:PORT",
-        help=(
-            "listen on this address; without HOST only this computer can connect, port 0 is any free "
-            "port; may be repeated"
-        ),
-    )
+    add_addresses(parser)
     add(
         "--modbus",
         type=_address,
@@ -83,7 +73,30 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="HOST:PORT",
         help="listen on this address for hosts that call PMC's library MCAPI (see `motionlang mcapi`)",
     )
+    add_board(parser)
+    arrange(parser, GROUPS)
+
+
+def add_addresses(parser: argparse.ArgumentParser) -> None:
+    """Add the options of addresses for ASCII hosts."""
+    add = parser.add_argument
+    add(
+        "--tcp",
+        type=_address,
+        action="append",
+        default=[],
+        metavar="HOST:PORT",
+        help=(
+            "listen on this address; without HOST only this computer can connect, port 0 is any free "
+            "port; may be repeated"
+        ),
+    )
     add("--pty", action="store_true", help="create a serial device and print its path (not on Windows)")
+
+
+def add_board(parser: argparse.ArgumentParser) -> None:
+    """Add the options of a served board: its time, its lines, its machine."""
+    add = parser.add_argument
     _add_time(parser)
     add(
         "--echo",
@@ -122,27 +135,21 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
         ),
     )
 
-    arrange(parser, GROUPS)
-
 
 def serve_command(args: argparse.Namespace) -> int:
     """Serve until a signal; the exit status is 0, 1 (an error) or 2 (command line)."""
     _check(args)
     options = Options(args.file or "")
-    options.dialect, options.machine = args.dialect, args.machine
-    settings, overrides = options.settings, options.overrides
-    set_values(args.set, settings, overrides, args.parser)
     source: Source | None = None
     if args.file is not None:
         try:
             source = read_source(args.file)
         except OSError as error:
             return refuse(options, [unreadable(args.file, error)], None, 1)
-    options.machine = machine_of(args.file, args.machine)
-    if options.machine is not None:
-        status = read_machine_file(options, settings)
-        if status:
-            return status
+    status = read_board(args, options)
+    if status:
+        return status
+    settings, overrides = options.settings, options.overrides
     if _speaks_mint(args) and (args.tcp or args.pty):
         with never_waiting() as queues:
             return serve_line(args, source, settings, overrides, queues)
@@ -154,15 +161,31 @@ def serve_command(args: argparse.Namespace) -> int:
         return serve_board(args, source, settings, overrides, queues)
 
 
+def read_board(args: argparse.Namespace, options: Options) -> int:
+    """Read the settings of a board from the command line and the machine file.
+
+    Not 0 if that fails.
+    """
+    options.dialect, options.machine = args.dialect, args.machine
+    set_values(args.set, options.settings, options.overrides, args.parser)
+    options.machine = machine_of(options.file or None, args.machine)
+    return read_machine_file(options, options.settings) if options.machine is not None else 0
+
+
+def check_time(args: argparse.Namespace) -> None:
+    """End the command if options of time conflict."""
+    if args.factor is not None and args.clock != "real":
+        args.parser.error("--factor needs --clock real")
+    if args.step is not None and args.clock != "lockstep":
+        args.parser.error("--step needs --clock lockstep")
+
+
 def _check(args: argparse.Namespace) -> None:
     """End the command if options conflict."""
     error = args.parser.error
     if not args.tcp and not args.pty and args.mcapi is None and args.modbus is None:
         error("no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, or --pty")
-    if args.factor is not None and args.clock != "real":
-        error("--factor needs --clock real")
-    if args.step is not None and args.clock != "lockstep":
-        error("--step needs --clock lockstep")
+    check_time(args)
     if args.unit is not None and args.modbus is None:
         error("--unit needs --modbus HOST:PORT")
     if args.mcapi is not None and _speaks_mint(args):

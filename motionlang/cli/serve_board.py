@@ -39,19 +39,19 @@ def serve_board(
 
     `queues` are those of the output.
     """
-    server = server_of(args, source, settings, overrides)
-    if server is None:
+    made = server_of(args, source, settings, overrides)
+    if made is None:
         return 1
+    server, console = made
     with server:
-        assert isinstance(server.console, Console)
-        board = server.console.board
+        board = console.board
         greet(args, board.model.title, len(board.numbers))
         if not open_lines(server, args):
             return 1
-        if args.mcapi is not None and not listen(server, *args.mcapi, make=mcapi_hosts(server)):
+        if args.mcapi is not None and not listen(server, *args.mcapi, make=mcapi_hosts(server, console)):
             return 1
         until_signal(server)
-    say(f"served {server.served} hosts; machine time {server.console.now:.3f} s{dropped(queues)}\n")
+    say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
     return 0
 
 
@@ -60,8 +60,8 @@ def server_of(
     source: Source | None,
     settings: dict[str, object],
     overrides: dict[str, float | str],
-) -> Server | None:
-    """Return the server of a board to which the file has been sent.
+) -> tuple[Server, Console] | None:
+    """Return the server and the console of a board to which the file has been sent.
 
     None if the board cannot be made.
     """
@@ -78,7 +78,7 @@ def server_of(
         return None
     spy = Spy(remark) if args.log else None
     limits = Limits(hosts=args.max_hosts)
-    return Server(console, _pace(args, console), limits=limits, spy=spy, complain=warn)
+    return Server(console, _pace(args, console), limits=limits, spy=spy, complain=warn), console
 
 
 def _pace(args: argparse.Namespace, console: Console) -> Pace:
@@ -87,7 +87,7 @@ def _pace(args: argparse.Namespace, console: Console) -> Pace:
     return RealTime(console, args.factor or 1.0)
 
 
-def mcapi_hosts(server: Server, record: Callable[[Call], None] | None = None) -> MakeHost:
+def mcapi_hosts(server: Server, console: Console, record: Callable[[Call], None] | None = None) -> MakeHost:
     """Return what makes a host that speaks MCAPI of a connection.
 
     `record` is called with every call.
@@ -95,6 +95,5 @@ def mcapi_hosts(server: Server, record: Callable[[Call], None] | None = None) ->
     from motionlang.mcapi.host import McapiHost
     from motionlang.mcapi.session import McapiBoard
 
-    assert isinstance(server.console, Console)
-    board = McapiBoard(server.console, warn, record)
+    board = McapiBoard(console, warn, record)
     return lambda number, channel: McapiHost(number, channel, board, server.limits, server.spy)

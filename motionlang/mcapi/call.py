@@ -28,6 +28,7 @@ class Call:
         "finished",
         "function",
         "handle",
+        "host",
         "line",
         "number",
         "outputs",
@@ -39,6 +40,8 @@ class Call:
     ) -> None:
         self.function, self.number, self.arguments = function, number, arguments
         self.handle: Handle | None = None
+        # The number of the host process.
+        self.host = 0
         self.line: Line | None = None
         self.outputs: tuple[Value, ...] = ()
         self.value = self.code = 0

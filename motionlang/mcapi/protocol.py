@@ -16,7 +16,7 @@ import re
 from math import isfinite
 
 from motionlang.mcapi.session import BadCall
-from motionlang.mcapi.table import FUNCTIONS
+from motionlang.mcapi.table import FUNCTIONS, STRUCTURES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,7 +33,8 @@ NULL, ROOM = "-", "+"
 _TOKEN = re.compile(r'"((?:[^"\\]|\\.)*)"(?=\s|$)|(\S+)')
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|.)", re.DOTALL)
 _ESCAPES = {"n": "\n", "r": "\r", "t": "\t", '"': '"', "\\": "\\"}
-_NAMES = {"\n": "\\n", "\r": "\\r", "\t": "\\t", '"': '\\"', "\\": "\\\\"}
+# `=` is escaped, too, so that ` = ` separates a call from its answer in a log.
+_NAMES = {"=": "\\x3d", "\n": "\\n", "\r": "\\r", "\t": "\\t", '"': '\\"', "\\": "\\\\"}
 
 
 def encode(values: Iterable[Value | None]) -> str:
@@ -72,10 +73,19 @@ def parse(line: str) -> tuple[str, int, list[Value | None]]:
 def request(name: str, handle: int, arguments: Sequence[Value | None]) -> str:
     """Return the line of a call."""
     function = FUNCTIONS[name]
-    head = (name, str(handle)) if function.has_handle else (name,)
-    words = list(map(_word, arguments))
-    # Of results, `arguments` has 1 where there is room.
-    return " ".join((*head, *words))
+    words = [name, str(handle)] if function.has_handle else [name]
+    at = 0
+    for each in function.arguments:
+        value = arguments[at]
+        at += 1
+        if (each.out or each.kind == "memory") and value is not None:
+            words.append(ROOM)
+            continue
+        words.append(_word(value))
+        if (each.size or each.kind in STRUCTURES) and not each.out and isinstance(value, int):
+            words += map(_word, arguments[at : at + value])
+            at += value
+    return " ".join(words)
 
 
 def answer(call: Call) -> str:

@@ -34,6 +34,7 @@ from motionlang.mccl.codes import Fault
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from typing import Any
 
     from motionlang.mcapi.table import Argument, Function, Value
     from motionlang.mccl.hosts.console import Console
@@ -97,6 +98,7 @@ class McapiBoard:
         self._interfaces: dict[bool, Interface] = {}
         self._sessions: dict[str, Session] = {}
         self._complained: set[str] = set()
+        self._count = 0
 
     @property
     def now(self) -> float:
@@ -109,7 +111,8 @@ class McapiBoard:
         """
         found = self._sessions.get(token)
         if found is None:
-            found = Session(self, token)
+            self._count += 1
+            found = Session(self, token, self._count)
             if token:
                 self._sessions[token] = found
         found.connections += 1
@@ -142,8 +145,8 @@ class McapiBoard:
 class Session:
     """One host process: its handles, and its pending calls."""
 
-    def __init__(self, desk: McapiBoard, token: str) -> None:
-        self.desk, self.token = desk, token
+    def __init__(self, desk: McapiBoard, token: str, number: int) -> None:
+        self.desk, self.token, self.number = desk, token, number
         self.connections = 0
         self.handles: dict[int, Handle] = {}
         self._pending: dict[Call, Poll | None] = {}
@@ -157,6 +160,7 @@ class Session:
         if self.connections > 0:
             return
         for call, poll in list(self._pending.items()):
+            call.finished = None
             if poll is not None:
                 poll.done = True
             elif call.handle is not None:
@@ -234,6 +238,7 @@ class Session:
         if function is None:
             raise BadCall(f"there is no function {name}")
         call = Call(function, number, tuple(arguments), self.desk.now)
+        call.host = self.number
         self._pending[call] = None
 
         def done(ended: Call) -> None:
@@ -245,7 +250,7 @@ class Session:
 
         call.finished = done
         try:
-            self._begin(call, _Given(function, call.arguments))
+            self._begin(call, Given(function, call.arguments))
         except BadCall:
             self._pending.pop(call, None)
             raise
@@ -262,7 +267,7 @@ class Session:
             call.value = code
         call.finish(self.desk.now, code)
 
-    def _begin(self, call: Call, given: _Given) -> None:
+    def _begin(self, call: Call, given: Given) -> None:
         function = call.function
         name = function.name
         if function.has_handle:
@@ -284,9 +289,10 @@ class Session:
         elif name in READINGS:
             self._read(call, given)
         else:
-            self._command(call, self._commands(call, given))
+            assert call.handle is not None
+            self._command(call, commands_for(call.handle.interface, function, given.by_name))
 
-    def _check_axes(self, function: Function, given: _Given) -> None:
+    def _check_axes(self, function: Function, given: Given) -> None:
         for name in AXES:
             number = given.by_name.get(name)
             if number is None or (name == "caxis" and given.by_name["mode"] != mc.MC_MODE_CONTOUR):
@@ -297,14 +303,14 @@ class Session:
             elif number not in self.desk.board.axes:
                 raise Refused(mc.MCERR_AXIS_NUMBER)
 
-    def _at_once(self, call: Call, given: _Given) -> None:
+    def _at_once(self, call: Call, given: Given) -> None:
         found = AT_ONCE[call.function.name](self, call, **given.by_name)
         if found is None:
             call.finish(self.desk.now)
         elif found:
             self._submit(call)
 
-    def _poll(self, call: Call, given: _Given) -> None:
+    def _poll(self, call: Call, given: Given) -> None:
         ready, due, seconds, finish = POLLS[call.function.name](self, call, **given.by_name)
         if ready() or seconds <= 0.0:
             finish(ready())
@@ -319,7 +325,7 @@ class Session:
         self._pending[call] = poll
         self.desk.console.start(poll)
 
-    def _read(self, call: Call, given: _Given) -> None:
+    def _read(self, call: Call, given: Given) -> None:
         reading = READINGS[call.function.name]
         assert call.handle is not None
         by_name = given.by_name
@@ -337,13 +343,6 @@ class Session:
 
         call.line = line([own(call.function.name, read)])
         self._submit(call)
-
-    def _commands(self, call: Call, given: _Given) -> list[Command]:
-        assert call.handle is not None
-        made = COMMANDS.get(call.function.name)
-        if made is not None:
-            return made(call.handle.interface, **given.by_name)
-        return [_by_column(call.function.mccl, given.by_name)]
 
     def _command(self, call: Call, commands: list[Command]) -> None:
         """Carry out commands, or add them to the open block."""
@@ -375,7 +374,7 @@ class Session:
             self.desk.console.start(Poll(self.desk.board, lambda: call.done, lambda: INFINITY, end, give_up))
 
 
-class _Given:
+class Given:
     """The inputs of a call: flat, and by the name of the argument.
 
     `null` is true if one is a NULL pointer.
@@ -386,7 +385,7 @@ class _Given:
     def __init__(self, function: Function, flat: tuple[Value | None, ...]) -> None:
         self.flat = flat
         self.null = False
-        self.by_name: dict[str, object] = {}
+        self.by_name: dict[str, Any] = {}
         at = 0
         for each in function.arguments:
             if each.out:
@@ -473,11 +472,19 @@ def _takes_all_axes(function: Function) -> bool:
     return takes_all_axes(first[1:3])
 
 
-def _by_column(mccl: str, given: dict[str, object]) -> Command:
+def commands_for(interface: Interface, function: Function, given: dict[str, Any]) -> list[Command]:
+    """Return the commands of a function; `given` has its arguments by name."""
+    made = COMMANDS.get(function.name)
+    if made is not None:
+        return made(interface, **given)
+    return [_by_column(function.mccl, given)]
+
+
+def _by_column(mccl: str, given: dict[str, Any]) -> Command:
     """Return the one command of a function, by its column in the table."""
     head, _, parameter = mccl.rstrip("}").partition("{")
-    axis: int = given["axis"] if head[0] == "a" else 0  # type: ignore[assignment]
-    value: float | None = given[parameter] if parameter else None  # type: ignore[assignment]
+    axis: int = given["axis"] if head[0] == "a" else 0
+    value: float | None = given[parameter] if parameter else None
     return command(head[-2:], axis, value)
 
 

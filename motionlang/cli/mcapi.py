@@ -1,0 +1,226 @@
+"""`motionlang mcapi`: PMC's library for hosts, built, run, logged and replayed."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain
+from motionlang.cli.machine_options import add_machine
+from motionlang.cli.options import Options
+from motionlang.cli.parser import add_command, arrange, sentence
+from motionlang.cli.serve import GROUPS, add_addresses, add_board, read_board
+from motionlang.errors import Diagnostic
+
+if TYPE_CHECKING:
+    from motionlang.cli.parser import Commands
+
+OK, WRONG = 0, 1
+TARGETS = ("linux", "win64", "win32")
+RUN_EPILOG = """\
+PROGRAM runs with MCAPI_HOST, LD_PRELOAD and LD_LIBRARY_PATH set, so that it finds the library as it is. The
+exit status is that of PROGRAM.
+
+examples:
+  motionlang mcapi build
+  motionlang mcapi run -- ./host
+  motionlang mcapi run --set controller.model=dcx-pci100 --record a.log -- yaqd-pmc --config stages.toml
+"""
+
+
+def add_parser(family: Commands, summary: str) -> None:
+    """Add `motionlang mcapi` and its commands."""
+    mcapi = family.add_parser("mcapi", help=summary, description=sentence(summary))
+    commands = mcapi.add_subparsers(
+        dest="mcapi_command", required=True, metavar="build | path | run | log | replay"
+    )
+    parser = add_command(commands, "build", "compile the C library into the user's cache", build_command)
+    _add_target(parser)
+    parser.add_argument("--out", metavar="DIR", help="put the library into this folder instead")
+    parser = add_command(commands, "path", "print where the compiled C library is", path_command)
+    _add_target(parser)
+    _add_run(commands)
+    parser = add_command(commands, "log", "print a log of calls as MCCL with times", log_command)
+    parser.add_argument("file", metavar="FILE", help="the log")
+    _add_replay(commands)
+
+
+def _add_target(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--target", choices=TARGETS, default="linux", help="the system that the library is for (linux)"
+    )
+
+
+def _add_run(commands: Commands) -> None:
+    summary = "run a host program as it is on a virtual board"
+    parser = add_command(commands, "run", summary, run_command, RUN_EPILOG)
+    parser.add_argument(
+        "program", metavar="PROGRAM", nargs="+", help="the host program and its arguments, after --"
+    )
+    parser.add_argument("--record", metavar="FILE", help="write every call with its answer into FILE")
+    add_addresses(parser)
+    add_board(parser)
+    arrange(parser, GROUPS)
+
+
+def _add_replay(commands: Commands) -> None:
+    summary = "carry out a log of calls in virtual time and compare the answers"
+    parser = add_command(commands, "replay", summary, replay_command)
+    parser.add_argument("file", metavar="FILE", help="the log")
+    parser.add_argument(
+        "--skew",
+        type=_not_negative,
+        default=0.01,
+        metavar="S",
+        help="how far the times of the log may be from those here, in seconds (0.01)",
+    )
+    parser.add_argument(
+        "--tolerance",
+        type=_not_negative,
+        default=0.0,
+        metavar="COUNTS",
+        help="how far a position may be from the one here, in counts (0)",
+    )
+    add_machine(parser)
+
+
+def build_command(args: argparse.Namespace) -> int:
+    """Compile the library and print where it is; 1 if that fails."""
+    from motionlang.mcapi.build import TARGETS as BUILT
+    from motionlang.mcapi.build import CannotBuild, build
+
+    try:
+        path = build(BUILT[args.target], Path(args.out) if args.out is not None else None)
+    except CannotBuild as problem:
+        return _refuse(str(problem), problem.hint)
+    print(path)
+    return OK
+
+
+def path_command(args: argparse.Namespace) -> int:
+    """Print where the library is; 1 if it has not been built."""
+    path = library(args.target)
+    if path is None:
+        return WRONG
+    print(path)
+    return OK
+
+
+def library(target: str = "linux") -> Path | None:
+    """Return where the library is; None, with a message, if it has not been built."""
+    from motionlang.mcapi.build import TARGETS as BUILT
+    from motionlang.mcapi.build import place
+
+    found = place(BUILT[target])
+    if found is not None and found.exists():
+        return found
+    option = "" if target == "linux" else f" --target {target}"
+    _refuse("the library of this version has not been built", f"motionlang mcapi build{option} compiles it")
+    return None
+
+
+def run_command(args: argparse.Namespace) -> int:
+    """Serve a board to a program until the program ends; its exit status."""
+    from motionlang.cli.mcapi_run import run_host
+
+    options = Options("")
+    status = read_board(args, options)
+    if status:
+        return status
+    path = library()
+    return WRONG if path is None else run_host(args, options, path)
+
+
+def log_command(args: argparse.Namespace) -> int:
+    """Print a log as MCCL; 1 if it cannot be read."""
+    from motionlang.mcapi.listing import Listing
+    from motionlang.mcapi.log import BadLog, model_of, read
+
+    try:
+        with open(args.file, "rb") as file:
+            listing = Listing(model_of(file))
+            file.seek(0)
+            for entry in read(file):
+                sys.stdout.write(listing.line(entry) + "\n")
+    except BadLog as problem:
+        return _bad_log(args.file, problem)
+    except OSError as error:
+        return _refuse(f"{args.file}: {error.strerror or error}", "name a log that --record has written")
+    return OK
+
+
+def replay_command(args: argparse.Namespace) -> int:
+    """Replay a log; 1 if it differs or cannot be read."""
+    from motionlang.controller.faults import Rejected
+    from motionlang.mcapi.client import VirtualBoard
+    from motionlang.mcapi.log import BadLog, model_of, read
+    from motionlang.mcapi.replay import Replay
+
+    options = Options("")
+    status = read_board(args, options)
+    if status:
+        return status
+    try:
+        with open(args.file, "rb") as file:
+            model = model_of(file)
+            file.seek(0)
+            own = str(options.settings.setdefault("controller.model", model))
+            if model and own != model:
+                _note(f"the log is of a {model}, this board is a {own}")
+            board = VirtualBoard(options.settings, complain=lambda text: None)
+            replay = Replay(board, args.skew, args.tolerance)
+            replay.run(read(file))
+    except BadLog as problem:
+        return _bad_log(args.file, problem)
+    except Rejected as rejected:
+        return _refuse(rejected.message, rejected.hint)
+    except OSError as error:
+        return _refuse(f"{args.file}: {error.strerror or error}", "name a log that --record has written")
+    _report(args.file, replay)
+    return WRONG if replay.first is not None else OK
+
+
+def _report(name: str, replay: object) -> None:
+    from motionlang.mcapi.replay import Replay, call_of
+
+    assert isinstance(replay, Replay)
+    first = replay.first
+    if first is not None:
+        print(f"{os.path.basename(name)}:{first.entry.line}: at {first.entry.begin:.6f} s: {first.text}")
+        print(f"  {call_of(first.entry)}")
+    count = 0
+    for number in replay.counts.values():
+        count += number
+    kinds = ", ".join(f"{number} of {kind}" for kind, number in sorted(replay.counts.items()))
+    calls = f"{replay.calls} call{'' if replay.calls == 1 else 's'}"
+    differences = f"{count} difference{'' if count == 1 else 's'}"
+    print(f"{calls}, {differences}{f': {kinds}' if kinds else ''}")
+
+
+def _bad_log(name: str, problem: object) -> int:
+    from motionlang.mcapi.log import BadLog
+
+    assert isinstance(problem, BadLog)
+    return _refuse(f"{name}:{problem.line}: {problem}", "record it again")
+
+
+def _refuse(message: str, hint: str = "") -> int:
+    complain([Diagnostic("mcapi", message, hint=hint)], None, "")
+    return WRONG
+
+
+def _note(message: str) -> None:
+    print(f"note: {message}", file=sys.stderr)
+
+
+def _not_negative(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0.0 <= value < 1e6:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number, 0 or more")
+    return value

@@ -1,0 +1,79 @@
+"""A log of calls as MCCL, for people.
+
+Each line is the commands of a call, with its time behind `;`.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.controller.faults import Rejected
+from motionlang.lang.machine.keys import MAX_AXES
+from motionlang.mcapi import constants as mc
+from motionlang.mcapi.block import Block
+from motionlang.mcapi.client import VirtualBoard
+from motionlang.mcapi.errors import Refused
+from motionlang.mcapi.protocol import encode, request
+from motionlang.mcapi.registry import AT_ONCE, POLLS, READINGS
+from motionlang.mcapi.session import BadCall, Given, commands_for
+from motionlang.mcapi.table import FUNCTIONS
+from motionlang.mccl.codes import Fault
+
+if TYPE_CHECKING:
+    from motionlang.mcapi.log import Entry
+
+# The column at which the remark begins.
+COLUMN = 32
+
+
+class Listing:
+    """Lists calls.
+
+    The board is of the model of the log, because its commands may depend on it.
+    """
+
+    def __init__(self, model: str) -> None:
+        board = VirtualBoard(
+            {"controller.model": model, "controller.axes": MAX_AXES}, complain=lambda text: None
+        )
+        handle = board.desk.session().open(mc.MC_OPEN_BINARY)
+        self._interface = handle.interface
+        # A repeat is a command only in a block.
+        self._interface.block = Block(handle, mc.MC_BLOCK_COMPOUND, (), [])
+
+    def line(self, entry: Entry) -> str:
+        """Return the line of a call: commands, its begin, and its answer.
+
+        Or all of it as a remark.
+        """
+        said = encode((entry.result, *entry.outputs))
+        remark = f"; {entry.begin:.6f} s"
+        commands = self._commands(entry)
+        if not commands:
+            return f"{remark} {request(entry.name, entry.handle, entry.arguments)} = {said}"
+        answer = "" if said in ("0", "-") else f" = {said}"
+        return f"{commands:<{COLUMN - 1}} {remark} {entry.name}{answer}"
+
+    def _commands(self, entry: Entry) -> str:
+        """Return the commands of a call, "" if it has none."""
+        function = FUNCTIONS[entry.name]
+        try:
+            given = Given(function, entry.arguments)
+            if function.unsupported or function.name in AT_ONCE:
+                return ""
+            if function.name in READINGS or function.name in POLLS:
+                return _read(function.mccl, given.by_name)
+            return ",".join(each.text for each in commands_for(self._interface, function, given.by_name))
+        except (BadCall, Refused, Fault, Rejected):
+            return ""
+
+
+def _read(mccl: str, given: dict[str, object]) -> str:
+    """Return the commands of the table with axis, channel or register filled in."""
+    number = given.get("channel", given.get("reg", ""))
+    axis = given.get("axis") or ""
+    plain = re.sub(r"\{\w+\}", "", mccl)
+    return ",".join(
+        f"{axis}{each[1:]}" if each[0] == "a" else f"{each}{number}" for each in plain.split(", ") if each
+    )

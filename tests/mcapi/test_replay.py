@@ -1,0 +1,234 @@
+"""Logs: recorded, printed, replayed, and what is reported of a log that differs."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from motionlang import mcapi as mc
+from motionlang.cli import main
+from motionlang.mcapi import Mcapi
+from motionlang.mcapi.client import VirtualBoard
+from motionlang.mcapi.log import BadLog, Recorder, read
+from motionlang.mcapi.replay import Replay
+
+# The move of 5000 counts at 100 000 counts/s² takes twice the root of s/a.
+SHORT, SHORT_TIME = 5000.0, 2.0 * math.sqrt(5000.0 / 100_000.0)
+
+
+def recorded(model: str = "multiflex") -> str:
+    """Return the log of a host that moves an axis and reads it while it moves."""
+    lines: list[str] = []
+    board = VirtualBoard({"controller.model": model}, complain=lambda text: None)
+    board.desk.record = Recorder(lines.append, model)
+    host = Mcapi(board)
+    host.Open(0, mc.MC_OPEN_BINARY)
+    host.GetConfigurationEx(mc.MCPARAMEX())
+    host.EnableAxis(1, True)
+    host.SetVelocity(1, 40_000.0)
+    host.MoveAbsolute(1, SHORT)
+    for _ in range(20):
+        host.advance(0.01)
+        host.GetPositionEx(1)
+        host.GetStatus(1)
+    host.IsStopped(1, 10.0)
+    host.advance(0.05)
+    host.GetPositionEx(1)
+    host.Wait(0.25)
+    host.Close()
+    return "".join(lines)
+
+
+def replayed(text: str, skew: float = 0.01, tolerance: float = 0.0, **machine: object) -> Replay:
+    replay = Replay(VirtualBoard(machine or None, complain=lambda text: None), skew, tolerance)
+    replay.run(read(io.BytesIO(text.encode("latin-1"))))
+    return replay
+
+
+def altered(text: str, what: str, change: Callable[[str], str], which: int = 0) -> tuple[str, int]:
+    """Change the answer of the call that has `what`.
+
+    Return the log and the number of its line.
+    """
+    lines = text.split("\n")
+    number = [k for k, line in enumerate(lines) if what in line][which]
+    head, answer = lines[number].split(" = ")
+    lines[number] = f"{head} = {change(answer)}"
+    return "\n".join(lines), number + 1
+
+
+def test_a_log_replays_without_a_difference() -> None:
+    replay = replayed(recorded())
+    assert (replay.first, replay.counts) == (None, {})
+    assert replay.calls == 5 + 40 + 4
+
+
+def test_the_same_host_writes_the_same_log() -> None:
+    assert recorded() == recorded()
+
+
+@pytest.mark.parametrize(
+    ("what", "which", "change", "kind"),
+    [
+        ("MCEnableAxis", 0, lambda answer: "15", "code"),
+        ("MCGetConfigurationEx", 0, lambda answer: answer.replace(" 8 8 ", " 8 7 "), "setting"),
+        ("MCGetPositionEx", 20, lambda answer: "0 4999.0", "position"),
+        ("MCGetStatus", 5, lambda answer: str(int(answer) ^ 1 << mc.MC_STAT_MTR_ENABLE), "state"),
+        ("MCGetPositionEx", 5, lambda answer: "0 1.0", "position"),
+    ],
+)
+def test_an_altered_answer_is_found_at_its_call(
+    what: str, which: int, change: Callable[[str], str], kind: str
+) -> None:
+    text, number = altered(recorded(), what, change, which)
+    replay = replayed(text)
+    assert replay.counts == {kind: 1}
+    assert replay.first is not None
+    assert replay.first.entry.line == number
+
+
+def test_a_position_read_in_motion_may_be_off_by_the_skew() -> None:
+    """Within 10 ms at some 10 000 counts/s the axis goes 100 counts.
+
+    5 ms later is within, 50 counts far.
+    """
+    text = recorded()
+    at = 6 + 2 * 10
+    line = text.split("\n")[at]
+    assert "MCGetPositionEx" in line
+    begin, position = float(line.split()[0]), float(line.split()[-1])
+    velocity = 100_000.0 * (begin - float(text.split("\n")[5].split()[0]))
+    near, far = position + 0.005 * velocity, position + 0.02 * velocity
+    for value, wanted in ((near, {}), (far, {"position": 1})):
+        changed, _ = altered(text, "MCGetPositionEx", lambda answer, value=value: f"0 {value:.1f}", 10)  # type: ignore[misc]
+        assert replayed(changed).counts == wanted
+
+
+def test_a_position_at_rest_has_a_tolerance_in_counts() -> None:
+    text, _ = altered(recorded(), "MCGetPositionEx", lambda answer: "0 4997.0", 20)
+    assert replayed(text, tolerance=3.0).counts == {}
+    assert replayed(text, tolerance=2.0).counts == {"position": 1}
+
+
+def test_a_blocking_call_may_differ_by_the_skew() -> None:
+    """MCWait of 0.25 s that took 0.255 s, and 0.3 s."""
+    lines = recorded().split("\n")
+    number = next(k for k, line in enumerate(lines) if "MCWait" in line)
+    begin, _, rest = lines[number].split(" ", 2)
+    for took, wanted in ((0.255, {}), (0.3, {"time": 1})):
+        changed = list(lines)
+        changed[number] = f"{begin} {float(begin) + took:.9f} {rest}"
+        changed[number + 1 :] = []
+        assert replayed("\n".join(changed) + "\n").counts == wanted
+
+
+def test_a_replay_on_another_model_says_which(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = tmp_path / "a.log"
+    log.write_text(recorded("dcx-pci100"), encoding="latin-1")
+    assert main(["mcapi", "replay", str(log)]) == 0
+    assert capsys.readouterr().out == "49 calls, 0 differences\n"
+    assert main(["mcapi", "replay", str(log), "--set", "controller.model=multiflex"]) == 1
+    found = capsys.readouterr()
+    assert found.err == "note: the log is of a dcx-pci100, this board is a multiflex\n"
+    assert "a.log:3: at " in found.out
+    assert "the log is of a dcx-pci100, this board is a multiflex\n  MCGetConfigurationEx 1 +\n" in found.out
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "message"),
+    [
+        ("", 1, "this is no log of MCAPI: the first line is not 'mcapi-log 1'"),
+        ("hello\n", 1, "this is no log of MCAPI: the first line is not 'mcapi-log 1'"),
+        ("mcapi-log 2\n", 1, "this is version 2 of a log, not 1"),
+        (
+            "mcapi-log 1\n0.0 0.1 1 MCOpen 0 2 - = 1\n0.2 0.3 1 MCGetPos",
+            3,
+            "the log is cut in the middle of this line",
+        ),
+        ("mcapi-log 1\nhello\n", 2, "this is no call: begin, end, host, call = answer"),
+        ("mcapi-log 1\n0.0 0.1 1 MCNothing 1 = 0\n", 2, "this is no call: there is no function 'MCNothing'"),
+        ("mcapi-log 1\n0.5 0.1 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
+        ("mcapi-log 1\nnan 0.1 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
+        ("mcapi-log 1\n0.0 inf 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
+    ],
+)
+def test_a_log_that_cannot_be_read(text: str, line: int, message: str) -> None:
+    """The line is reported."""
+    with pytest.raises(BadLog) as caught:
+        list(read(io.BytesIO(text.encode())))
+    assert (caught.value.line, str(caught.value)) == (line, message)
+
+
+def test_a_call_that_does_not_fit_its_function() -> None:
+    """A line with too few arguments is no call of this table."""
+    assert replayed("mcapi-log 1\n0.0 0.1 1 MCOpen 0 2 - = 1\n0.2 0.2 1 MCStop 1 = 0\n").counts == {
+        "code": 1,
+        "time": 1,
+    }
+
+
+def test_calls_are_replayed_in_the_order_of_their_begins() -> None:
+    """A wait that began first is the last line, as it ended last.
+
+    The calls of another host came in between.
+    """
+    text = (
+        "mcapi-log 1\n"
+        "0.0 0.0 1 MCOpen 0 2 - = 1\n"
+        "0.1 0.1 2 MCOpen 0 2 - = 1\n"
+        "0.3 0.3 2 MCGetStatus 1 1 = 12\n"
+        "0.2 0.7 1 MCIsStopped 1 1 0.5 = 1\n"
+    )
+    entries = list(read(io.BytesIO(text.encode())))
+    assert [entry.begin for entry in entries] == [0.0, 0.1, 0.2, 0.3]
+    assert [entry.line for entry in entries] == [2, 3, 5, 4]
+
+
+def test_a_log_as_mccl(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each line is the command of a call, with its time as a remark.
+
+    A program that a board takes.
+    """
+    log = tmp_path / "a.log"
+    log.write_text(
+        "mcapi-log 1\n"
+        "0.0 0.0 1 MCOpen 0 2 - = 1\n"
+        "0.1 0.1 1 MCEnableAxis 1 1 1 = -\n"
+        "0.2 0.2 1 MCMoveAbsolute 1 1 5000.5 = -\n"
+        "0.3 0.3 1 MCGetPositionEx 1 1 + = 0 17.0\n"
+        "0.4 0.4 1 MCSetLimits 1 1 9 0 -5.0 5.0 = 0\n"
+        "0.5 0.5 1 MCSetProfile 1 1 77 = -\n",
+        encoding="latin-1",
+    )
+    assert main(["mcapi", "log", str(log)]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "; 0.000000 s MCOpen 0 2 - = 1",
+        "1MN                             ; 0.100000 s MCEnableAxis",
+        "1MA5000.5                       ; 0.200000 s MCMoveAbsolute",
+        "1TP                             ; 0.300000 s MCGetPositionEx = 0 17.0",
+        "1LL-5,1HL5,1LM2,1LF14,1LN1      ; 0.400000 s MCSetLimits",
+        "; 0.500000 s MCSetProfile 1 1 77 = -",
+    ]
+
+
+def test_reports_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = tmp_path / "a.log"
+    text, number = altered(recorded(), "MCEnableAxis", lambda answer: "15")
+    text, _ = altered(text, "MCGetPositionEx", lambda answer: "0 4999.0", 20)
+    log.write_text(text, encoding="latin-1")
+    assert main(["mcapi", "replay", str(log)]) == 1
+    begin = float(text.split("\n")[number - 1].split()[0])
+    assert capsys.readouterr().out == (
+        f"a.log:{number}: at {begin:.6f} s: the result is 15, here 0\n"
+        "  MCEnableAxis 1 1 1\n"
+        "49 calls, 2 differences: 1 of code, 1 of position\n"
+    )
+    log.write_text("mcapi-log 9\n", encoding="latin-1")
+    assert main(["mcapi", "replay", str(log)]) == 1
+    assert f"{log}:1: this is version 9 of a log, not 1" in capsys.readouterr().err
+    assert main(["mcapi", "log", str(tmp_path / "none.log")]) == 1
+    assert "none.log: " in capsys.readouterr().err

@@ -1,0 +1,150 @@
+"""`motionlang mcapi` as a user runs it.
+
+Build, path, and a host program on a board.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from motionlang.mcapi.build import SOURCE
+from tests.mcapi.test_library import COMPILER, needs_compiler
+
+HERE = Path(__file__).parent
+# A host in Python that calls the C library as PMC's binding does.
+HOST = """
+import sys
+from ctypes import CDLL, byref, c_double
+library = CDLL(None)
+handle = library.MCOpen(0, 2, None)
+library.MCEnableAxis(handle, 1, 1)
+library.MCMoveAbsolute(handle, 1, c_double(2000.0))
+assert library.MCIsStopped(handle, 1, c_double(10.0)) == 1
+position = c_double(0.0)
+assert library.MCGetPositionEx(handle, 1, byref(position)) == 0
+print(position.value)
+sys.exit(7)
+"""
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A user's cache in which the library has been built."""
+    folder = tmp_path_factory.mktemp("cache")
+    done = motionlang(folder, "build")
+    assert (done.returncode, done.stderr) == (0, "")
+    return folder
+
+
+def motionlang(cache: Path, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "MOTIONLANG_CACHE": str(cache), **more}
+    command = [sys.executable, "-m", "motionlang", "mcapi", *words]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=100, check=False)
+
+
+@needs_compiler
+def test_the_path_is_that_of_the_build(cache: Path) -> None:
+    done = motionlang(cache, "path")
+    assert done.returncode == 0
+    assert Path(done.stdout.strip()).name == "libmcapi-4.4.1.so"
+    assert Path(done.stdout.strip()).is_relative_to(cache)
+
+
+def test_a_path_before_a_build(tmp_path: Path) -> None:
+    done = motionlang(tmp_path, "path", "--target", "win64")
+    assert done.returncode == 1
+    assert "the library of this version has not been built" in done.stderr
+    assert "motionlang mcapi build --target win64 compiles it" in done.stderr
+    assert motionlang(tmp_path, "run", "--", "true").returncode == 1
+
+
+@needs_compiler
+def test_a_host_runs_and_its_record_replays(cache: Path, tmp_path: Path) -> None:
+    """The exit status is that of the host.
+
+    Its log replays without a difference, and gives the same bytes.
+    """
+    log = tmp_path / "a.log"
+    done = motionlang(cache, "run", "--record", str(log), "--", sys.executable, "-c", HOST)
+    assert (done.returncode, done.stdout, done.stderr) == (7, "2000.0\n", "")
+    first = motionlang(cache, "replay", str(log))
+    assert (first.returncode, first.stdout) == (0, "5 calls, 0 differences\n")
+    assert motionlang(cache, "replay", str(log)).stdout == first.stdout
+
+
+@needs_compiler
+@pytest.mark.parametrize(
+    ("program", "status", "message"),
+    [
+        (["no-such-program"], 127, "there is no program no-such-program"),
+        ([str(HERE / "host.c")], 126, "is not a program that can be run"),
+        ([sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"], 137, ""),
+        (["true"], 0, ""),
+    ],
+)
+def test_the_exit_status_is_that_of_the_program(
+    cache: Path, program: list[str], status: int, message: str
+) -> None:
+    done = motionlang(cache, "run", "--", *program)
+    assert done.returncode == status
+    assert message in done.stderr
+
+
+@needs_compiler
+def test_the_board_is_that_of_the_options(cache: Path) -> None:
+    code = (
+        "from ctypes import *; l = CDLL(None); h = l.MCOpen(0, 2, None); m = (c_int * 4)();"
+        "l.MCGetInstalledModules(h, m, 4); print(list(m))"
+    )
+    options = ["--set", "controller.model=dcx-pci100", "--set", "controller.axes=2"]
+    done = motionlang(cache, "run", *options, "--", sys.executable, "-c", code)
+    assert done.stdout == "[4, 4, 15, 15]\n"
+    done = motionlang(cache, "run", "--set", "controller.model=none", "--", "true")
+    assert done.returncode == 2
+    assert "none" in done.stderr
+
+
+@needs_compiler
+@pytest.mark.skipif(
+    not any(Path("/usr/lib").glob("*/faketime/libfaketime.so.1")), reason="libfaketime is not installed"
+)
+def test_the_clock_of_the_host_runs_as_fast_as_the_board(cache: Path) -> None:
+    """At 20 times real time.
+
+    A host that sleeps for 10 of its seconds sees 10 s of the board pass in half a second.
+    """
+    code = (
+        "import time; from ctypes import *; l = CDLL(None); h = l.MCOpen(0, 2, None); p = c_double();"
+        "l.MCEnableAxis(h, 1, 1); l.MCSetOperatingMode(h, 1, 0, 4); l.MCSetVelocity(h, 1, c_double(1000.0));"
+        "l.MCGoEx(h, 1, c_double(0)); time.sleep(10.0); l.MCGetPositionEx(h, 1, byref(p));"
+        "print(9000.0 < p.value)"
+    )
+    done = motionlang(cache, "run", "--factor", "20", "--", sys.executable, "-c", code)
+    assert done.stdout == "True\n"
+
+
+@needs_compiler
+def test_a_program_linked_with_the_library(cache: Path, tmp_path: Path) -> None:
+    """It asks for libmcapi-4.4.1.so, which LD_LIBRARY_PATH has."""
+    library = Path(motionlang(cache, "path").stdout.strip())
+    program = tmp_path / "chost"
+    command = [str(COMPILER), "-o", str(program), str(HERE / "host.c"), f"-I{SOURCE}", f"-L{library.parent}"]
+    subprocess.run([*command, "-lmcapi", "-lpthread"], check=True)
+    log = tmp_path / "c.log"
+    done = motionlang(cache, "run", "--record", str(log), "--", str(program))
+    assert (done.returncode, done.stdout, done.stderr.splitlines()[-1:]) == (
+        0,
+        "5001\n",
+        ["motionlang serve: MCConfigureCompare is not supported: position compare has no documented command and no "
+         "documented output"],
+    )  # fmt: skip
+    done = motionlang(cache, "replay", str(log))
+    assert done.returncode == 0, done.stdout
+    assert done.stdout.endswith(" calls, 0 differences\n")
+    assert shutil.which("cc") is None or done.stderr == ""
