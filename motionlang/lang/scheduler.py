@@ -284,6 +284,10 @@ class Scheduler:
         """Until when the running task may run alone without an action; 0 if not alone."""
         return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
 
+    def is_watched(self) -> bool:
+        """True if a task may wait for a variable, or for memory, that the running one writes."""
+        return any(task.wait is not None and not task.wait.ignores_data for task in self.tasks)
+
     def next_change(self) -> float:
         """Return the next event, or end of a wait, if the running tasks do nothing."""
         first = self.clock.next_time()

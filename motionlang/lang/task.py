@@ -55,6 +55,8 @@ class Wait:
     __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
 
     place: tuple[int, tuple[int, ...]] | None = None
+    # True if no variable or memory of the program can end it.
+    ignores_data = False
 
     def __init__(
         self,
@@ -82,6 +84,7 @@ class Delay(Wait):
     cause = "time"
     what = ()
     ends: float
+    ignores_data = True
 
     def __init__(
         self, clock: Clock, since: float, time: float, place: tuple[int, tuple[int, ...]] | None = None

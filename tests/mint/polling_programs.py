@@ -42,10 +42,12 @@ _CONDITIONS = (
     "VEL(0) > 30", "VEL(0) = 0", "VELDEMAND(0) < 49.5", "ABS(FOLERROR(0)) > 5", "AUXENCODER(0) > 20",
     "TIME - 40 > h", "500 < TIME + 20 - h", "ABS(POS(0) - POSTARGET(0)) < 3", "POSTARGET(0) - POS(0) > 2",
     "2 - (h - POS(0)) > 5", "ABS(3 - POS(0)) > 4", "ABS(h - (9 - POS(0)) + 2) > 4", "POSTARGETLAST(0) = POS(0)",
+    "COMMS(2) > 9", "COMMS(3) > q",
 )  # fmt: skip
 _ACTS = (
     'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",
-    "PAUSE IDLE(0)", "PAUSE INX(1) Or TIME > 300", "EVENTDISABLE = 0xFFFF", "EVENTDISABLE = 0", "TIMEREVENT = 45",
+    "PAUSE IDLE(0)", "PAUSE INX(1) Or TIME > 300",
+    "EVENTDISABLE = 0xFFFF", "EVENTDISABLE = 0", "TIMEREVENT = 45",
     "FEEDRATEOVERRIDE(0) = 50", "STOP(0)", "MOVER(0) = 5 : GO(0)", "COMMS(1) = h",
     "Act(3)", "clock = 0", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
 )  # fmt: skip
@@ -78,7 +80,9 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
     ]
     acts = _ACTS if tasks == 1 else _ACTS + _TASK_ACTS
     lines += _loop(random, 0, acts)
-    lines += ['PRINT "end ", TIME, g, h, a(1), a(2), a(3), " ", n0, " ", p0, " ", v0']
+    lines += [
+        'PRINT "end ", TIME, g, h, a(1), a(2), a(3), " ", n0, " ", p0, " ", v0, " ", COMMS(2), COMMS(3)'
+    ]
     for k in range(1, tasks):
         lines += [f"Task T{k}", *_loop(random, k, acts), "End Task"]
     machine: dict[str, object] = {
@@ -106,7 +110,7 @@ def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
     """Return statements that mostly read or repeat; actions happen a few times only."""
     out: list[str] = []
     for _ in range(random.randint(1, 4)):
-        kind, condition = random.randrange(17), random.choice(_CONDITIONS)
+        kind, condition = random.randrange(18), random.choice(_CONDITIONS)
         if kind < 5:
             act = random.choice(acts)
             out += [
@@ -123,7 +127,7 @@ def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
                 (f"x{k} = INX({channel})", "Look()", f"OUTX(4) = INX({channel})", "q = POS(0)",
                  f"WAIT = {random.randint(1, 30)}", f"If {condition} Then x{k} = 3", f"x{k} = {channel}",
                  f"If {condition} Then n{k} = n{k} + 2", f"If POS(0) > p{k} Then p{k} = POS(0)",
-                 f"If v{k} <= VEL(0) Then v{k} = VEL(0)", "STOP(0)")[kind - 6]
+                 f"If v{k} <= VEL(0) Then v{k} = VEL(0)", "STOP(0)", f"COMMS({k + 2}) = POS(0) - {k}")[kind - 6]
             ]  # fmt: skip
     return out
 

@@ -275,6 +275,7 @@ class Body:
         "at",
         "callee",
         "calls",
+        "copies",
         "deepest",
         "facts",
         "function",
@@ -327,6 +328,8 @@ class Body:
         # only stores.
         self.watching = 0
         self.levels: dict[int, str] = {}
+        # Writes to host memory that decide nothing in their polling loop, by the identity of their nodes.
+        self.copies: set[int] = set()
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
         # The source offsets of the loops around the statement, and the loops made of Gotos.

@@ -303,7 +303,8 @@ def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, las
         pairs = [([axis], text) for axis, text in zip(where, values, strict=True) if text != OMITTED]
     else:
         pairs = [(where, values[0])]
-    b.operate([_storing(b, row, axes, text, last) for axes, text in pairs])
+    copy = id(node) in b.copies
+    b.operate([_storing(b, row, axes, text, last, copy) for axes, text in pairs])
 
 
 def by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
@@ -390,9 +391,11 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
         b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
 
 
-def _storing(b: Body, row: Keyword, where: list[str], text: str, last: list[str]) -> tuple[str, list[str]]:
+def _storing(
+    b: Body, row: Keyword, where: list[str], text: str, last: list[str], copy: bool = False
+) -> tuple[str, list[str]]:
     """Return the operation that writes a value or loads a move, and its arguments."""
-    how = "load" if row.kind == "move" else "write" if "W" in row.access else "do"
+    how = "copy" if copy else "load" if row.kind == "move" else "write" if "W" in row.access else "do"
     operation, where = b.whole.called(how, row, where)
     return operation, [*where, text, *last]
 

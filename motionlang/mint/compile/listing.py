@@ -24,7 +24,7 @@ k0, k1 ...  operations, named beside the code; a write, load or do takes what
 E, P        the environment of the run; print"""
 # A string, in which nothing is searched, or the name of an operation.
 _OPERATION = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|\b(k\d+)\b""")
-_OF_KEYWORDS = frozenset(("read", "write", "load", "do", "rewrite", "redo"))
+_OF_KEYWORDS = frozenset(("read", "write", "load", "do", "rewrite", "redo", "copy"))
 # The other kinds of spec, with the prefix of their names. The first two are Python names of `mint/runtime`.
 _OTHERS = {"env": "Environment.", "fn": "functions.", "show": "text of ", "using": "USING of "}
 

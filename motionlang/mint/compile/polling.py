@@ -24,19 +24,18 @@ from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 from motionlang.mint.syntax.unparse import shown
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
 
-    # State: variables by the text of their values. Idle: counters with the constants that they are compared
-    # with, and all variables that decide nothing else, by their spelling.
+    # Variables by the text of their values.
     State = dict[str, Symbol]
-    Idle = tuple[dict[str, list[float]], set[str]]
 
 # A loop that names more variables is not checked.
 MAX_VARIABLES = 100
@@ -47,6 +46,24 @@ PLAIN = NUMERIC | {STRING}
 # Used in generated text in place of a level: until the reading reverses, and regardless of the reading.
 UNTIL_EXTREMUM, WHATEVER = "1e999", "-1e999"
 COUNTER = "counter"
+# The parts of the machine file that write to the memory that the controller shares with its host.
+HOST_MEMORY = frozenset(("comms", "netdata", "dpr"))
+
+
+@record
+class Idle:
+    """What changes in an iteration of a loop and decides nothing.
+
+    `counters` are variables with the constants that they are compared with, `mere` all such variables, both
+    by their spelling. `copies` is true if the loop writes to host memory that it does not read.
+    """
+
+    counters: dict[str, list[float]]
+    mere: frozenset[str]
+    copies: bool
+
+
+NO_IDLE = Idle({}, frozenset(), False)
 
 
 class Poll:
@@ -55,11 +72,12 @@ class Poll:
     __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
     def __init__(
-        self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = ({}, set())
+        self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = NO_IDLE
     ) -> None:
-        counters, mere = idle
+        counters, mere = idle.counters, idle.mere
         levels = tuple(map(tuple, counters.values()))
-        self._site = b.whole.use("loop", asks, bool(mere), alters, looks_at, levels, len(b.whole.specs))
+        carries, alters = bool(mere) or idle.copies, alters or idle.copies
+        self._site = b.whole.use("loop", asks, carries, alters, looks_at, levels, len(b.whole.specs))
         self._look, self._next, self._named = b.temp(SCRATCH), b.temp(SCRATCH), state.values()
         self._counted = f"({', '.join(counters)},)" if counters else "()"
         self._compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
@@ -160,20 +178,19 @@ def _alters(b: Body, node: nodes.Node) -> bool:
     return symbol is not None and (symbol.shared or symbol.by_ref or b.whole.typed)
 
 
-def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
-    """Return the variables that change in each iteration and decide nothing.
+def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
+    """Return what changes in each iteration and decides nothing.
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
 
-    A counter may be compared with constants, as in `If n > 1000 Then STOP(0)`. The result has the counters, and
-    all such variables, by their spelling. The readings assigned to them are
+    A counter may be compared with constants, as in `If n > 1000 Then STOP(0)`. The readings assigned are
     called with a level. Iterations that differ only in these variables can be skipped, except for the last
     one: it assigns the values to the copy and the extremum, and a counter is advanced by the number of
     iterations. The condition of an extremum does not change until the reading reverses, so its assignment is
     called with that in place of a level. A mere copy depends on nothing.
     """
     if b.function.kind == "sub" or b.function.jumps or b.watching:
-        return {}, set()
+        return NO_IDLE
     uses: dict[Symbol | None, int] = {}
     # How each variable is assigned. One that is assigned in several ways does decide something.
     ways: dict[Symbol, set[object]] = {}
@@ -216,7 +233,30 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
     mere = {own for own, found in ways.items() if uses[own] == compared.get(own, 0) and len(found) == 1}
     b.levels.update({number: text for number, (own, text) in levels.items() if own in mere})
     counters = sorted((own.python, constants.get(own, [])) for own in mere if COUNTER in ways[own])
-    return dict(counters), {own.python for own in mere}
+    return Idle(dict(counters), frozenset(own.python for own in mere), _copies(b, turn))
+
+
+def _copies(b: Body, turn: Sequence[nodes.Node]) -> bool:
+    """Find the writes to host memory of a loop that reads no memory of a bus; True if there are any.
+
+    The readings that they write are called regardless of the level.
+    """
+    writes = [node for node in turn if isinstance(node, nodes.Assign) and _is_host_memory(node.target)]
+    targets = {id(node.target) for node in writes}
+    names = [node for node in turn if isinstance(node, nodes.Name) and node.row is not None]
+    if not writes or any(name.row.group == "comms" for name in names if id(name) not in targets):  # type: ignore[union-attr]
+        return False
+    b.copies.update(map(id, writes))
+    for name in walk([value for node in writes for value in node.values]):
+        if isinstance(name, nodes.Name) and name.row is not None and name.row.solved:
+            b.levels.setdefault(id(name), WHATEVER)
+    return True
+
+
+def _is_host_memory(node: object) -> bool:
+    """True for a name of the memory that the controller shares with its host."""
+    row = node.row if isinstance(node, nodes.Name) else None
+    return row is not None and row.simulated and row.driven in HOST_MEMORY
 
 
 def is_repeated(row: Keyword) -> bool:

@@ -92,6 +92,8 @@ class Environment(Waits):
         self.timer = [self.clock.now]
         # Counts the actions of the program. A polling loop performs none.
         self.acts = 0
+        # Counts writes to host memory that are no actions.
+        self.copies = 0
         # Counts calls of subs that may wait, made with part of an expression evaluated.
         self.midways = 0
         # The values of the variables that functions of the program share.
@@ -149,7 +151,7 @@ class Environment(Waits):
         """Return the shared state of all tasks: counters of actions, and shared variables."""
         from motionlang.mint.runtime.task_state import of_values
 
-        return self.acts, self.midways, of_values(self.variables(), alive)
+        return self.acts + self.copies, self.midways, of_values(self.variables(), alive)
 
     def forget_program(self) -> None:
         """Forget the tasks and handlers of a program that has ended; settings stay."""
@@ -219,6 +221,8 @@ class Environment(Waits):
         repeated = repeated and binding.is_repeatable(how, row)
         if len(details) > 1:
             return self._on_axes(how, row, details[1], repeated)
+        if how == "copy":
+            return self.operations.copied(binding.bind(self, "write", row))
         operation = binding.bind(self, how, row)
         if how == "load":
             return self.operations.loading(operation, getattr(operation, "plain", None))

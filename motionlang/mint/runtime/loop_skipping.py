@@ -43,10 +43,9 @@ class Site:
     """A loop of the text.
 
     `asks`: it reads something. `carries`: its last iteration must be executed. `alters`: an iteration may
-    change a variable that others wait for, and restore it. `looks_at` names what it reads. `levels` are the
-    constants with which each counter is compared. `left` is the
-    number of iterations that run unchecked, or `due` the statement up to which they do, in a loop that does
-    not count iterations.
+    change a variable that others wait for, and restore it, or host memory. `looks_at` names what it reads.
+    `levels` are the constants with which each counter is compared. `left` is the number of iterations that
+    run unchecked, or `due` the statement up to which they do, in a loop that does not count iterations.
     """
 
     __slots__ = (
@@ -136,7 +135,11 @@ class Site:
         if environment.resumed != others:
             return t, horizon, counters
         until = statements.until
-        if began <= scheduler.began and now < until and not (several and self.alters):
+        if (
+            began <= scheduler.began
+            and now < until
+            and not (several and self.alters and scheduler.is_watched())
+        ):
             # This task has done nothing since the others were last checked.
             environment.clock.now = now
             until = max(until, scheduler.reach())

@@ -29,7 +29,8 @@ class Operations:
     """Makes timed operations from the operations of keywords; all share one time.
 
     `timed` is for operations at a statement. `repeated` is for those that a polling loop may repeat; it gets
-    a function that reads the `held` value, and if that does not change, the operation was a no-op. `loading`
+    a function that reads the `held` value, and if that does not change, the operation was a no-op. `copied` is
+    for those that do not prevent a loop from being skipped, except for its last iteration. `loading`
     is for moves, which are put off while there is no space for them; it gets the fast-path loaders by axis,
     if any, and the axis or axes, if these are known. `now` does nothing, at a statement that reads.
     """
@@ -101,6 +102,17 @@ class Operations:
             act(*arguments)
             if clock.made == made and held(*arguments) == before:
                 environment.acts = acts - 1
+
+        return self.timed(write)
+
+    def copied(self, act: Callable[..., object]) -> Operation:
+        """Return the operation of a write to host memory that its loop does not read."""
+        environment = self._environment
+
+        def write(*arguments: object) -> None:
+            act(*arguments)
+            environment.acts -= 1
+            environment.copies += 1
 
         return self.timed(write)
 

@@ -347,6 +347,7 @@ class Rest(Wait):
     cause = "condition"
     what = ()
     ends = None
+    ignores_data = True
 
     def __init__(
         self,

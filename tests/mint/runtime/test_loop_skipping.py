@@ -96,6 +96,15 @@ PROGRAMS |= {
     "Until INX(0)\nPRINT k, m, TIME",
     "a counter that a Define looks at": "Dim n As Integer\nDefine enough = n > 500\nMOVER = 30 : GO\nRepeat\n"
     "  n = n + 1\nUntil enough Or IDLE\nPRINT n, TIME",
+    "memory for a host": "Dim k As Integer\nMOVER = 30 : GO\nWhile Not IDLE\n"
+    "  COMMS(1) = POS : COMMS(2) = VEL * 2 + k\nEnd While\nPRINT COMMS(1), COMMS(2)\nMOVER = 30 : GO\n"
+    "Repeat\n  NETFLOAT(1) = POS\nUntil POS > 41 Or NETFLOAT(1) > 50\nPRINT NETFLOAT(1), TIME\n"
+    "Repeat\n  NETFLOAT(1) = POS\nUntil HOLDINGREGISTER(2) > 900\nPRINT NETFLOAT(1), TIME",
+    "memory that another task reads": "Run Show\nMOVER = 30 : GO\nPAUSE COMMS(1) > 9\nPRINT TIME\n"
+    "While COMMS(1) < 22\n  WAIT = 3\nEnd While\nPRINT COMMS(1), TIME\nPAUSE IDLE\nPRINT COMMS(1)\nEnd\n"
+    "Task Show\n  Loop\n    COMMS(1) = POS\n  End Loop\nEnd Task",
+    "memory that an event reads": "TIMEREVENT = 70\nMOVER = 30 : GO\nWhile Not IDLE\n  COMMS(1) = POS\n"
+    "End While\nEnd\nEvent TIMER\n  PRINT COMMS(1)\nEnd Event",
     "the distance from a target": "SPEED = 50 : MOVER = 5 : GO\nWhile ABS(POS - POSTARGET) > 1 : End While\n"
     "PRINT TIME, POS\nMOVER = 5 : GO\nRepeat : Until POSTARGETLAST - POS < 2\nPRINT TIME, POS\nt = TIME\n"
     "While 3 + TIME - t < 40 : End While\nWhile 5 > t - (60 - TIME) : End While\nPRINT TIME - t",
@@ -330,12 +339,14 @@ SHIFTED = {
     "a time-out among others": "t = TIME\nRepeat : Until INX(5) Or 400000 <= TIME + 3 - (t + 3)",
     "a distance": "SPEED = 1 : ACCEL = 10 : DECEL = 10 : MOVER = 500 : GO\n"
     "While ABS(POS - POSTARGET) > 100.05 : End While",
+    "memory for a host": "SPEED = 1 : ACCEL = 10 : DECEL = 10 : MOVER = 500 : GO\n"
+    "While POS < 399.95 : COMMS(1) = POS + 1 : End While",
     "a counter": "Dim n As Integer\nWhile n < 20000000 : n = n + 1 : End While",
 }
 
 
 @pytest.mark.parametrize("name", SHIFTED)
-def test_a_comparison_of_a_sum_costs_no_more_than_that_of_a_reading(
+def test_sums_counters_and_host_memory_cost_no_more_than_a_reading(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     result, count = effort(f"{SHIFTED[name]}\nPRINT TIME\nCANCEL(0)", monkeypatch)
