@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-# The codes of diagnostics and their meanings, from which `docs/diagnostics.md` is written.
+# The codes of diagnostics and their meanings. `cli/explanations.py` has an example and a fix for each.
 CODES: dict[str, str] = {
     "syntax": "The text does not follow the grammar of the language.",
     "language": "The file is written in the other language.",
@@ -47,7 +47,6 @@ CODES: dict[str, str] = {
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
     "moving": "The command needs the axis at rest.",
     "contour-and-blend": "Paths are either contoured or blended, not both.",
-    "stopping": "The axis is decelerating to rest and accepts no move until then.",
     "buffer-in-use": "The size of a move buffer can only be changed while it is empty and the axis at rest.",
     "buffer-full": "The move buffer is full and will never drain.",
     "never": "The program waits for something that can no longer happen.",
@@ -74,7 +73,7 @@ CODES: dict[str, str] = {
     "machine-file": "The machine file is invalid.",
     "option": "An option of the command line does not fit the program or its machine file.",
     "guess": "The result depends on guesses of motionlang init.",
-    "unasked": "An answer was given, and no INPUT asked for it.",
+    "unasked": "An answer was given that no INPUT took.",
     "command-error": "The controller answered the command with an error code.",
     "model": "The chosen controller model does not support this.",
     # Warnings of the linters; docs/lint.md explains each.

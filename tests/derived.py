@@ -22,6 +22,7 @@ WRITERS = (
     "tests.report_types",
     "tests.mcapi_files",
     "tests.cli_page",
+    "tests.diagnostics_page",
     "tests.stages_page",
 )
 

@@ -7,7 +7,7 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
-from motionlang.cli.explanations import ADVICE, EXAMPLES
+from motionlang.cli.explanations import EXAMPLES, FIXES, MCCL, MINT
 from motionlang.cli.parser import add_command
 from motionlang.errors import CODES, Diagnostic, nearest
 from motionlang.views.diagnostics import render
@@ -16,6 +16,7 @@ from motionlang.views.terminal import draws, plain, wants_colour
 if TYPE_CHECKING:
     import argparse
 
+    from motionlang.cli.explanations import Example
     from motionlang.cli.parser import Commands
 
 WIDTH = 80
@@ -56,13 +57,29 @@ def explain_command(arguments: argparse.Namespace) -> int:
 
 def explanation(code: str) -> str:
     """Return the text about a code of `CODES`."""
-    lines = [code, "", *textwrap.wrap(CODES[code], WIDTH - 2, initial_indent="  ", subsequent_indent="  ")]
-    if code in EXAMPLES:
-        for title, program in zip(("with it", "without it"), EXAMPLES[code], strict=True):
-            lines += ["", f"  {title}", *(f"    {line}" for line in program.splitlines())]
-    if code in ADVICE:
-        lines += ["", *textwrap.wrap(ADVICE[code], WIDTH - 2, initial_indent="  ", subsequent_indent="  ")]
+    lines = [code, "", *_wrapped(CODES[code])]
+    for title, example in zip(("with it", "without it"), EXAMPLES.get(code, ()), strict=False):
+        lines += ["", f"  {title}", *(f"    {line}" for line in listing(example))]
+    lines += ["", *_wrapped(f"Fix: {FIXES[code]}.")]
     return "\n".join(lines) + "\n"
+
+
+def listing(example: Example) -> list[str]:
+    """Return the lines of an example.
+
+    A single program is enough by itself. Several files have their names, and a command with options is shown.
+    """
+    lines: list[str] = []
+    for name, text in example.files.items():
+        lines += [f"{name}:"] * (len(example.files) > 1) + text.splitlines()
+    verb, *rest = example.command.split()
+    if verb not in ("check", "run") or rest not in ([MINT], [MCCL]):
+        lines.append(f"$ motionlang {example.command}")
+    return lines
+
+
+def _wrapped(text: str) -> list[str]:
+    return textwrap.wrap(text, WIDTH - 2, initial_indent="  ", subsequent_indent="  ", break_on_hyphens=False)
 
 
 def _item(code: str) -> str:

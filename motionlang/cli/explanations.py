@@ -1,59 +1,372 @@
-"""Examples for the most frequent diagnostics.
+"""Examples and fixes of all diagnostics, for `explain` and docs/diagnostics.md.
 
-Each is a pair: a program that gets the diagnostic, and the program without it. Each is Mint unless it begins
-with a semicolon, which is a comment of MCCL. A test runs both.
+A test runs both commands of each example: the first gets the diagnostic, the second does not.
 """
 
 from __future__ import annotations
 
-# By code: the program with the mistake, and the program after the fix.
-EXAMPLES: dict[str, tuple[str, str]] = {
-    "syntax": ("PAUSE IDLE(0\n", "PAUSE IDLE(0)\n"),
-    "missing-end": ("If INX(1) Then\n  OUT(1) = 1\n", "If INX(1) Then\n  OUT(1) = 1\nEnd If\n"),
-    "stray-end": ("OUT(1) = 1\nEnd If\n", "OUT(1) = 1\n"),
-    "unknown-word": ("SPED(0) = 100\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\n"),
-    "duplicate": ("Dim part = 1\nDim part = 2\nPRINT part\n", "Dim part = 1\npart = 2\nPRINT part\n"),
-    "read-only": ("IDLE(0) = 1\n", "PAUSE IDLE(0)\n"),
-    "range": ("SPEED(0) = -5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
-    "axis": ("SPEED(40) = 5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
-    "index": (
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+MINT, MCCL, MACHINE = "pick.mnt", "pick.mcl", "pick.machine.toml"
+
+
+class Example:
+    """The files of an example, and its command, which begins with a verb."""
+
+    __slots__ = ("command", "files")
+
+    def __init__(self, files: Mapping[str, str], command: str) -> None:
+        self.files, self.command = files, command
+
+
+Pair = tuple[Example, Example]
+
+
+def _checked(wrong: str, right: str, machine: str = "") -> Pair:
+    """Two programs in Mint for `check`, with the same machine file."""
+    return _programs("check", MINT, wrong, right, machine)
+
+
+def _checked_mccl(wrong: str, right: str) -> Pair:
+    return _programs("check", MCCL, wrong, right, "")
+
+
+def _run(wrong: str, right: str, machine: str = "") -> Pair:
+    """Two programs in Mint whose diagnostic comes in a run."""
+    return _programs("run", MINT, wrong, right, machine)
+
+
+def _run_mccl(wrong: str, right: str) -> Pair:
+    return _programs("run", MCCL, wrong, right, "")
+
+
+def _programs(verb: str, name: str, wrong: str, right: str, machine: str) -> Pair:
+    files = {MACHINE: machine} if machine else {}
+    command = f"{verb} {name}"
+    return Example({name: wrong, **files}, command), Example({name: right, **files}, command)
+
+
+def _machines(program: str, wrong: str, right: str, command: str = f"run {MINT}") -> Pair:
+    """One program on two machines."""
+    return Example({MINT: program, MACHINE: wrong}, command), Example(
+        {MINT: program, MACHINE: right}, command
+    )
+
+
+def _commands(files: Mapping[str, str], wrong: str, right: str) -> Pair:
+    """Two commands with the same files."""
+    return Example(files, wrong), Example(files, right)
+
+
+_MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
+
+# By code: the files and the command that get the diagnostic, and those after the fix.
+EXAMPLES: dict[str, Pair] = {
+    "syntax": _checked("PAUSE IDLE(0\n", "PAUSE IDLE(0)\n"),
+    "language": _commands({"pick.prg": "1MN,1MR100\n", MCCL: "1MN,1MR100\n"}, "run pick.prg", f"run {MCCL}"),
+    "missing-end": _checked("If INX(1) Then\n  OUT(1) = 1\n", "If INX(1) Then\n  OUT(1) = 1\nEnd If\n"),
+    "stray-end": _checked("OUT(1) = 1\nEnd If\n", "OUT(1) = 1\n"),
+    "answers": _commands({"answers.txt": "hello\n"}, "probe --answers answers.txt", "probe POS"),
+    "unknown-word": _checked("SPED(0) = 100\n" + _MOVE, "SPEED(0) = 100\n" + _MOVE),
+    "not-simulated": _checked("ABSENCODERTURNS(0) = 4\n" + _MOVE, _MOVE),
+    "values": _checked(
+        "SPEED(0) = 10, 20\n" + _MOVE, "SPEED(0, 1) = 10, 20\nMOVER(0, 1) = 5, 5 : GO(0, 1)\n"
+    ),
+    "read-only": _checked("IDLE(0) = 1\n", "PAUSE IDLE(0)\n"),
+    "write-only": _checked("PRINT MOVER(0)\n", "PRINT POSREMAINING(0)\n"),
+    "not-a-command": _checked("SPEED(0)\n" + _MOVE, "PRINT SPEED(0)\n" + _MOVE),
+    "type": _checked('Dim n As Integer\nn = "five"\nPRINT n\n', "Dim n As Integer\nn = 5\nPRINT n\n"),
+    "duplicate": _checked("Dim part = 1\nDim part = 2\nPRINT part\n", "Dim part = 1\npart = 2\nPRINT part\n"),
+    "range": _checked("SPEED(0) = -5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
+    "axis": _checked("SPEED(40) = 5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
+    "channel": _run("OUT(99) = 1\n", "OUT(1) = 1\n"),
+    "output": _run("COMPAREENABLE(3) = 1\n", "COMPAREOUTPUT(0) = 3\nCOMPAREENABLE(3) = 1\n"),
+    "no-connection": _run(
+        "PRINT MODBUSTCP16(5, 6)\n", "PRINT MODBUSTCP16(4, 6)\n", "[[modbus.server]]\nid = 4\n"
+    ),
+    "terminal": _run("PRINT #0, 1\n", "PRINT #1, 1\n"),
+    "one-terminal": _run(
+        "Dim n\nTERMINAL = 3\nINPUT n\nPRINT n\n",
+        "Dim n\nTERMINAL = 1\nINPUT n\nPRINT n\n",
+        '[[answer]]\ntext = "5"\n',
+    ),
+    "index": _run(
         "Dim a(3)\nDim i\ni = 9\na(i) = 1\nPRINT a(i)\n",
         "Dim a(3)\nDim i\ni = 3\na(i) = 1\nPRINT a(i)\n",
     ),
-    "division-by-zero": ("Dim x\nPRINT 1 / x\n", "Dim x = 2\nPRINT 1 / x\n"),
-    "zero-speed": (
-        "SPEED(0) = 0\nMOVER(0) = 5 : GO(0)\n",
-        "SPEED(0) = 10\nMOVER(0) = 5 : GO(0)\n",
+    "division-by-zero": _run("Dim x\nPRINT 1 / x\n", "Dim x = 2\nPRINT 1 / x\n"),
+    "overflow": _run("Dim n As Integer = 3000000000\nPRINT n\n", "Dim n As Float = 3000000000\nPRINT n\n"),
+    "string-overflow": _run(
+        'Dim s As String * 4\ns = "abcdef"\nPRINT s\n', 'Dim s As String * 6\ns = "abcdef"\nPRINT s\n'
     ),
-    "never-started": ("MOVER(0) = 5\n", "MOVER(0) = 5\nGO(0)\n"),
-    "in-motion": (
+    "argument": _run("Dim x = -4\nPRINT Sqrt(x)\n", "Dim x = -4\nPRINT Sqrt(Abs(x))\n"),
+    "disabled-axis": _run("DRIVEENABLE(0) = 0\n" + _MOVE, "DRIVEENABLE(0) = 1\n" + _MOVE),
+    "enable-input": _run(
+        "DRIVEENABLE(0) = 1\n" + _MOVE,
+        "PAUSE INX(2)\nDRIVEENABLE(0) = 1\n" + _MOVE,
+        "[axis.0]\nenable_input = 2\n[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n",
+    ),
+    "brake": _run("MOTORBRAKE(0) = _ON\n" + _MOVE, "MOTORBRAKE(0) = _OFF\n" + _MOVE),
+    "axis-error": _run(
+        "SOFTLIMITFORWARD(0) = 3\nJOG(0) = 10\nPAUSE IDLE(0)\nMOVER(0) = -1 : GO(0)\n",
+        "SOFTLIMITFORWARD(0) = 3\nJOG(0) = 10\nPAUSE IDLE(0)\nCANCEL(0)\nMOVER(0) = -1 : GO(0)\n",
+    ),
+    "blend-distance": _checked(
+        "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 6\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 20\nGO(0)\n",
+        "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 4\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 20\nGO(0)\n",
+    ),
+    "zero-speed": _checked("SPEED(0) = 0\n" + _MOVE, "SPEED(0) = 10\n" + _MOVE),
+    "zero-acceleration": _checked("ACCEL(0) = 0\n" + _MOVE, "ACCEL(0) = 100\n" + _MOVE),
+    "moving": _run_mccl("1MN,1MR1000\n1CM1\n", "1MN,1MR1000,1WS\n1CM1\n"),
+    "contour-and-blend": _run(
+        "CONTOURMODE(0) = 1\nBLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
+        "BLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
+    ),
+    "buffer-in-use": _run(
+        "MOVER(0) = 5 : GO(0)\nMOVEBUFFERSIZE(0) = 4\n",
+        "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVEBUFFERSIZE(0) = 4\n",
+    ),
+    "buffer-full": _run_mccl(
+        "1MN,2MN,1CM1,2CM1,1SN\nMD1,1CP1,1MR1,2MR1\nMC1,RP1000\n1GO\n",
+        "1MN,2MN,1CM1,2CM1,1SN\nMD1,1CP1,1MR1,2MR1\nMC1,RP5\n1GO\n",
+    ),
+    "never": _run("PAUSE INX(2)\nPRINT 1\n", "PAUSE IDLE(0)\nPRINT 1\n"),
+    "not-primed": _run("PRINT ERRCODE\n", "If ERRORPRESENT(0, 0) Then PRINT ERRORREADNEXT(0, 0)\n"),
+    "capture-running": _run(
+        "CAPTUREDURATION = 100\nCAPTURE = 1\nCAPTURE = 1\n", "CAPTUREDURATION = 100\nCAPTURE = 1\n"
+    ),
+    "capture-points": _run("CAPTURENUMPOINTS = 0\nCAPTURE = 1\n", "CAPTURENUMPOINTS = 10\nCAPTURE = 1\n"),
+    "capture-stopped": _run(
+        "CAPTURETRIGGER\n",
+        "CAPTURETRIGGERMODE(0) = 1\nCAPTURETRIGGERSOURCE(0) = 13\nCAPTURECOMMAND = 1\nCAPTURETRIGGER\n",
+    ),
+    "capture-triggered": _run(
+        "CAPTURE = 1\nCAPTURETRIGGER\n",
+        "CAPTURETRIGGERMODE(0) = 1\nCAPTURETRIGGERSOURCE(0) = 13\nCAPTURECOMMAND = 1\nCAPTURETRIGGER\n",
+    ),
+    "event": _run(
+        "EVENTPEND(99, 0, 0)\n", "EVENTPEND(5, 0, 0)\nWAIT = 5\nEnd\nEvent TIMER\n  OUT(1) = 1\nEnd Event\n"
+    ),
+    "recursion": _run(
+        "PRINT Down(9)\nFunction Down(ByVal n As Integer) As Integer\n  Down = Down(n - 1)\nEnd Function\n",
+        "PRINT Down(9)\nFunction Down(ByVal n As Integer) As Integer\n  If n > 0 Then Down = Down(n - 1)\n"
+        "End Function\n",
+    ),
+    "golden": _commands({MINT: _MOVE}, f"verify {MINT} --format json", f"verify --update {MINT}"),
+    "beyond-limit": _machines(
+        "SPEED(0) = 500\n" + _MOVE,
+        "[axis.0.limits]\nspeed = 1\n",
+        "[axis.0.limits]\nspeed = 1000\nacceleration = 1e9\n",
+        f"certify {MINT}",
+    ),
+    "window": _commands({MINT: _MOVE}, f"plot {MINT} pick.svg --from 100", f"plot {MINT} pick.svg"),
+    "budget": _machines(_MOVE, "[budget]\ntime = 0.001\n", "[budget]\ntime = 10\n"),
+    "recording": _commands(
+        {MINT: _MOVE, "drive.csv": "time,PosAct\n0,0\n0.01,2\n0.02,5\n0.03,5\n0.04,5\n"},
+        f"compare {MINT} drive.csv",
+        f"compare {MINT} drive.csv --map position.0=PosAct",
+    ),
+    "extra": _commands({MINT: _MOVE}, f"trace {MINT} pick.parquet", f"trace {MINT} pick.csv"),
+    "file": _commands({MINT: _MOVE}, "run pack.mnt", f"run {MINT}"),
+    "address": _commands({MCCL: "1MN\n"}, "serve --tcp 203.0.113.1:5000", "serve --tcp 127.0.0.1:5000"),
+    "machine-file": _machines(_MOVE, "[axis.0]\nspeeed = 5\n", "[axis.0]\ntravel = [0, 10]\n"),
+    "option": _commands(
+        {MINT: "SPEED(0) = 100\n" + _MOVE},
+        f"run {MINT} --set SPEED[0]@2=250",
+        f"run {MINT} --set SPEED[0]@1=250",
+    ),
+    "guess": _machines(
+        "PAUSE INX(2)\n",
+        "[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\nguess = true\n",
+        "[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n",
+    ),
+    "unasked": _commands({MINT: _MOVE}, f"run {MINT} --answer 5", f"run {MINT}"),
+    "command-error": _run_mccl("1MN,1GO\n", "1MN,1VM,1GO\n"),
+    "model": _commands(
+        {MINT: "SPEED.0 = 5\n" + _MOVE, "new.mnt": "SPEED(0) = 5\n" + _MOVE},
+        f"check {MINT} --model mintmt",
+        "check new.mnt --model mintmt",
+    ),
+    "never-started": _checked("MOVER(0) = 5\n", "MOVER(0) = 5\nGO(0)\n"),
+    "in-motion": _checked(
         "MOVER(0) = 5 : GO(0)\nPRINT POS(0)\n",
         "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n",
     ),
-    "scale-after-speed": (
-        "SPEED(0) = 250\nSCALE(0) = 1200\nMOVER(0) = 5 : GO(0)\n",
-        "SCALE(0) = 1200\nSPEED(0) = 250\nMOVER(0) = 5 : GO(0)\n",
+    "scale-in-motion": _checked(
+        "MOVER(0) = 5 : GO(0)\nSCALE(0) = 2\n", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nSCALE(0) = 2\n"
     ),
-    "never": ("PAUSE INX(2)\nPRINT 1\n", "PAUSE IDLE(0)\nPRINT 1\n"),
-    "endless-loop": (
+    "scale-after-speed": _checked(
+        "SPEED(0) = 250\nSCALE(0) = 1200\n" + _MOVE, "SCALE(0) = 1200\nSPEED(0) = 250\n" + _MOVE
+    ),
+    "time-before-speed": _checked(
+        "ACCELTIME(0) = 100\nSPEED(0) = 50\n" + _MOVE, "SPEED(0) = 50\nACCELTIME(0) = 100\n" + _MOVE
+    ),
+    "unused-setting": _checked("SPEED(0) = 100\n", "SPEED(0) = 100\n" + _MOVE),
+    "nothing-loaded": _checked("GO(0)\nPAUSE IDLE(0)\n", _MOVE),
+    "exact-position": _checked(
+        "MOVER(0) = 200 : GO(0)\nPAUSE POS(0) = 100\nOUT(1) = 1\n",
+        "MOVER(0) = 200 : GO(0)\nPAUSE POS(0) >= 100\nOUT(1) = 1\n",
+    ),
+    "wait-condition": _checked("MOVER(0) = 5 : GO(0)\nWAIT IDLE(0)\n", _MOVE),
+    "busy-loop": _checked(
+        "Dim n\nLoop\n  n = n + 1\n  PRINT n\nEnd Loop\n",
+        "Dim n\nLoop\n  n = n + 1\n  PRINT n\n  WAIT = 10\nEnd Loop\n",
+    ),
+    "buffer-overfilled": _checked(
+        "MOVER(0) = 1\nMOVER(0) = 2\nMOVER(0) = 3\nGO(0)\n",
+        "MOVEBUFFERSIZE(0) = 3\nMOVER(0) = 1\nMOVER(0) = 2\nMOVER(0) = 3\nGO(0)\n",
+    ),
+    "beyond-travel": _checked(
+        "MOVEA(0) = 500 : GO(0)\n", "MOVEA(0) = 300 : GO(0)\n", "[axis.0]\ntravel = [0, 400]\n"
+    ),
+    "two-tasks": _checked(
+        "Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(0) = 9 : GO(0)\nEnd Task\n",
+        "Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(1) = 9 : GO(1)\nEnd Task\n",
+    ),
+    "endless-wait": _checked(
+        "JOG(0) = 5\nPAUSE IDLE(0)\n", "JOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\n"
+    ),
+    "endless-loop": _checked(
         "Dim n\nWhile n < 5\n  OUT(1) = 1\nEnd While\n",
         "Dim n\nWhile n < 5\n  OUT(1) = 1\n  n = n + 1\nEnd While\n",
     ),
-    "unused-variable": ("Dim part = 1\n", "Dim part = 1\nPRINT part\n"),
-    "unused-setting": ("SPEED(0) = 100\n", "SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\n"),
-    "mixed-operators": (
-        "If INX(1) = 1 & INX(2) = 1 Then PRINT 1\n",
-        "If (INX(1) = 1) & (INX(2) = 1) Then PRINT 1\n",
+    "constant-condition": _checked(
+        "Dim n = INX(1)\nIf n = 1 Or 2 Then OUT(1) = 1\n",
+        "Dim n = INX(1)\nIf n = 1 Or n = 2 Then OUT(1) = 1\n",
     ),
-    "motor-off": ("; MCCL\n1MR100\n", "; MCCL\n1MN,1MR100\n"),
-    "nothing-to-wait-for": ("; MCCL\n1MN\n1WS\n", "; MCCL\n1MN,1MR100\n1WS\n"),
+    "mixed-operators": _checked(
+        "If INX(1) = 1 & INX(2) = 1 Then PRINT 1\n", "If (INX(1) = 1) & (INX(2) = 1) Then PRINT 1\n"
+    ),
+    "unreachable": _checked("End\nPRINT 1\n", "PRINT 1\nEnd\n"),
+    "unused-label": _checked("#again\nPRINT 1\n", "PRINT 1\n"),
+    "unused-variable": _checked("Dim part = 1\n", "Dim part = 1\nPRINT part\n"),
+    "no-value": _checked("Dim part\nPRINT part\n", "Dim part = 1\nPRINT part\n"),
+    "never-waits": _checked(
+        "Dim k\nFor k = 1 To 50\n  JOG(0) = k\nNext\nJOG(0) = 0\n",
+        "Dim k\nFor k = 1 To 50\n  JOG(0) = k\n  WAIT = 10\nNext\nJOG(0) = 0\n",
+    ),
+    "wrong-channel": _checked_mccl("CN1\n", "CT1,CN1\n"),
+    "unused-sub": _checked(
+        "Sub Feed()\n  OUT(1) = 1\nEnd Sub\n", "Feed\nSub Feed()\n  OUT(1) = 1\nEnd Sub\n"
+    ),
+    "unused-task": _checked(
+        "Task Feed\n  OUT(1) = 1\nEnd Task\n", "Run Feed\nTask Feed\n  OUT(1) = 1\nEnd Task\n"
+    ),
+    "motor-off": _checked_mccl("1MR100\n", "1MN,1MR100\n"),
+    "nothing-to-wait-for": _checked_mccl("1MN\n1WS\n", "1MN,1MR100\n1WS\n"),
+    "still-running": _checked_mccl("1MN,1VM,1GO\n1WS\n", "1MN,1VM,1GO\n1ST,1WS\n"),
+    "else-if": _checked(
+        "Dim n = INX(1)\nIf n = 1 Then\n  OUT(1) = 1\nElse If n = 2 Then OUT(2) = 1\n  OUT(3) = 1\nEnd If\n",
+        "Dim n = INX(1)\nIf n = 1 Then\n  OUT(1) = 1\nElseIf n = 2 Then\n  OUT(2) = 1\n  OUT(3) = 1\nEnd If\n",
+    ),
+    "silenced": _checked(
+        "PRINT 1 ' lint: ignore unused-varable\n", "PRINT 1 ' lint: ignore unused-variable\n"
+    ),
 }
-# By code: what to do where no program shows it.
-ADVICE: dict[str, str] = {
-    "never": "if a machine ends the wait, --input 2=1@0.5 or the machine file says when",
-    "machine-file": "motionlang check names the line and the key; docs/machine-file.md lists all keys",
-    "beyond-limit": "reduce the speed or the rate at the line that the certificate names, or correct the limit",
+
+# By code: why there is no example.
+WITHOUT_EXAMPLE = {
+    "crash": "no program is known that causes one",
+    "interrupted": "it takes a key press or a signal",
+    "limit": "it takes a log of several gigabytes",
+    "proof": "it takes 200 000 profiles of motion, or a mistake of motionlang",
+}
+
+# By code: what to do about it.
+FIXES: dict[str, str] = {
+    "syntax": "correct the text at the mark; the hint names what is expected there",
+    "language": "give the file the extension of its language, or choose the language with --dialect",
+    "missing-end": "close the block with the End, Next or Until that the hint names",
+    "answers": "pass the text that the probe program printed on the controller, from its first line to its last",
+    "stray-end": "delete the line, or open the block before it",
+    "unknown-word": "correct the spelling; motionlang keywords WORD finds a keyword",
+    "not-simulated": "remove the keyword for a run, or give its value in [mint.values] of the machine file",
+    "values": "give as many axes, arguments or values as motionlang keywords WORD shows",
+    "read-only": "read the keyword instead of writing it",
+    "write-only": "read another keyword; motionlang keywords WORD names related ones",
+    "not-a-command": "write the value with =, or read it in an expression",
+    "type": "convert the value, or declare the variable with the type of the value",
+    "duplicate": "rename one of the two, or assign to the one that exists",
+    "range": "choose a value within the range that the hint names",
+    "axis": "use an axis of this controller; controller.axes of the machine file sets their number",
+    "channel": "use a channel of this controller; the hint names the range",
+    "output": "assign the output to the keyword first",
+    "no-connection": "add the node or server to the machine file, or correct its number",
+    "terminal": "use a terminal that exists; the hint lists them",
+    "one-terminal": "choose one terminal with TERMINAL before INPUT",
+    "index": "keep the subscript within the bounds of its Dim",
+    "division-by-zero": "test the divisor before this line",
+    "overflow": "use a Float, or keep the value within the range of its type",
+    "string-overflow": "declare a longer String",
+    "argument": "test the value before this line",
+    "disabled-axis": "enable the axis with DRIVEENABLE before it moves",
+    "enable-input": "wait for the input before you enable the drive",
+    "brake": "release the brake before the move",
+    "axis-error": "clear the error with CANCEL or RESET before the next move",
+    "blend-distance": "set BLENDDISTANCE to at most half of the shorter path",
+    "zero-speed": "set SPEED above zero before GO",
+    "zero-acceleration": "set ACCEL and DECEL above zero before GO",
+    "moving": "wait for standstill, or stop the axis first",
+    "contour-and-blend": "choose either CONTOURMODE or BLENDMODE",
+    "buffer-in-use": "set the size before the first move, or wait for standstill",
+    "buffer-full": "start the moves before the buffer is full",
+    "never": "start the motion that the program waits for; if the machine ends the wait, --input 2=1@0.5 or the "
+    "machine file says when",
+    "not-primed": "read an error with ERRORREADNEXT first",
+    "capture-running": "end the capture first, with CAPTURE = 0",
+    "capture-points": "record at least one point",
+    "capture-stopped": "begin a capture before you trigger it",
+    "capture-triggered": "trigger a capture only while it waits for its trigger",
+    "event": "raise an event that exists and has a handler",
+    "recursion": "end the recursion with a condition",
+    "limit": "end the run sooner with --until, or allow a larger log with --log-size",
     "golden": "if the change is intended, motionlang verify --update FILE accepts it",
+    "proof": "end the run sooner with --until; report a violation as a mistake of motionlang",
+    "beyond-limit": "reduce the speed or the rate at the line that the certificate names, or correct the limit",
+    "interrupted": "start the command again; a sweep continues with --resume",
+    "crash": "report it with the folder that the hint names",
+    "window": "choose a time span and axes that the run has",
+    "budget": "shorten the lines that --profile shows, or correct the budget",
+    "recording": "assign its columns with --map; the hint lists them",
+    "extra": "install the library with the command in the hint, or choose another format",
+    "file": "correct the name of the file, or its permissions",
+    "address": "choose a free port, and an address of this computer",
+    "machine-file": "correct the key or the value; docs/machine-file.md lists all keys",
+    "option": "correct the option; motionlang check --literals lists the addresses of a program",
     "guess": "correct the entry in the machine file, and remove its guess = true",
-    "extra": "the hint has the command that installs the library",
+    "unasked": "remove the answer, or correct the prompt that it is for",
+    "command-error": "correct the command; the hint names the state that it needs",
+    "model": "write it in the notation of the model, or choose another model; --fix converts Mint v4",
+    "never-started": "write GO after the move",
+    "in-motion": "wait for the end of the move with PAUSE IDLE before you use the position",
+    "scale-in-motion": "change the scale while the axis is at rest",
+    "scale-after-speed": "set the scale first",
+    "time-before-speed": "set SPEED first",
+    "unused-setting": "remove the setting, or move it in front of the motion that needs it",
+    "nothing-loaded": "load a move first, or remove the GO",
+    "exact-position": "compare with >= or <=, or wait for the end of the move",
+    "wait-condition": "write PAUSE instead of WAIT; check --fix does",
+    "busy-loop": "add a WAIT, a PAUSE or an Exit to the loop",
+    "buffer-overfilled": "write GO sooner, or increase MOVEBUFFERSIZE",
+    "beyond-travel": "move less far, or correct the travel in the machine file",
+    "two-tasks": "let one task command the axis, or use a Semaphore",
+    "endless-wait": "wait for something that changes, or stop the axis first",
+    "endless-loop": "change the condition in the loop, or leave it with Exit",
+    "constant-condition": "compare each value, as in n = 1 Or n = 2",
+    "mixed-operators": "add brackets",
+    "unreachable": "remove the statement, or the one before it that never continues",
+    "unused-label": "remove the label",
+    "unused-variable": "remove the variable, or correct the name where it is meant",
+    "no-value": "assign a value first, or correct the name",
+    "never-waits": "wait for each move, or let time pass in the loop",
+    "wrong-channel": "make the channel an output with CT first",
+    "unused-sub": "call the sub, or remove it",
+    "unused-task": "start the task with Run, or remove it",
+    "motor-off": "switch the motor on with MN",
+    "nothing-to-wait-for": "move the axis before you wait for it",
+    "still-running": "stop the axis with ST before you wait for it",
+    "else-if": "write ElseIf, or Else on a line of its own",
+    "silenced": "correct the code after lint: ignore",
 }

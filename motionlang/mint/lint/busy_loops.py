@@ -26,7 +26,7 @@ _TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
 
 
 def check_busy_loops(facts: Facts, add: Add) -> None:
-    """Report each endless loop of a program without tasks and events that only computes."""
+    """Report each endless loop that only computes, unless tasks or events may use it."""
     if len([each for each in facts.functions if each.kind != "sub"]) != 1 or facts.hosted:
         return
     for function in facts.functions:
@@ -74,7 +74,7 @@ def _computes(step: Step) -> bool:
 
 
 def _is_quiet(facts: Facts, step: Step) -> bool:
-    """True if a step only computes or prints, from values that change only by the program."""
+    """True if a step only computes or prints, from values that the program sets."""
     node = step.node
     if isinstance(node, _TAKES_TIME) or step.kind == END:
         return False

@@ -1,4 +1,4 @@
-"""Checks of conditions about an axis in motion, and of a WAIT that is given a condition.
+"""Checks of conditions about moving axes, and of WAITs that get a condition.
 
 A WAIT takes a time. A moving axis is rarely read at exactly one position. A wait never ends if the axis jogs, or if
 its moves never reach the position it waits for.

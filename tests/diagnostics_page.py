@@ -1,0 +1,35 @@
+"""Write docs/diagnostics.md from its sources: `python -m tests.diagnostics_page`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from motionlang.cli.explain import listing
+from motionlang.cli.explanations import EXAMPLES, FIXES
+from motionlang.errors import CODES
+from motionlang.lang.lint import WARNINGS
+
+PAGE = Path(__file__).parents[1] / "docs" / "diagnostics.md"
+HEAD = """\
+# Diagnostics
+
+Each error and warning has a code in brackets, such as `error[never]`. `motionlang explain never` prints what is here.
+The [warnings of `check`](lint.md) have more explanation on their own page.
+"""
+
+
+def written() -> str:
+    """Return the page."""
+    return HEAD + "".join(f"\n{_section(code)}" for code in sorted(CODES))
+
+
+def _section(code: str) -> str:
+    link = f" [More](lint.md#{code})" if code in WARNINGS and code not in ("unknown-word",) else ""
+    parts = [f"## {code}\n\n{CODES[code]}{link}\n"]
+    for title, example in zip(("With it", "Without it"), EXAMPLES.get(code, ()), strict=False):
+        parts.append(f"\n{title}:\n\n```text\n" + "".join(f"{line}\n" for line in listing(example)) + "```\n")
+    return "".join([*parts, f"\nFix: {FIXES[code]}.\n"])
+
+
+if __name__ == "__main__":
+    PAGE.write_text(written(), encoding="utf-8")
