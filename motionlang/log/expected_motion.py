@@ -187,11 +187,9 @@ class ExpectedMotion:
         if action not in self._nth:
             key = action.axes[0].index, move.start_time
             self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
-        began, entry = self._entries.get(move, (-1.0, -1))
-        if began != move.start_time:
-            entry = self._controller.log.moves.number(move)
-            self._entries[move] = move.start_time, entry
-        order = self._planned_by(a, action) or self._planned(action, move, entry)
+        before = self._entries.get(move, (-1.0, -1))[1]
+        entry = self._entry(move)
+        order = self._planned_by(a, action, before, entry) or self._planned(action, move, entry)
         assert order.path is not None
         for each in _paths_ahead(action):
             self._angles.setdefault(each, _angle_through(each))
@@ -212,26 +210,39 @@ class ExpectedMotion:
             if move.start_time + move.profile.duration <= self._controller.clock.now:
                 del running[each]
                 continue
-            order = _path(each, move, self._nth[each], self._entries[move][1])
+            order = _path(each, move, self._nth[each], self._entry(move))
             assert order.path is not None
             order = order._replace(path=order.path._replace(rests=order.path.rests or rests))
             running[each] = order if self._is_planned_now(each) else _gentler(order, before)
             found.append(running[each])
         return tuple(found)
 
-    def _planned_by(self, a: Axis, action: PathMove) -> Order | None:
+    def _entry(self, move: Move) -> int:
+        """Return the number of a path's entry in the log, the last one of a long path."""
+        began, entry = self._entries.get(move, (-1.0, -1))
+        if began != move.start_time:
+            entry = self._controller.log.moves.number(move)
+            self._entries[move] = move.start_time, entry
+        return entry
+
+    def _planned_by(self, a: Axis, action: PathMove, before: int, entry: int) -> Order | None:
         """Return the order of a path that continues as planned.
 
-        Only the one that it is blended with changes.
+        Only the one that it is blended with changes. Its log entry was `before` until now, and is `entry`.
         """
-        run, key = action.run, (action.moves[0].start_time, self._nth[action])
+        run = action.run
         if run is None or len(run.courses) < 2 or run.present.began == self._controller.clock.now:
             return None
-        return next(
+        order = next(
             order
             for order in reversed(self.of[a.index])
-            if order.path is not None and (order.path.begun, order.path.nth) == key
+            if order.path is not None and order.path.entry == before
         )
+        if entry == before:
+            return order
+        assert order.path is not None
+        assert a.move is not None
+        return order._replace(path=order.path._replace(begun=a.move.start_time, entry=entry))
 
     def _planned(self, action: PathMove, move: Move, entry: int) -> Order:
         """Return the order of the newest path by the settings of its last plan.

@@ -5,7 +5,7 @@ Each is proved.
 
 from __future__ import annotations
 
-from math import atan2, hypot, radians, sin, sqrt
+from math import atan2, hypot, pi, radians, sin, sqrt
 
 import pytest
 
@@ -937,3 +937,54 @@ def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
     assert places(result, 0, 1) == pytest.approx([30.5, 3.0])
     corner = sqrt(300.0)
     assert result.time == pytest.approx(1.6 + (20.0 - corner) / 100.0 + corner / 50.0, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("path", "length", "ends"),
+    [
+        ("VECTORR(0, 1) = 18, 24", 30.0, (18.0, 24.0)),
+        ("CIRCLER(0, 1) = 5, 0, 360", 10.0 * pi, (0.0, 0.0)),
+        ("CIRCLEA(0, 1) = 10, 0, 180", 10.0 * pi, (20.0, 0.0)),
+    ],
+)
+def test_a_path_that_is_changed_a_thousand_times(path: str, length: float, ends: tuple[float, ...]) -> None:
+    """It continues as another entry of the log, still from where it began.
+
+    ACCEL has no effect after 0.3 s: at 20 with 100 it takes length/20 + 20/100 s.
+    """
+    change = "WAIT = 300\nWhile Not IDLE(0)\nk = k + 1\nACCEL(0) = 100 + k Mod 2\nWAIT = 1\nEnd While\n"
+    result = proved(f"{RATES}Dim k As Integer\n{path} : GO(0)\n{change}")
+    moves = result.controller.log.moves
+    assert [each.ended for each in moves if each.axis == 0][:2] == ["continued", "continued"]
+    assert places(result, 0, 1) == pytest.approx(ends)
+    last = moves[-1]
+    assert last.profile is not None
+    assert last.start_time + last.profile.duration == pytest.approx(length / 20.0 + 0.2, abs=1e-6)
+
+
+def test_a_path_is_slowed_down_just_as_it_continues_in_the_log() -> None:
+    """After 498 changes and 798 ms it is at 20 and 13.96; the next one begins another entry.
+
+    That is a SPEED of 10, which takes 0.1 s and 1.5; the last ramp takes 0.1 s and 0.5.
+    """
+    change = "WAIT = 300\nFor k = 1 To 498\nACCEL(0) = 100 + k Mod 2\nWAIT = 1\nNext\nSPEED(0) = 10\n"
+    result = proved(f"{RATES}Dim k As Integer\nVECTORR(0, 1) = 30, 40 : GO(0)\n{change}PAUSE IDLE(0)\n")
+    first, second = (each for each in result.controller.log.moves if each.axis == 0)
+    assert (first.ended, second.start_time) == ("continued", pytest.approx(0.798, abs=1e-5))
+    assert result.time == pytest.approx(0.798 + 0.1 + (50.0 - 13.96 - 2.0) / 10.0 + 0.1, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("ramps", "needed"),
+    [("", 0.4), ("PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n", 0.45)],
+)
+def test_a_stop_keeps_its_rate_through_a_corner(ramps: str, needed: float) -> None:
+    """MAXDECEL 50 of axis 0 applies to the path that is stopped, 3 before its corner at 20.
+
+    The stop takes 20/50 s, with a jerk of 1000 another 50/1000 s; axis 1 alone might brake harder.
+    """
+    paths = "MAXDECEL(0) = 50\nVECTORR(0, 1) = 30, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
+    result = proved(f"{RATES}{CONTOUR}{ramps}{paths}PAUSE POS(0) > 27\nPRINT TIME\nSTOP(0)\nPAUSE IDLE(0)\n")
+    begin = float(result.output[0]) / 1000.0
+    assert result.time == pytest.approx(begin + needed, abs=1e-3)
+    assert sum(places(result, 0, 1)) == pytest.approx(27.0 + 10.0 * needed, abs=0.1)

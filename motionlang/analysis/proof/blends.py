@@ -68,8 +68,9 @@ def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     while i > 0 and master.starts[i] == begin:  # a path that has ended takes no time at its end
         i -= 1
     in_progress = path.tails[-1].path if path.tails else run.orders.of[master.index][i].path
-    before = next(map(run.path_before, run.members(path)), None)
-    if in_progress is None or before is None:
+    begun = run.members(path)
+    before = run.path_before(begun[0]) if begun else None
+    if in_progress is None or before is None or run.rest_of(begun[0]) is not None:
         return
     # The one before it may be over while the one before that is still run.
     earlier = run.order_of(before).path
@@ -82,7 +83,7 @@ def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
         run.path_before(each) is not before for each, before in _pairs(run, path, moves)
     ):
         return  # another path of one of its axes is in between
-    way = PathLayout(earlier, [move.profile.start for move in moves if move.profile is not None])
+    way = PathLayout(earlier, run.origins(earlier))
     profiles = [(move.profile, begin - move.start_time) for move in moves if move.profile is not None]
     left, speed = _left(way, profiles)
     due = min(path.blend, MAX_SHARE * way.length)

@@ -6,6 +6,7 @@ from bisect import bisect_left, bisect_right
 from math import fsum, inf, isfinite
 from typing import TYPE_CHECKING
 
+from motionlang.controller.move import CONTINUED
 from motionlang.errors import Diagnostic
 from motionlang.log.track import WholeTrack
 
@@ -158,6 +159,9 @@ class Run:
         # For each path entry the log number of the entry before it on its axis, of any kind.
         self._previous: dict[int, int] = {}
         self._ends: dict[int, list[float]] = {}
+        # For each path entry that continues another one: that entry, and where the path began.
+        self._rest_of: dict[int, Move] = {}
+        self._origins: dict[int, float] = {}
         self.offsets: dict[int, Offsets] = {}
         # By axis the last offset that was checked, and its distance.
         self.offset_goals: dict[int, tuple[Move, float]] = {}
@@ -170,6 +174,8 @@ class Run:
             for order in records
             if order.path is not None
         }
+        # The path entries of each axis that were continued, and are still without the entry that does so.
+        full: dict[int, list[Move]] = {}
         last: dict[int, int] = {}
         for number, move in enumerate(moves):
             if move.overlaid:
@@ -177,12 +183,21 @@ class Run:
                 self.offsets.setdefault(move.axis, Offsets()).add(move)
                 continue
             previous, last[move.axis] = last.get(move.axis, -1), number
+            before = _continued_by(move, full.get(move.axis, ()))
             order = ordered.get(number)
+            if before is not None:
+                order = _continued(self._order_of[id(before)], move, number)
             if order is not None and order.path is not None:
                 self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
                 self._add_path(move)
                 self._order_of[id(move)] = order
                 self._previous[id(move)] = previous
+                if before is not None:
+                    full[move.axis].remove(before)
+                    self._rest_of[id(move)] = before
+                    self._origins[id(move)] = self._origin(before) + before.offset
+                if move.ended == CONTINUED:
+                    full.setdefault(move.axis, []).append(move)
 
     def _add_path(self, move: Move) -> None:
         """Add a path entry to the list of its axis."""
@@ -191,6 +206,19 @@ class Run:
         self._numbers[id(move)] = len(entries)
         entries.append(move)
         ends.append(max(end, ends[-1]) if ends else end)
+
+    def _origin(self, move: Move) -> float:
+        """Return where a path began, at the zero of one of its entries."""
+        assert move.profile is not None
+        return self._origins.get(id(move), move.profile.start)
+
+    def origins(self, path: PathOrder) -> list[float]:
+        """Return where the axes of a path began it, which may be before their entries did."""
+        return [self._origin(move) for move in self.members(path)]
+
+    def rest_of(self, move: Move) -> Move | None:
+        """Return the entry that a path entry continues; None if the path begins with it."""
+        return self._rest_of.get(id(move))
 
     @property
     def moves(self) -> Iterator[Move]:
@@ -267,6 +295,22 @@ class Run:
             done -= gone(entries[after], time)[0]
             after += 1
         return done
+
+
+def _continued_by(move: Move, entries: Iterable[Move]) -> Move | None:
+    """Return the entry of a path that another one continues; None if there is none."""
+    for each in entries:
+        assert each.profile is not None
+        end = each.start_time + each.profile.duration
+        if each.line == move.line and abs(move.start_time - end) <= 4.0 * ROUNDED * (1.0 + end):
+            return each
+    return None
+
+
+def _continued(order: Order, move: Move, number: int) -> Order:
+    """Return the order of a path for an entry that continues it."""
+    assert order.path is not None
+    return order._replace(path=order.path._replace(begun=move.start_time, entry=number))
 
 
 def gone(move: Move, time: float) -> tuple[float, float]:

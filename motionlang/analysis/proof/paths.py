@@ -154,7 +154,7 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         proof.breaks(order.line, f"path from {begin:.6f} s: the log lacks some of its axes")
         return
     profiles = [entry.profile for entry in moves if entry.profile is not None]
-    way = PathLayout(path, [profile.start for profile in profiles])
+    way = PathLayout(path, run.origins(path))
     blended = run.is_blended(master, begin)
     where = f"path from {begin:.6f} s"
     tracks: list[tuple[Profile, float]] = []
@@ -168,14 +168,20 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         along = spans_along(tracks, way, end - begin)
     _check_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
-        fresh = i > 0 and begin == path.begun and not blended and _speeds_up(run, order, path, master, i)
+        first = i > 0 and begin == path.begun and run.rest_of(moves[0]) is None
+        fresh = first and not blended and _speeds_up(run, order, path, master, i)
         beyond, rest = _beyond(run, moves[0]), along
         before = run.orders.of[master.index][i - 1] if i else order
-        if _keeps_stop(before, order, way, along, beyond):
+        plan = plan_in_force(run, master, i, order)
+        if plan is not order:
+            _check_along(proof, plan, way, along, where, beyond=beyond)
+            rest = []
+        elif _keeps_stop(before, order, way, along, beyond):
             stop, rest = _until_rest(along)
             _check_along(proof, before, way, stop, where)
         if rest:
-            _check_along(proof, order, way, rest, where, fresh, beyond)
+            gentlest = _gentlest_before(run, master, i, order)
+            _check_along(proof, order, way, rest, where, fresh, beyond, gentlest)
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # the plan applies, even if something else has preceded its end
             planned = min(profile.duration - time for profile, time in tracks)
@@ -218,7 +224,7 @@ def check_tail(proof: Proof, run: Run, order: Order, begin: float, length: float
     path = order.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way = PathLayout(path, [profile.start for profile in profiles])
+    way = PathLayout(path, run.origins(path))
     along = spans_along([(profile, begin - path.begun) for profile in profiles], way, length)
     if along:
         _check_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
@@ -271,6 +277,91 @@ def _keeps_stop(before: Order, order: Order, way: PathLayout, along: list[Span],
     return by.rates[1] > 0.0 and lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > left * (1.0 + SLACK)
 
 
+def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
+    """Return the order that a path's profile on one of its axes was planned by.
+
+    A stop that would enter a path ahead too fast begins on that one: until then the plan before it stays.
+    """
+    path = order.path
+    if path is None or not path.rests:
+        return order
+    master = run.axes[path.members[0]]
+    i = master.place(a.starts[i])
+    plan = _plan_before(run, master, i, order)
+    moves = run.members(path)
+    if plan is None or len(moves) != len(path.members):
+        return order
+    rows = [(move.profile, master.starts[i] - path.begun) for move in moves if move.profile is not None]
+    way = PathLayout(path, run.origins(path))
+    along = spans_along(rows, way, run.span(master, i)[1] - master.starts[i])
+    return plan if along and _enters_too_fast(order, way, along) else order
+
+
+def _plan_before(run: Run, master: WholeTrack, i: int, order: Order) -> Order | None:
+    """Return the order of a path before it was stopped or suspended; None if it was not.
+
+    None too if its rates are the same as before.
+    """
+    path, records = order.path, run.orders.of[master.index]
+    assert path is not None
+    while path.rests and i:
+        i -= 1
+        earlier = records[i].path
+        if earlier is None or earlier.entry != path.entry:
+            break
+        if not earlier.rests:
+            return None if same_law(records[i], order) else records[i]
+    return None
+
+
+def same_law(one: Order, other: Order) -> bool:
+    """True if two orders have the same law of the ramps of a path."""
+    laws = [
+        (each.shape, each.rates, each.jerks, each.path.most_accel, each.path.most_decel)
+        for each in (one, other)
+        if each.path is not None
+    ]
+    return laws[0] == laws[1]
+
+
+def _enters_too_fast(order: Order, way: PathLayout, along: list[Span]) -> bool:
+    """True if a stop by the present rates would enter a path ahead above its speed.
+
+    Then the path continues as planned, and the stop begins on that one.
+    """
+    assert order.path is not None
+    gone, v0, a0, _ = along[0].at(0.0)
+    by, left, before = _least(order, way)[1], way.length - gone, way
+    bent = a0 if by.smooth else 0.0
+    for each in order.path.ahead:
+        assert each.path is not None
+        before = PathLayout(each.path, before.ends)
+        most, own = _least(each, before)
+        by = by._replace(rates=(by.rates[0], min(by.rates[1], own.rates[1])))
+        peak = v0 + 0.5 * bent * abs(bent) / by.jerks[0] if bent > 0.0 else v0
+        if peak > most and lead(v0, bent, most, by)[1] > left * (1.0 - SLACK):
+            return True
+        left += before.length
+    return False
+
+
+def _gentlest_before(run: Run, master: WholeTrack, i: int, order: Order) -> float:
+    """Return the lowest deceleration of a stop that began on an earlier path; infinite without one."""
+    records, rate = run.orders.of[master.index], inf
+    while i and order.path is not None and order.path.rests:
+        i -= 1
+        earlier, path = records[i], order.path
+        if earlier.path is None or not earlier.path.rests or earlier.path.members != path.members:
+            break
+        origins = run.origins(earlier.path)
+        if len(origins) != len(path.members):
+            break
+        way = PathLayout(earlier.path, origins)
+        rate = min(rate, _gentlest(earlier, way, _least(earlier, way)[1].rates[1]))
+        order = earlier
+    return rate
+
+
 def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
     """Return the segments up to the first rest, and those after it."""
     for k, span in enumerate(along):
@@ -287,12 +378,13 @@ def _beyond(run: Run, move: Move) -> float:
         end = move.start_time + move.profile.duration
         if not after.profile.velocity(0.0) or abs(after.start_time - end) > ROUNDED * (1.0 + end):
             break
-        path = run.order_of(after).path
-        assert path is not None
-        starts = [each.profile.start for each in run.members(path) if each.profile is not None]
-        if len(starts) != len(path.members):
-            break
-        length += PathLayout(path, starts).length
+        if run.rest_of(after) is None:
+            path = run.order_of(after).path
+            assert path is not None
+            starts = run.origins(path)
+            if len(starts) != len(path.members):
+                break
+            length += PathLayout(path, starts).length
         move = after
     return length
 
@@ -305,16 +397,17 @@ def _check_along(
     where: str,
     fresh: bool = False,
     beyond: float = 0.0,
+    gentlest: float = inf,
 ) -> None:
     """Check the bounds along a path, `beyond` which the axes continue that far.
 
-    A `fresh` path may not begin above them.
+    A `fresh` path may not begin above them. A stop that began earlier may be as gentle as `gentlest`.
     """
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
     gone, v0, a0, _ = along[0].at(0.0)
-    slow = _slowing(order, way, v0, a0, way.length - gone + beyond)
+    slow = _slowing(order, way, v0, a0, way.length - gone + beyond, gentlest)
     speed, rates = order.speed, order.rates
     least, by = _least(order, way)
     if way.unit is None:
@@ -384,7 +477,7 @@ def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, whe
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
 
 
-def _slowing(order: Order, way: PathLayout, v0: float, a0: float, left: float) -> Slowing:
+def _slowing(order: Order, way: PathLayout, v0: float, a0: float, left: float, gentlest: float) -> Slowing:
     """Return how a path that begins too fast slows down to its speed.
 
     It may be too fast for the path or for one of its axes. If the distance does not suffice for this and a
@@ -398,7 +491,8 @@ def _slowing(order: Order, way: PathLayout, v0: float, a0: float, left: float) -
         v0 *= 2.0
         extra = ramp(0.0, max(speed, v0), by)[0]
     if order.path.rests:
-        speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
+        rate = min(gentlest, _gentlest(order, way, by.rates[1]))
+        speed, by = 0.0, by._replace(rates=(by.rates[0], rate))
     elif by.smooth:
         speed = max(speed, top_speed(v0, a0, left, speed, by))
     return slowing(v0, a0, speed, by, extra)
@@ -548,7 +642,7 @@ def check_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
     path = run.order_of(move).path
     assert path is not None
     entries = run.members(path)
-    starts = [entry.profile.start for entry in entries if entry.profile is not None]
+    starts = run.origins(path)
     if len(starts) != len(path.members) or any(entry.offset for entry in entries):
         return
     which = path.members.index(move.axis)

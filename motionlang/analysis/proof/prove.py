@@ -51,7 +51,7 @@ from motionlang.analysis.proof.entries import Ends, check_ends, take_entry
 from motionlang.analysis.proof.followers import check_points, check_reference, check_tie
 from motionlang.analysis.proof.offsets import check_missing
 from motionlang.analysis.proof.outputs import check_report, check_trace
-from motionlang.analysis.proof.paths import check_path, check_path_end
+from motionlang.analysis.proof.paths import check_path, check_path_end, plan_in_force
 from motionlang.analysis.proof.segments import half_angle
 from motionlang.analysis.proof.settings import check_settings
 from motionlang.errors import Diagnostic
@@ -102,7 +102,8 @@ def prove(
             begin, end = run.span(a, i)
             if end > begin:
                 shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
-                check_profile(proof, a, i, order, records[max(i - 1, 0)], shifted, end - begin)
+                plan = plan_in_force(run, a, i, order)
+                check_profile(proof, a, i, plan, records[max(i - 1, 0)], shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     check_path(proof, run, a, i, order, end)
                     check_blend(proof, run, a, i, order, end)

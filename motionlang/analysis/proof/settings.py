@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import SLACK
-from motionlang.analysis.proof.paths import PathLayout, _gentlest, _least, check_tail, spans_along
+from motionlang.analysis.proof.paths import PathLayout, _gentlest, _least, check_tail, same_law, spans_along
 from motionlang.analysis.proof.time_bounds import law, lead
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def _check_setting(
     if order.path is not None and wanted.path is not None:
         if order.path.rests or order.path.entry != wanted.path.entry:
             return
-        if _law(order) != _law(wanted) and not _stops_within(run, wanted, time):
+        if not same_law(order, wanted) and not _stops_within(run, wanted, time):
             return  # by the present settings it would stop after its end, where it comes to rest as planned
         # Only lower values: a path may keep its speed if it could not stop at its end without it.
         path = order.path._replace(
@@ -77,12 +77,6 @@ def _check_setting(
             )
 
 
-def _law(order: Order) -> tuple[object, ...]:
-    """Return the law of the ramps of a path."""
-    assert order.path is not None
-    return order.shape, order.rates, order.jerks, order.path.most_accel, order.path.most_decel
-
-
 def _stops_within(run: Run, wanted: Order, time: float) -> bool:
     """True if a path could stop in time by an order given then.
 
@@ -91,7 +85,7 @@ def _stops_within(run: Run, wanted: Order, time: float) -> bool:
     path = wanted.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way, gone = PathLayout(path, [profile.start for profile in profiles]), time - path.begun
+    way, gone = PathLayout(path, run.origins(path)), time - path.begun
     along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
     if not along:
         return True
