@@ -212,8 +212,12 @@ class ExpectedMotion:
                 continue
             order = _path(each, move, self._nth[each], self._entry(move))
             assert order.path is not None
-            order = order._replace(path=order.path._replace(rests=order.path.rests or rests))
-            running[each] = order if self._is_planned_now(each) else _gentler(order, before)
+            path = order.path._replace(rests=order.path.rests or rests)
+            order = order._replace(path=path)
+            assert before.path is not None
+            # A stop that comes too late for it is judged by the present rates.
+            stops = path.rests and not before.path.rests
+            running[each] = order if stops or self._is_planned_now(each) else _gentler(order, before)
             found.append(running[each])
         return tuple(found)
 

@@ -988,3 +988,14 @@ def test_a_stop_keeps_its_rate_through_a_corner(ramps: str, needed: float) -> No
     begin = float(result.output[0]) / 1000.0
     assert result.time == pytest.approx(begin + needed, abs=1e-3)
     assert sum(places(result, 0, 1)) == pytest.approx(27.0 + 10.0 * needed, abs=0.1)
+
+
+def test_a_blended_path_that_new_rates_make_too_late_to_stop_ends_as_it_was_planned() -> None:
+    """The first path, at 20, has 4.4 left after 2.38 s; at 40 it would need 5.
+
+    It stops as planned, after 50/20 + 20/100 s. The other one, at 3, stops from there at 40.
+    """
+    paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 2380\nDECEL(0) = 40\nSTOP(0)\n"
+    result = proved(f"{RATES}{BLEND}{paths}PAUSE IDLE(0)\n")
+    assert result.time == pytest.approx(2.7, abs=1e-6)
+    assert places(result, 0, 1) == pytest.approx([50.0, 0.045 + 9.0 / 80.0], abs=1e-6)

@@ -11,7 +11,7 @@ from math import fsum
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import ROUNDED, SLACK
-from motionlang.analysis.proof.paths import PathLayout, check_tail, spans_along
+from motionlang.analysis.proof.paths import PathLayout, check_tail, spans_along, stops_within
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -49,13 +49,30 @@ def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
         if finish - begin > ROUNDED * (1.0 + begin):
             ends.append(finish)
             entries.append(moves)
-            check_tail(proof, run, tail, begin, finish - begin)
+            check_tail(proof, run, _tail_in_force(run, master, i, tail), begin, finish - begin)
     if len(ends) >= MAX_OVERLAP:
         count = len(ends) + 1
         words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
         proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
     if ends and all(len(moves) == len(path.members) for moves in entries):
         _check_sum(proof, run, order, entries, (begin, min(end, *ends)))
+
+
+def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
+    """Return the order that a blended path was planned by.
+
+    One that is stopped or suspended, and could not stop before its end by the present rates, is as planned.
+    """
+    assert tail.path is not None
+    if not tail.path.rests or stops_within(run, tail, master.starts[i]):
+        return tail
+    for order in reversed(run.orders.of[master.index][:i]):
+        for each in (order, *(order.path.tails if order.path is not None else ())):
+            if each.path is not None and each.path.entry == tail.path.entry and not each.path.rests:
+                return each
+        if order.path is None or order.path.begun < tail.path.begun:
+            break
+    return tail
 
 
 def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:

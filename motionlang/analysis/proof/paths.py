@@ -219,6 +219,29 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
     return power >= 0.0 and first < last * (1.0 - SLACK)
 
 
+def stops_within(run: Run, wanted: Order, time: float) -> bool:
+    """True if a path could stop in time by an order given then.
+
+    It stops before its end, or that of the paths it continues into.
+    """
+    path = wanted.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    way, gone = PathLayout(path, run.origins(path)), time - path.begun
+    along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
+    if not along:
+        return True
+    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    left, before = last[0] - first[0], way
+    for each in path.ahead:
+        assert each.path is not None
+        before = PathLayout(each.path, before.ends)
+        left += before.length
+    by = _least(wanted, way)[1]
+    by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))
+    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] < left
+
+
 def check_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
     """Check the speed along a path, and its changes, while another is blended onto it."""
     path = order.path

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import SLACK
-from motionlang.analysis.proof.paths import PathLayout, _gentlest, _least, check_tail, same_law, spans_along
+from motionlang.analysis.proof.paths import check_tail, same_law, stops_within
 from motionlang.analysis.proof.time_bounds import law, lead
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def _check_setting(
     if order.path is not None and wanted.path is not None:
         if order.path.rests or order.path.entry != wanted.path.entry:
             return
-        if not same_law(order, wanted) and not _stops_within(run, wanted, time):
+        if not same_law(order, wanted) and not stops_within(run, wanted, time):
             return  # by the present settings it would stop after its end, where it comes to rest as planned
         # Only lower values: a path may keep its speed if it could not stop at its end without it.
         path = order.path._replace(
@@ -75,26 +75,3 @@ def _check_setting(
             proof.breaks(
                 order.line, f"{where}: {words}, commanded {wanted.rates[0]:g} and {wanted.rates[1]:g}"
             )
-
-
-def _stops_within(run: Run, wanted: Order, time: float) -> bool:
-    """True if a path could stop in time by an order given then.
-
-    It stops before its end, or that of the paths it continues into.
-    """
-    path = wanted.path
-    assert path is not None
-    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way, gone = PathLayout(path, run.origins(path)), time - path.begun
-    along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
-    if not along:
-        return True
-    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
-    left, before = last[0] - first[0], way
-    for each in path.ahead:
-        assert each.path is not None
-        before = PathLayout(each.path, before.ends)
-        left += before.length
-    by = _least(wanted, way)[1]
-    by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))
-    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] < left
