@@ -999,3 +999,18 @@ def test_a_blended_path_that_new_rates_make_too_late_to_stop_ends_as_it_was_plan
     result = proved(f"{RATES}{BLEND}{paths}PAUSE IDLE(0)\n")
     assert result.time == pytest.approx(2.7, abs=1e-6)
     assert places(result, 0, 1) == pytest.approx([50.0, 0.045 + 9.0 / 80.0], abs=1e-6)
+
+
+def test_the_peak_of_a_shear_that_ends_as_its_master_steps() -> None:
+    """A cam takes 10 in 2 and the next 15 in 2: at 20 its axis runs at 100, then at 150.
+
+    The shear of 2 in 10 ends there with a ratio of 2 * 2/10, so at 40, and the next one begins at 60.
+    """
+    ramps = "SPEED(0) = 20\nPROFILEMODE(0) = 1 : MASTERCHANNEL(2) = 1\nACCEL(0) = 1000\n"
+    shear = "MASTERDISTANCE(2) = 10 : FLY(2) = 2\nFLY(2) = 29\nGO(2)\n"
+    cam = "CAMTABLE(1, rise, NULL) : MASTERDISTANCE(1) = 2\nCAM(1) = 2\nMOVEA(0) = 31\nGO(0, 1)\n"
+    table = "Dim rise(5) As Float = 4, 10, 25, 20, 0\n"
+    result = proved(table + ramps + shear + cam, statement=1e-3, until=1.0)
+    first = result.controller.log.moves[0].profile
+    assert first is not None
+    assert first.peak_speed == pytest.approx(40.0)

@@ -81,6 +81,9 @@ def _check_peak(
             seen = max([seen, *(span.peak(1) for span in spans(profile, first, last - first))])
         elif last > first:  # another profile may replace it at once
             exact = False
+            # At its ends the velocity of a master may step.
+            inside = 4.0 * ROUNDED * (1.0 + finish)
+            first, last = min(first + inside, last), max(last - inside, first)
             steps = [first + (last - first) * n / 16.0 for n in range(17)]
             seen = max([seen, *(abs(profile.velocity(step)) for step in steps)])
         k += 1
