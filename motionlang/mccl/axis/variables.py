@@ -163,18 +163,27 @@ NAMES: dict[str, int] = {name: FIRST + STEP * k for k, name in enumerate(_READIN
 _BY_ADDRESS = {NAMES[name]: reading for name, reading in _READINGS.items()}
 
 
+def read_until(until: float, here: int, axis: AxisState, address: int) -> float:
+    """Return until when a variable is valid that command `here` of a line has read."""
+    return until
+
+
 def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> float:
-    """Return when the variable at an address will next be `level`, counts.
+    """Return when the variable at an address will next be `level`, counts or counts/s.
 
     Returns the current time if this is unknown.
     """
     controller, number = board.controller, axis.number
     if address == NAMES["AUXPOSITION"]:
         return controller.encoder_crossing_time(AUXILIARY + number, level + axis.aux_zero)
-    if address == NAMES["POSITION"]:
+    if address == NAMES["POSITION"] and axis.play is None:
         return controller.crossing_time(number, level)
-    if address == NAMES["OPTIMAL"]:
+    if address == NAMES["OPTIMAL"] and axis.play is None:
         return controller.demand_crossing_time(number, level)
+    if address == NAMES["VELOCITY"]:
+        return controller.velocity_crossing_time(number, level)
+    if address == NAMES["ERROR"]:
+        return controller.error_crossing_time(number, level)
     return controller.clock.now
 
 

@@ -32,10 +32,13 @@ def is_on(board: Board, channel: int) -> bool:
     return (level != 0) is not (channel in board.low_true)
 
 
+# They count their own effect: only a changed channel is an effect.
+@pure
 def channel_on(task: CommandTask, command: Command) -> None:
     _switch(task, command, True)
 
 
+@pure
 def channel_off(task: CommandTask, command: Command) -> None:
     _switch(task, command, False)
 
@@ -118,7 +121,10 @@ def _switch(task: CommandTask, command: Command, on: bool) -> None:
         raise Fault(
             codes.PARAMETER, f"channel {channel} is an input", f"CT{channel} makes it an output", "read-only"
         )
-    board.controller.set_output(channel, int(on is not (channel in board.low_true)))
+    level = int(on is not (channel in board.low_true))
+    if board.controller.output(channel) != level:
+        board.effects += 1
+    board.controller.set_output(channel, level)
 
 
 def _do_rest(task: CommandTask, yes: bool) -> None:

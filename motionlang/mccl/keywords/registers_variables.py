@@ -8,7 +8,7 @@ from __future__ import annotations
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.status import word
-from motionlang.mccl.axis.variables import NAMES, read, write
+from motionlang.mccl.axis.variables import NAMES, read, read_until, write
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.registers import wrapped
 from motionlang.mccl.keywords.row import Group, pure
@@ -101,7 +101,7 @@ def _value(task: CommandTask, command: Command) -> float | int:
     axis = task.axis(command)
     address = task.whole(command)
     value, until = read(task.board, axis, address)
-    task.poll.dependencies.note(float, until)
+    task.poll.dependencies.note(read_until, until, task.here, axis, address)
     return value
 
 

@@ -2,15 +2,16 @@
 
 A jump back starts an iteration. If the accumulator equals that of the last jump back, and the commands in
 between only read, the result stays the same until an event. This also holds if the accumulator changes,
-provided that an iteration begins by reading it and then only compares it. The command that follows is then
-that of the last whole iteration before the event.
+provided that an iteration sets it before it uses it, and only compares it after reading what changes by
+itself: then it repeats until one of these comparisons changes. The command that follows is that of the last
+whole iteration before the event.
 """
 
 from __future__ import annotations
 
 from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.task import CLOSE, INFINITY, Wait
-from motionlang.mccl.axis.variables import crossing_time
+from motionlang.mccl.axis.variables import crossing_time, read_until
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,6 +24,14 @@ _COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
 _JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
 # Commands that read a channel, and commands that read nothing from the world.
 _CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
+# Commands that leave the accumulator alone, those that set it, and those that govern the next ones.
+_NEUTRAL = _JUMPS | _CHANNELS | {"channel_on", "channel_off"}
+_SETS = frozenset(
+    ("load", "recall", "look_up", "get_analog", "read_byte", "read_word", "read_long", "read_real")
+)
+_CONDITIONS = _COMPARES | {"if_set", "if_clear", "if_on", "if_off"}
+# Commands that continue somewhere else or later.
+_LEAVES = frozenset(("call_macro", "jump_macro", "leave", "wait"))
 _READS_NOTHING = (
     _COMPARES | _JUMPS | {"if_set", "if_clear", "wait", "call_macro", "jump_macro", "leave", "look_up"}
 )
@@ -91,7 +100,7 @@ class Poll:
                 if until == INFINITY:
                     self._give_up()
                 elif until <= now:
-                    until = dependencies.until(now - length * task.cost - CLOSE, self._levels())
+                    until = dependencies.until(now - length * task.cost - CLOSE, self._levels(notes, now))
             if until > now:
                 self._left, wait = 0, self._skip(until, length)
             else:
@@ -149,18 +158,40 @@ class Poll:
         task.count += length * max(0, int((until - now) / (length * task.cost)) - 1)
         return None
 
-    def _levels(self) -> list[Note]:
+    def _levels(self, notes: list[Note], now: float) -> list[Note]:
         """Return the dependencies of an iteration on the values that it compares.
 
-        The iteration begins with a read. If it does more than compare, it may change at once.
+        `notes` are those of the iteration, at whose end it is `now`. If it uses a value that has changed by then
+        for more than comparisons, it may change at once.
         """
         task = self._task
         assert task.line is not None
-        reading, *others = task.line.commands[task.pc : task.here + 1]
-        verbs = [each.row.verb if each.row is not None else "" for each in others]
-        if reading.row is None or not reading.row.solved or not _JUMPS.union(_COMPARES).issuperset(verbs):
+        commands = task.line.commands[task.pc : task.here + 1]
+        verbs = [each.row.verb if each.row is not None else "" for each in commands]
+        governs: int = task.board.readings.get("mccl.skipped", 2)  # type: ignore[assignment]
+        # Commands that set the accumulator in every iteration, unless a jump skips some of them.
+        certain = [
+            verb in _SETS and not _CONDITIONS.intersection(verbs[max(0, k - governs) : k])
+            for k, verb in enumerate(verbs)
+        ]
+        straight = not {"jump", "jump_by"}.intersection(verbs[:-1])
+        first = next((k for k, verb in enumerate(verbs) if verb not in _NEUTRAL), len(verbs))
+        pure = all(each.pure for each in commands) and not _LEAVES.intersection(verbs[:-1])
+        if not pure or first == len(verbs) or not certain[first]:
             return [(self.dependencies.at_once, ())]
-        compared = [task.value(each) for each, verb in zip(others, verbs, strict=True) if verb in _COMPARES]
-        where = task.board, task.axis(reading), task.whole(reading)
-        # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
-        return [(crossing_time, (*where, level + k)) for level in compared for k in (-1, 0, 1)]
+        found: list[Note] = []
+        for note in notes:
+            if note[0] is not read_until or note[1][0] > now:
+                found.append(note)
+                continue
+            _, here, axis, address = note[1]
+            for k in range(here - task.pc + 1, len(verbs)):
+                if certain[k] and straight:
+                    break
+                if verbs[k] in _COMPARES:
+                    level = task.value(commands[k])
+                    # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
+                    found += [(crossing_time, (task.board, axis, address, level + j)) for j in (-1, 0, 1)]
+                elif verbs[k] not in _NEUTRAL:
+                    return [(self.dependencies.at_once, ())]
+        return found

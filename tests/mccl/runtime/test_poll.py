@@ -37,6 +37,24 @@ PROGRAMS = {
     "a count, and then a wait": f"1MN,1MR9000,AL0,AR30\nRA30,AA1,AR30,IB700,JR-4,NO\n{POLL},1TP,TR30",
     "an auxiliary encoder": 'LU"AUXPOSITION",AR20\n1RL@20,IB300,JR-2,NO,AS40,1WL@20,1RD@20,IG200,JP10,NO,1TP,JR-4\n'
     "1RV@20,IB400,JR-2,NO,1TA",
+    "an output that follows a position": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,IG200,CN33,NO,IG400,CF33,NO,1RL@21,IC3,JR-9,NO,1TP,TC33",
+    "an output that follows a position without NO": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,IG200,CN33,AL7,AR22,IE7,CF33,CN33,1RL@21,IC3,JR-9,NO,1TP,TC33",
+    "a lamp in the background": "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n1MN,1SV1000\nGT5,AR30\n"
+    "1MR500,1WS,TC34,1MR-100,1WS,TC34,WA0.013,ET@30",
+    "a stop by an input": 'LU"STATUS",AR21\n1MN,1SV1000,1MR5000\nIN5,1ST,NO,1RL@21,IC3,JR-5,NO,1TP',
+    "a velocity": 'LU"VELOCITY",AR20\n1MN,1SV1000,1SA5000,1MR500\n1RL@20,IB900,JR-2,NO,1TP\n'
+    "1RL@20,IG450.5,JR-2,NO,1TP,1WS",
+    "a velocity and a position": 'LU"VELOCITY",AR20,LU"POSITION",AR21\n1MN,1SV1000,1SA5000,1MR500\n'
+    "1RL@20,IG700,CN33,NO,1RD@21,IB450,JR-6,NO,1TP,TC33,1WS",
+    "a position with backlash": '1MN,1BD10,1BN\nLU"POSITION",AR20,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1WS\n'
+    "1MR-500\n1RL@20,IG250,JR-2,NO,1TP,1WS",
+    "a position that is stored": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,AR22,IB450,JR-3,NO,TR22,1WS',
+    "a position from the iteration before": 'LU"POSITION",AR20,AL0\n1MN,1MR500\n'
+    "IG300,CN33,NO,1RL@20,IB450,JR-5,NO,1TP,TC33",
+    "a jump over a reading": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,IN5,JR3,NO,AL9,NO,IG300,CN33,NO,1RL@21,IC3,JR-11,NO,1TP,TC33",
     "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
     "a breakpoint": f"1MN,1MR5000,1IP2000\n{POLL.replace('IC3', 'IC10')},1TP,1WS",
     "the segments of a contour": "1MN,2MN,1CM1,2CM1,1CP1,1MR500,2MR0,1CP1,1MR0,2MR500\n"
@@ -45,9 +63,14 @@ PROGRAMS = {
 
 
 def outcome(runner: Runner, text: str) -> dict[str, Any]:
-    machine: dict[str, object] = {"encoder": [{"aux": 1, "velocity": 700.0, "accel": 900.0, "at": 0.01}]}
-    report: Any = runner(text, until=2.0, machine=machine).report
-    return {key: report[key] for key in ("status", "time", "output", "moves", "axes")}
+    machine: dict[str, object] = {
+        "encoder": [{"aux": 1, "velocity": 700.0, "accel": 900.0, "at": 0.01}],
+        "input": [{"channel": 5, "at": 0.0203, "for": 0.0113}],
+    }
+    result = runner(text, until=2.0, machine=machine)
+    report: Any = result.report
+    switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
+    return {key: report[key] for key in ("status", "time", "output", "moves", "axes")} | {"outputs": switched}
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
@@ -71,6 +94,32 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
     finished = mccl(text, until=1e6)
     assert finished.output == ["01 3.000000"]
     assert finished.time == pytest.approx(30001, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "watch",
+    [
+        "IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO",
+        "1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO",
+        "1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO",
+    ],
+)
+def test_an_hour_of_watching_is_over_at_once(
+    watch: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """1 count/s takes an hour and a ramp of 1 s for 3600 counts."""
+    jumps, again = 0, Poll.again
+
+    def counted(poll: Poll) -> object:
+        nonlocal jumps
+        jumps += 1
+        return again(poll)
+
+    monkeypatch.setattr(Poll, "again", counted)
+    variables = 'LU"POSITION",AR20,LU"STATUS",AR21,LU"VELOCITY",AR22'
+    result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
+    assert result.time == pytest.approx(3601.0, abs=0.001)
+    assert jumps < 300
 
 
 def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
