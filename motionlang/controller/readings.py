@@ -327,8 +327,11 @@ class Readings:
         """Return the velocity of an encoder channel, counts/s."""
         return self.encoder(channel).velocity(self.clock.now)
 
-    def set_output(self, channel: int, value: float) -> None:
+    def set_output(self, channel: int, value: float) -> bool:
+        """Set an output; return True if that changed it."""
+        changed = self.outputs[channel] != value
         self.outputs[channel] = value
+        return changed
 
     def pulse(self, channel: int, duration: float) -> None:
         """Turn a digital output on for `duration` seconds; another pulse prolongs it."""

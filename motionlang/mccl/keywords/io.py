@@ -121,10 +121,10 @@ def _switch(task: CommandTask, command: Command, on: bool) -> None:
         raise Fault(
             codes.PARAMETER, f"channel {channel} is an input", f"CT{channel} makes it an output", "read-only"
         )
-    level = int(on is not (channel in board.low_true))
-    if board.controller.output(channel) != level:
+    if board.controller.set_output(channel, int(on is not (channel in board.low_true))):
         board.effects += 1
-    board.controller.set_output(channel, level)
+    else:
+        board.rewrites += 1
 
 
 def _do_rest(task: CommandTask, yes: bool) -> None:

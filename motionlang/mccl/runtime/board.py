@@ -68,7 +68,8 @@ class Board:
         self.background: dict[int, BackgroundTask] = {}
         self._last_task = 0
         # Counts of time slices that tasks take, and of their effects on anything but their accumulators.
-        self.turns = self.effects = 0
+        # `rewrites` counts commands that switch an output to its present level.
+        self.turns = self.effects = self.rewrites = 0
         self.at_work: CommandTask | None = None
         self.points: dict[tuple[int, int], float] = {}
         self.records: dict[int, tuple[float, int]] = {}

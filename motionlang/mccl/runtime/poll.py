@@ -33,7 +33,19 @@ _CONDITIONS = _COMPARES | {"if_set", "if_clear", "if_on", "if_off"}
 # Commands that continue somewhere else or later.
 _LEAVES = frozenset(("call_macro", "jump_macro", "leave", "wait"))
 _READS_NOTHING = (
-    _COMPARES | _JUMPS | {"if_set", "if_clear", "wait", "call_macro", "jump_macro", "leave", "look_up"}
+    _COMPARES
+    | _JUMPS
+    | {
+        "if_set",
+        "if_clear",
+        "wait",
+        "call_macro",
+        "jump_macro",
+        "leave",
+        "look_up",
+        "channel_on",
+        "channel_off",
+    }
 )
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
@@ -49,7 +61,17 @@ class Poll:
     that.
     """
 
-    __slots__ = ("_alone", "_before", "_done", "_left", "_task", "dependencies", "hopeless")
+    __slots__ = (
+        "_alone",
+        "_before",
+        "_done",
+        "_left",
+        "_rewrites",
+        "_task",
+        "_writes",
+        "dependencies",
+        "hopeless",
+    )
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
@@ -67,6 +89,8 @@ class Poll:
         # The effects of tasks and events up to the last hopeless iteration, and the commands of that
         # iteration.
         self._done: tuple[int, int, tuple[Command, ...]] = 0, 0, ()
+        # True if an output was switched to its present level in the last iteration, and the count of that.
+        self._writes, self._rewrites = False, 0
         # Back-off: iterations that still run unchecked, and those after the next failed check.
         self._alone = self._left = 0
 
@@ -85,6 +109,7 @@ class Poll:
         (before, accumulator, count, event, ran), held = self._before, task.registers[0]
         wait, now, length = None, clock.now, task.count - count
         place = task.line, task.pc, board.effects, len(task.calls)
+        self._writes, self._rewrites = board.rewrites != self._rewrites, board.rewrites
         by_itself = board.turns, task.base
         notes, dependencies.notes = dependencies.notes, []
         if before[:2] != place[:2] or now >= event or notes is None:
@@ -133,10 +158,12 @@ class Poll:
         return list(found)
 
     def _give_up(self) -> None:
-        """Mark the loop as hopeless.
+        """Mark the loop as hopeless, unless it switches outputs.
 
         The iteration that ends here has no effect and repeats for ever, as far as this task can know.
         """
+        if self._writes:
+            return
         task = self._task
         assert task.line is not None
         if not self.is_hopeless():
@@ -151,6 +178,10 @@ class Poll:
         scheduler = board.machine.scheduler
         assert scheduler is not None
         until = min(until, clock.next_time(), board.next_wake(task))
+        if until == INFINITY and self._writes:
+            until = scheduler.until
+            if until == INFINITY:
+                return None
         if until == INFINITY:
             why = "in a loop that polls only values that never change"
             return Wait(now, lambda: board.turns != turns, lambda: INFINITY, why)

@@ -61,8 +61,13 @@ def test_the_run_goes_on_as_long_as_something_is_to_come(mccl: Runner) -> None:
 
 @pytest.mark.parametrize(
     "acts",
-    ["MD15,CN34,WA0.1,CF34,WA0.1,RP", "MD15,RA20,AA1,AR20,WA0.1,RP", "MD15,IF3,CN34,NO,WA0.1,RP"],
-    ids=["outputs", "a counter", "an output again and again"],
+    [
+        "MD15,CN34,WA0.1,CF34,WA0.1,RP",
+        "MD15,RA20,AA1,AR20,WA0.1,RP",
+        "MD15,IF3,CN34,NO,WA0.1,RP",
+        "MD15,IF3,CN34,NO,RP",
+    ],
+    ids=["outputs", "a counter", "an output again and again", "an output without a wait"],
 )
 def test_a_background_task_that_acts_is_no_watch(acts: str, mccl: Runner) -> None:
     result = mccl(f"{acts}\n{FOREGROUND}", until=20.0)
