@@ -65,13 +65,18 @@ def test_the_run_goes_on_as_long_as_something_is_to_come(mccl: Runner) -> None:
         "MD15,CN34,WA0.1,CF34,WA0.1,RP",
         "MD15,RA20,AA1,AR20,WA0.1,RP",
         "MD15,IF3,CN34,NO,WA0.1,RP",
-        "MD15,IF3,CN34,NO,RP",
     ],
-    ids=["outputs", "a counter", "an output again and again", "an output without a wait"],
+    ids=["outputs", "a counter", "an output again and again"],
 )
 def test_a_background_task_that_acts_is_no_watch(acts: str, mccl: Runner) -> None:
     result = mccl(f"{acts}\n{FOREGROUND}", until=20.0)
     assert (result.status, result.time) == ("until", 20.0)
+
+
+def test_a_background_task_that_switches_an_output_without_a_wait_is_no_watch(mccl: Runner) -> None:
+    result = mccl(f"MD15,IF3,CN34,NO,RP\n{FOREGROUND}", until=20.0)
+    assert result.status == "until"
+    assert result.time == pytest.approx(20.0, abs=1e-4)
 
 
 def test_a_background_task_that_waits_for_a_position_in_vain_is_a_mistake(mccl: Runner) -> None:
