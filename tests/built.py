@@ -11,7 +11,17 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 BUILD = "from setuptools import build_meta as b; import sys; print(b.build_{}(sys.argv[1]))"
-IGNORED = (".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", ".*_cache", ".hypothesis")
+IGNORED = (
+    ".git",
+    ".venv",
+    "build",
+    "dist",
+    "node_modules",
+    "*.egg-info",
+    "__pycache__",
+    ".*_cache",
+    ".hypothesis",
+)
 
 
 def distributions(folder: Path, *kinds: str) -> list[Path]:

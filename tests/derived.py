@@ -24,6 +24,7 @@ WRITERS = (
     "tests.cli_page",
     "tests.diagnostics_page",
     "tests.stages_page",
+    "tests.highlight_tables",
 )
 
 

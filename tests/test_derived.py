@@ -16,7 +16,7 @@ from tests import keyword_index
 
 ROOT = Path(__file__).parent.parent
 # The files that the recipe touches, and that the writers read.
-COPIED = ("motionlang", "grammars", "docs", "tests")
+COPIED = ("motionlang", "grammars", "docs", "playground", "tests")
 
 
 @pytest.mark.parametrize("package", keyword_index.PACKAGES)
@@ -50,7 +50,11 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a copy of the project in which the recipe was followed."""
     folder = tmp_path_factory.mktemp("recipe")
     for name in COPIED:
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "golden"))
+        shutil.copytree(
+            ROOT / name,
+            folder / name,
+            ignore=shutil.ignore_patterns("__pycache__", "golden", "node_modules", "dist"),
+        )
     mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
     row = (
         '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", Actions(read=of(Environment, halfway)),\n'

@@ -1,0 +1,82 @@
+"""The contents of the playground: `python contents.py FOLDER` writes the wheel and `contents.json`.
+
+The programs are those of `scripts/`. Each is run once without numpy, as in a browser, to find those that need
+it.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parent.parent
+# The parts of the tree that a wheel is built from.
+SOURCES = ("motionlang", "grammars", "pyproject.toml", "README.md", "LICENSE")
+BUILD = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
+
+
+def build_wheel(folder: Path) -> str:
+    """Build the wheel of the tree in `folder` and return its name."""
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = Path(scratch)
+        for name in SOURCES:
+            if (ROOT / name).is_dir():
+                shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+            else:
+                shutil.copy(ROOT / name, copy / name)
+        command = [sys.executable, "-c", BUILD, str(folder.resolve())]
+        subprocess.run(command, cwd=copy, check=True, stdout=subprocess.DEVNULL)
+    return next(each.name for each in folder.glob("*.whl"))
+
+
+def gallery() -> list[dict[str, str]]:
+    """Return the programs in the form of a request to `runner`; `needs` is "numpy" or ""."""
+    sys.modules["numpy"] = None  # type: ignore[assignment]
+    sys.path[:0] = [str(ROOT), str(ROOT / "playground")]
+    made = []
+    for dialect in ("mint", "mccl"):
+        for path in sorted((ROOT / "scripts" / dialect).iterdir()):
+            if path.suffix in (".mnt", ".mcl"):
+                machine = path.with_suffix(".machine.toml")
+                request = {
+                    "name": path.name,
+                    "dialect": dialect,
+                    "program": path.read_text(encoding="utf-8"),
+                    "machine": machine.read_text(encoding="utf-8") if machine.exists() else "",
+                }
+                made.append({**request, "needs": _needs(request)})
+    return made
+
+
+def _needs(request: dict[str, str]) -> str:
+    import runner
+
+    found: list[dict[str, Any]] = []
+    runner.start(request, found.append)
+    marks = [mark for each in found for mark in each.get("marks", ())]
+    return "numpy" if any(mark["code"] == "extra" for mark in marks) else ""
+
+
+def commit() -> str:
+    """Return the commit of the tree, "unknown" outside a repository."""
+    command = ["git", "-C", str(ROOT), "rev-parse", "--short=12", "HEAD"]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    return ran.stdout.strip() or "unknown"
+
+
+def main(folder: Path) -> None:
+    """Write everything into `folder`."""
+    wheel, programs = build_wheel(folder), gallery()
+    from motionlang import __version__
+
+    contents = {"version": __version__, "commit": commit(), "wheel": wheel, "gallery": programs}
+    (folder / "contents.json").write_text(json.dumps(contents, ensure_ascii=False), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,99 @@
+// An editor of one file. It lives in a shadow root, where CodeMirror uses constructed style sheets instead of
+// style elements, which the policy of the page forbids.
+
+import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { HighlightStyle, bracketMatching, syntaxHighlighting } from "@codemirror/language";
+import { lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorState } from "@codemirror/state";
+import { EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+
+// The colours are those of style.css, which has them for light and dark.
+const COLOURS = HighlightStyle.define([
+  { tag: tags.function(tags.variableName), color: "var(--move)" },
+  { tag: tags.propertyName, color: "var(--keyword)" },
+  { tag: tags.deleted, color: "var(--absent)", textDecoration: "underline dotted" },
+  { tag: tags.keyword, color: "var(--control)", fontWeight: "600" },
+  { tag: tags.labelName, color: "var(--axis)" },
+  { tag: tags.special(tags.variableName), color: "var(--axis)" },
+  { tag: tags.number, color: "var(--number)" },
+  { tag: tags.string, color: "var(--string)" },
+  { tag: tags.comment, color: "var(--comment)" },
+  { tag: tags.atom, color: "var(--control)" },
+]);
+
+const LOOK = EditorView.theme({
+  "&": { color: "var(--ink)", backgroundColor: "var(--paper)", height: "100%", fontSize: "14px" },
+  ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.5", overflow: "auto" },
+  ".cm-content": { caretColor: "var(--ink)" },
+  ".cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-gutters": { backgroundColor: "var(--paper)", color: "var(--faint)", border: "none" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--line)" },
+  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
+  "&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--selection) !important" },
+  ".cm-panels, .cm-tooltip": { backgroundColor: "var(--chip)", color: "var(--ink)", borderColor: "var(--rule)" },
+  // Instead of pictures in data: addresses, which the policy of the page forbids.
+  ".cm-lintRange": { backgroundImage: "none !important", textDecoration: "underline wavy var(--wrong)", textUnderlineOffset: "3px" },
+  ".cm-lintRange-warning": { textDecorationColor: "var(--number)" },
+  ".cm-matchingBracket, &.cm-focused .cm-matchingBracket": { backgroundColor: "var(--selection)" },
+});
+
+export class Editor {
+  // `extensions` are further ones of CodeMirror, such as a client of a language server.
+  constructor(parent, label, { keys = [], changed = () => {}, extensions = [] } = {}) {
+    const root = parent.attachShadow({ mode: "open" });
+    this.language = new Compartment();
+    this.extensions = [
+      lineNumbers(),
+      history(),
+      highlightActiveLine(),
+      highlightSelectionMatches(),
+      bracketMatching(),
+      closeBrackets(),
+      syntaxHighlighting(COLOURS),
+      LOOK,
+      EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", spellcheck: "false", autocapitalize: "off" }),
+      EditorView.updateListener.of((update) => update.docChanged && changed()),
+      keymap.of([...keys, ...closeBracketsKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+      extensions,
+    ];
+    this.mode = [];
+    this.view = new EditorView({ root, parent: root });
+    this.text = "";
+  }
+
+  get text() {
+    return this.view.state.doc.toString();
+  }
+
+  // A new text has no history: undo does not bring back another program.
+  set text(text) {
+    this.view.setState(EditorState.create({ doc: text, extensions: [this.extensions, this.language.of(this.mode)] }));
+  }
+
+  set syntax(mode) {
+    this.mode = mode;
+    this.view.dispatch({ effects: this.language.reconfigure(mode) });
+  }
+
+  // Marks of a run: line and column count from 1, line 0 is the whole file.
+  mark(marks) {
+    const { doc } = this.view.state;
+    const found = marks.map(({ line, column, length, severity, message, hint }) => {
+      const { from, to } = doc.line(Math.min(Math.max(line, 1), doc.lines));
+      const begin = Math.min(from + Math.max(column - 1, 0), to);
+      const end = column ? Math.min(begin + length, to) : to;
+      return { from: begin, to: end, severity, message: hint ? `${message}\n${hint}` : message };
+    });
+    this.view.dispatch(setDiagnostics(this.view.state, found));
+  }
+
+  goTo(line) {
+    const { doc } = this.view.state;
+    const { from } = doc.line(Math.min(line, doc.lines));
+    this.view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
+    this.view.focus();
+  }
+}

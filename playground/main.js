@@ -1,0 +1,246 @@
+// The page: editors, gallery, buttons, and what happens with a run.
+
+import { StreamLanguage } from "@codemirror/language";
+import { toml } from "@codemirror/legacy-modes/mode/toml";
+import { Editor } from "./editor.js";
+import { LANGUAGES } from "./highlight.js";
+import { Python } from "./python.js";
+import { Results } from "./results.js";
+import { BadLink, fromFragment, toFragment } from "./share.js";
+
+const element = (id) => document.getElementById(id);
+const FILES = ["program", "machine"];
+const SUFFIX = { mint: ".mnt", mccl: ".mcl" };
+const FIRST = "ballscrew.mnt";
+const HOW = { ended: "The program has ended.", until: "The time of the run was up.", fault: "The program did not end as it should; see the errors." };
+
+const run = { key: "Ctrl-Enter", mac: "Cmd-Enter", run: () => (start(), true) };
+const editors = {
+  program: new Editor(element("panel-program"), "Program", { keys: [run] }),
+  machine: new Editor(element("panel-machine"), "Machine file", { keys: [run] }),
+};
+editors.machine.syntax = StreamLanguage.define(toml);
+
+const results = new Results((line) => {
+  choose("program");
+  editors.program.goTo(line);
+});
+
+let name = FIRST;
+let answers = [];
+let shared = "";
+let python = null;
+let runs = 0;
+let began = 0;
+
+// ---------------------------------------------------------------------- the files
+
+function say(text) {
+  element("status").textContent = text;
+}
+
+// A figure for tests, as an attribute of the page: milliseconds, or the number of runs.
+function measure(what, value) {
+  document.documentElement.dataset[what] = String(Math.round(10 * value) / 10);
+}
+
+function request() {
+  const dialect = element("dialect").value;
+  return { name, dialect, program: editors.program.text, machine: editors.machine.text };
+}
+
+function open(file) {
+  stop("");
+  name = named(file);
+  element("dialect").value = file.dialect;
+  editors.program.text = file.program;
+  editors.machine.text = file.machine;
+  editors.program.syntax = LANGUAGES[file.dialect];
+  results.clear();
+  choose("program");
+}
+
+// The name of a file without folders, with a suffix of its language.
+function named({ name, dialect }) {
+  const plain = name.replace(/[^\w.-]/g, "").slice(0, 60).replace(/\.\w*$/, "") || "program";
+  const suffix = /\.\w+$/.exec(name)?.[0] ?? "";
+  const known = { mint: [".mnt", ".mntx", ".prg"], mccl: [".mcl", ".mccl"] }[dialect];
+  return plain + (known.includes(suffix) ? suffix : SUFFIX[dialect]);
+}
+
+function choose(file) {
+  for (const each of FILES) {
+    const tab = element(`tab-${each}`);
+    tab.setAttribute("aria-selected", String(each === file));
+    tab.tabIndex = each === file ? 0 : -1;
+    element(`panel-${each}`).hidden = each !== file;
+  }
+}
+
+// ---------------------------------------------------------------------- a run
+
+function start(given = []) {
+  if (python === null || python.running) return;
+  answers = given;
+  results.clear();
+  for (const editor of Object.values(editors)) editor.mark([]);
+  element("ask").hidden = true;
+  busy(true);
+  say(python.ready ? "Running …" : "Loading Python; the program runs as soon as it is there …");
+  began = performance.now();
+  python.run({ ...request(), answers });
+}
+
+function stop(why) {
+  element("ask").hidden = true;
+  python?.stop(why);
+}
+
+function busy(is) {
+  element("run").disabled = is;
+  element("stop").disabled = !is;
+}
+
+const HEARD = {
+  ready: ({ loaded }) => {
+    measure("loaded", loaded);
+    if (!python.running) say("Ready. Press Run, or Ctrl-Enter.");
+    else say("Running …");
+  },
+  output: ({ text }) => results.print(text),
+  asks: ({ question }) => {
+    element("question").textContent = question;
+    element("answer").value = "";
+    element("ask").hidden = false;
+    element("answer").focus();
+    say("The program asks for INPUT.");
+  },
+  result: (result) => {
+    results.result(result);
+    for (const file of FILES) editors[file].mark(result.marks.filter(({ tab }) => tab === file));
+    if (result.marks.some(({ tab }) => tab === "machine")) choose("machine");
+    measure("table", performance.now() - began);
+    if (!("first" in document.documentElement.dataset)) measure("first", performance.now());
+    say(HOW[result.status] ?? `The run is over: ${result.status}.`);
+  },
+  details: (details) => results.details(details),
+  done: () => {
+    busy(false);
+    measure("runs", ++runs);
+  },
+  failed: ({ text }) => {
+    busy(false);
+    say(`The program could not be run: ${text}.`);
+  },
+  ended: ({ why }) => {
+    busy(false);
+    if (why) say(why);
+  },
+};
+
+// ---------------------------------------------------------------------- links
+
+async function share() {
+  try {
+    shared = await toFragment(request());
+  } catch (error) {
+    return say(error instanceof BadLink ? error.message : "This browser cannot make a link.");
+  }
+  history.replaceState(null, "", `#${shared}`);
+  try {
+    await navigator.clipboard.writeText(location.href);
+    say("The link is in the address bar and on the clipboard. The program is in the link, and on no server.");
+  } catch {
+    say("The link is in the address bar. The program is in the link, and on no server.");
+  }
+}
+
+// True if the address has a program; it is shown, and runs only when the reader says so.
+async function openLink() {
+  const fragment = location.hash.slice(1);
+  if (!fragment || fragment === shared) return false;
+  try {
+    open(await fromFragment(fragment));
+  } catch (error) {
+    say(error instanceof BadLink ? error.message : "This browser cannot read the link.");
+    return false;
+  }
+  element("gallery").value = "";
+  say("This program came with the link. Press Run to run it.");
+  return true;
+}
+
+// ---------------------------------------------------------------------- the page
+
+function listen() {
+  element("bar").addEventListener("submit", (event) => {
+    event.preventDefault();
+    start();
+  });
+  element("stop").addEventListener("click", () => stop("The run was ended."));
+  element("share").addEventListener("click", share);
+  element("dialect").addEventListener("change", ({ target }) => {
+    name = named({ name, dialect: target.value });
+    editors.program.syntax = LANGUAGES[target.value];
+  });
+  element("ask").addEventListener("submit", (event) => {
+    event.preventDefault();
+    start([...answers, element("answer").value]);
+  });
+  element("tabs").addEventListener("click", ({ target }) => choose(target.id.slice("tab-".length)));
+  element("tabs").addEventListener("keydown", ({ key, target }) => {
+    if (key !== "ArrowLeft" && key !== "ArrowRight") return;
+    const other = target.id === "tab-program" ? "machine" : "program";
+    choose(other);
+    element(`tab-${other}`).focus();
+  });
+  addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) start();
+  });
+  addEventListener("hashchange", openLink);
+}
+
+function fillGallery(gallery) {
+  const groups = { mint: "Mint", mccl: "MCCL" };
+  for (const [dialect, label] of Object.entries(groups)) {
+    const group = document.createElement("optgroup");
+    group.label = label;
+    for (const each of gallery.filter((one) => one.dialect === dialect)) {
+      const option = new Option(each.needs ? `${each.name} (needs ${each.needs})` : each.name, each.name);
+      group.append(option);
+    }
+    element("gallery").append(group);
+  }
+  element("gallery").addEventListener("change", ({ target }) => {
+    const chosen = gallery.find((one) => one.name === target.value);
+    if (!chosen) return;
+    history.replaceState(null, "", location.pathname + location.search);
+    open(chosen);
+    if (chosen.needs) say(`This program needs ${chosen.needs}, which a browser does not have: install motionlang to run it.`);
+  });
+}
+
+async function begin() {
+  listen();
+  editors.program.syntax = LANGUAGES.mint;
+  const [contents, linked] = await Promise.all([
+    fetch(new URL("contents.json", import.meta.url)).then((answer) => answer.json()),
+    openLink(),
+  ]);
+  element("version").textContent = `motionlang ${contents.version}, commit ${contents.commit}`;
+  // The pages of the documentation, which the playground is part of, link here with ?docs.
+  element("docs").hidden = !new URLSearchParams(location.search).has("docs");
+  fillGallery(contents.gallery);
+  if (!linked) {
+    if (!editors.program.text) open(contents.gallery.find((one) => one.name === FIRST));
+    element("gallery").value = FIRST;
+  }
+}
+
+if (typeof WebAssembly !== "object") {
+  say("This page needs WebAssembly, which this browser does not have or has disabled.");
+} else {
+  python = new Python((message) => HEARD[message.type](message));
+  element("run").disabled = false;
+  begin().catch((error) => say(`The page is incomplete: ${error.message || error}.`));
+}

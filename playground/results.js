@@ -1,0 +1,115 @@
+// What the page shows of a run. Everything a program prints is set as text, never as HTML.
+
+const element = (id) => document.getElementById(id);
+const CHUNK = 100_000;
+
+function show(id, visible) {
+  element(id).hidden = !visible;
+}
+
+function text(id, value) {
+  show(id, value !== "");
+  element(id).querySelector("pre").textContent = value;
+}
+
+function rows(id, cells) {
+  show(id, cells.length > 0);
+  element(id)
+    .querySelector("tbody")
+    .replaceChildren(
+      ...cells.map((row) => {
+        const made = document.createElement("tr");
+        made.append(
+          ...row.map((each) => {
+            const cell = document.createElement("td");
+            cell.append(each);
+            return cell;
+          }),
+        );
+        return made;
+      }),
+    );
+}
+
+export class Results {
+  // `goTo` is called with the line of the program that a reader chooses.
+  constructor(goTo) {
+    this.goTo = goTo;
+    this.pages = new Map(); // the frame that is shown, until it is ready for its page
+    addEventListener("message", ({ source, data }) => data === "ready" && this.send(source));
+    this.clear();
+  }
+
+  clear() {
+    this.printed = "";
+    for (const id of ["wrong", "output", "table"]) text(id, "");
+    for (const id of ["events", "lines"]) rows(id, []);
+    this.scope("", "");
+  }
+
+  // A long output is cut here; the whole of it would make the page slow.
+  print(piece) {
+    if (this.printed.length >= CHUNK) return;
+    this.printed = (this.printed + piece).slice(0, CHUNK);
+    text("output", this.printed);
+  }
+
+  result({ table, diagnostics, complaints = [], events = [], event_count = 0, dropped = 0 }) {
+    if (dropped || this.printed.length >= CHUNK) {
+      text("output", `${this.printed}\n… only the first ${CHUNK.toLocaleString("en")} characters are shown`);
+    }
+    text("wrong", [diagnostics, complaints.join("\n")].filter(Boolean).join("\n"));
+    text("table", table);
+    const shown = events.map(({ time, line, kind, text }) => [
+      time.toPrecision(7).replace(/\.?0+$/, ""),
+      this.line(line),
+      text ? `${kind}: ${text}` : kind,
+    ]);
+    if (event_count > events.length) shown.push(["…", "", `${event_count - events.length} more`]);
+    rows("events", shown);
+  }
+
+  details({ scope, no_scope, lines }) {
+    this.scope(scope, no_scope);
+    rows(
+      "lines",
+      lines.map(({ line, seconds, share, text }) => {
+        const code = document.createElement("code");
+        code.textContent = text;
+        return [this.line(line), seconds.toFixed(4), `${(100 * share).toFixed(1)} %`, code];
+      }),
+    );
+  }
+
+  line(number) {
+    if (!number) return "";
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = number;
+    button.setAttribute("aria-label", `go to line ${number}`);
+    button.addEventListener("click", () => this.goTo(number));
+    return button;
+  }
+
+  send(window) {
+    for (const [frame, page] of this.pages) {
+      if (window === null || frame.contentWindow !== window) continue;
+      this.pages.delete(frame);
+      window.postMessage(page, "*");
+    }
+  }
+
+  // The scope page runs in a frame of its own origin without network, see scope.html.
+  scope(page, instead) {
+    show("scope", page !== "" || instead !== "");
+    element("scope").querySelector("p").textContent = instead;
+    this.pages.clear();
+    if (!page) return element("frame").replaceChildren();
+    const frame = document.createElement("iframe");
+    frame.title = "Motion of the run";
+    frame.setAttribute("sandbox", "allow-scripts allow-downloads");
+    frame.src = new URL("scope.html", import.meta.url).href;
+    this.pages.set(frame, page);
+    element("frame").replaceChildren(frame);
+  }
+}

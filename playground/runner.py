@@ -1,0 +1,203 @@
+"""One run of the playground: a program and its machine file, and everything the page shows of it.
+
+The worker of the page calls `start` in the browser's Python; tests call it in any other. Messages to the page
+are dictionaries of plain values, in this order: `output` while the program prints, then `asks` or `result`,
+and after a result `details`. An INPUT without an answer ends a run with `asks`. The page then starts the
+program again with one answer more, which costs little and gives the same output up to there: a run depends on
+its text alone.
+"""
+
+from __future__ import annotations
+
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+from motionlang.errors import Diagnostic, ProgramError, missing
+from motionlang.execution import run
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.result import Run
+
+    Message = dict[str, Any]
+    Send = Callable[[Message], object]
+
+# The columns of a table in a pipe, so that the page has the table of the command line.
+WIDTH = 160
+# Characters of output that the page gets, and seconds between two messages with output.
+MAX_OUTPUT, SECONDS = 1_000_000, 0.05
+# Rows of the page's own tables.
+MAX_ROWS = 200
+NO_NUMPY = "install motionlang to run it on your computer: the Python of a browser has no numpy"
+
+
+class Output:
+    """The output of a program, sent in chunks; beyond `MAX_OUTPUT` only counted."""
+
+    def __init__(self, send: Send) -> None:
+        self._send = send
+        self._chunks: list[str] = []
+        self._left, self._last, self.dropped = MAX_OUTPUT, monotonic(), 0
+
+    def write(self, text: str) -> None:
+        """Take a text of the program."""
+        if len(text) > self._left:
+            self.dropped += len(text) - self._left
+            text = text[: self._left]
+        if text:
+            self._left -= len(text)
+            self._chunks.append(text)
+            if monotonic() - self._last > SECONDS:
+                self.flush()
+
+    def flush(self) -> None:
+        """Send what was taken since the last time."""
+        if self._chunks:
+            self._send({"type": "output", "text": "".join(self._chunks)})
+        self._chunks, self._last = [], monotonic()
+
+
+class Answers:
+    """The answers of the page to INPUT; `question` is set once one is missing."""
+
+    def __init__(self, answers: list[str]) -> None:
+        self._answers = iter(answers)
+        self.question: str | None = None
+
+    def next(self, machine: Machine) -> str:
+        """Return the next answer; end the run if there is none."""
+        for answer in self._answers:
+            return answer
+        self.question = machine.terminal.begun or "? "
+        raise KeyboardInterrupt
+
+
+def start(request: Message, send: Send) -> None:
+    """Run `request`: its `name`, `dialect`, `program`, `machine` and `answers`.
+
+    `machine` is the text of the machine file, blank for none.
+    """
+    source = Source(request["name"], request["program"])
+    machine = Source(f"{request['name'].rpartition('.')[0]}.machine.toml", request["machine"])
+    try:
+        settings = _settings(machine, request["dialect"])
+    except ProgramError as error:
+        send(
+            {
+                "type": "result",
+                "status": "fault",
+                "table": "",
+                **_wrong(error.diagnostics, machine, "machine"),
+            }
+        )
+        return
+    output, answers = Output(send), Answers(request.get("answers", []))
+
+    def begun(machine: Machine) -> None:
+        machine.ask = lambda: answers.next(machine)
+
+    try:
+        made = run(
+            source, dialect=request["dialect"], machine=settings, show=output.write, begun=begun, cache=False,
+            keep_crash=True,
+        )  # fmt: skip
+    except Exception as error:  # before the program began, such as a machine with a motor
+        send({"type": "result", "status": "fault", "table": "", **_wrong([_crash(error)], source, "program")})
+        return
+    output.flush()
+    if answers.question is not None:
+        send({"type": "asks", "question": answers.question})
+        return
+    send({"type": "result", "status": made.status, **_results(made, source), "dropped": output.dropped})
+    send({"type": "details", **_details(made)})
+
+
+def _settings(machine: Source, dialect: str) -> dict[str, object]:
+    from motionlang.lang.dialect import dialect as language
+    from motionlang.lang.machine.axes import missing_axes
+    from motionlang.lang.machine.machine import DEFAULT_AXES
+
+    if not machine.text.strip():
+        return {}
+    from motionlang.lang.machine.file import read_machine
+
+    settings = read_machine(machine)
+    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    wrong = missing_axes(settings, axes, language(dialect).first_axis)
+    if wrong:
+        raise ProgramError(wrong)
+    return settings
+
+
+def _results(made: Run, source: Source) -> Message:
+    from motionlang.cli.event_status import complaints
+    from motionlang.report import events
+    from motionlang.views.table import render
+
+    diagnostics = list(made.diagnostics)
+    if made.crash is not None:
+        diagnostics.append(_crash(made.crash))
+    began = made.status != "fault" or made.time or made.controller.log.moves
+    return {
+        "table": render(made, width=WIDTH) if began and made.crash is None else "",
+        "events": [_event(row) for row, _ in zip(events(made), range(MAX_ROWS), strict=False)],
+        "event_count": len(made.machine.log.events),
+        "complaints": complaints(made, frozenset()),
+        **_wrong(diagnostics, source, "program"),
+    }
+
+
+def _crash(error: Exception) -> Diagnostic:
+    lacking = missing(error, "this run")
+    if lacking is not None:
+        return Diagnostic("extra", lacking.message, hint=NO_NUMPY)
+    return Diagnostic("crash", f"internal error: {error.__class__.__name__}: {error}")
+
+
+def _wrong(diagnostics: list[Diagnostic], source: Source, tab: str) -> Message:
+    """Return diagnostics as text and as marks in the editor of a tab."""
+    from motionlang.views.diagnostics import render_all
+
+    return {
+        "diagnostics": render_all(diagnostics, source, name=source.name) if diagnostics else "",
+        "marks": [{"tab": tab, "length": each.length, **each.as_dict()} for each in diagnostics],
+    }
+
+
+def _event(row: Message) -> Message:
+    limits = {name: row[name] for name in ("axis", "value", "limit") if name in row}
+    about = ", ".join(f"{name} {value:g}" for name, value in limits.items())
+    return {
+        "time": row["time"],
+        "line": row["line"],
+        "kind": row["kind"],
+        "text": "; ".join(filter(None, (about, row.get("text", "")))),
+    }
+
+
+def _details(made: Run) -> Message:
+    """Return the scope page and the lines by their time; a sentence in place of a page that is too long."""
+    from motionlang.analysis.cycle.profile import TimeProfile
+    from motionlang.views.scope import page
+
+    if made.crash is not None or not made.time:
+        return {"scope": "", "no_scope": "", "lines": []}
+    try:
+        scope, no_scope = page(made), ""
+    except ValueError as error:
+        scope, no_scope = "", str(error)
+    profile = TimeProfile(made)
+    lines = [
+        {
+            "line": share.line,
+            "seconds": share.seconds,
+            "share": share.seconds / profile.seconds if profile.seconds else 0.0,
+            "text": made.source.line(share.line).strip(),
+        }
+        for share in profile.lines()[:MAX_ROWS]
+        if share.line and share.seconds
+    ]
+    return {"scope": scope, "no_scope": no_scope, "lines": lines}

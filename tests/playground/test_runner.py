@@ -1,0 +1,125 @@
+"""`runner.py`: what the page gets of a run, equal to what the command line prints."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from motionlang.cli import main
+from tests.built import ROOT
+
+Message = dict[str, Any]
+GALLERY = sorted(path for path in (ROOT / "scripts").glob("*/*") if path.suffix in (".mnt", ".mcl"))
+
+
+def module(name: str) -> Any:
+    spec = importlib.util.spec_from_file_location(f"playground_{name}", ROOT / "playground" / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    return made
+
+
+runner = module("runner")
+
+
+def messages(program: str, *answers: str, machine: str = "", name: str = "program.mnt") -> list[Message]:
+    found: list[Message] = []
+    dialect = "mccl" if name.endswith(".mcl") else "mint"
+    request = {
+        "name": name,
+        "dialect": dialect,
+        "program": program,
+        "machine": machine,
+        "answers": list(answers),
+    }
+    runner.start(request, found.append)
+    return found
+
+
+def printed(found: list[Message]) -> str:
+    return "".join(each["text"] for each in found if each["type"] == "output")
+
+
+def of_type(found: list[Message], kind: str) -> Message:
+    (message,) = (each for each in found if each["type"] == kind)
+    return message
+
+
+def command(*arguments: str) -> str:
+    """Return what the command line writes to a pipe."""
+    out = io.BytesIO()
+    text = io.TextIOWrapper(out, encoding="utf-8", newline="", write_through=True)
+    with contextlib.redirect_stdout(text):
+        main(arguments)
+    return out.getvalue().decode()
+
+
+@pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)
+def test_output_and_table_are_those_of_the_command_line(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    beside = path.with_suffix(".machine.toml")
+    machine = beside.read_text(encoding="utf-8") if beside.exists() else ""
+    found = messages(path.read_text(encoding="utf-8"), machine=machine, name=path.name)
+    monkeypatch.setattr(sys, "stdin", io.StringIO(""))
+    parts = [printed(found), of_type(found, "result")["table"]]
+    assert "\n".join(filter(None, parts)) == command("run", str(path), "--no-cache")
+
+
+def test_input_asks_until_it_has_every_answer() -> None:
+    program = 'Dim a, b\nINPUT "first "; a\nINPUT "second "; b\nPRINT a * b\n'
+    assert messages(program)[-1] == {"type": "asks", "question": "first "}
+    assert messages(program, "6")[-1] == {"type": "asks", "question": "second "}
+    found = messages(program, "6", "7")
+    assert of_type(found, "result")["status"] == "ended"
+    assert printed(found).splitlines()[-1].split() == ["42.0000"]
+
+
+def test_mistakes_are_marked_in_the_file_that_has_them() -> None:
+    (mark,) = of_type(messages("PRINT 1\nSPED(0) = 5\n"), "result")["marks"]
+    assert [mark[each] for each in ("tab", "line", "column", "length")] == ["program", 2, 1, 4]
+    assert mark["hint"] == "did you mean SPEED?"
+    (mark,) = of_type(messages("PRINT 1\n", machine="[axis.0]\nscal = 5\n"), "result")["marks"]
+    assert [mark["tab"], mark["line"]] == ["machine", 2]
+
+
+def test_the_scope_page_and_the_lines_follow_the_table() -> None:
+    # 100 uu at 50 uu/s with 500 uu/s2: 100/50 + 50/500 = 2.1 s, all of them at the line of the move.
+    program = "SPEED(0) = 50\nACCEL(0) = 500\nDECEL(0) = 500\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
+    found = messages(program)
+    assert [each["type"] for each in found] == ["result", "details"]
+    details = of_type(found, "details")
+    assert details["scope"].startswith("<!DOCTYPE html>")
+    first = details["lines"][0]
+    assert (first["line"], first["text"]) == (4, "MOVER(0) = 100")
+    assert first["seconds"] == pytest.approx(2.1)
+
+
+def test_an_event_has_its_line() -> None:
+    program = "SPEED(0) = 50\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
+    result = of_type(messages(program, machine="[axis.0]\ntravel = [-10.0, 20.0]\n"), "result")
+    assert [each["line"] for each in result["events"]][:1] == [4]
+    assert result["event_count"] == len(result["events"])
+    assert result["complaints"]
+
+
+def test_a_long_output_is_cut(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(runner, "MAX_OUTPUT", 10)
+    found = messages("Dim n\nFor n = 1 To 5\nPRINT 1234\nNext\n")
+    assert len(printed(found)) == 10
+    assert of_type(found, "result")["dropped"] == 5 * len("1234\n") - 10
+
+
+def test_without_numpy_a_motor_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        runner, "run", lambda *_, **__: (_ for _ in ()).throw(ImportError("none", name="numpy"))
+    )
+    result = of_type(messages("PRINT 1\n"), "result")
+    assert "this run needs numpy" in result["diagnostics"]
+    assert "install motionlang" in result["diagnostics"]

@@ -1,0 +1,54 @@
+"""The native output of the gallery, and the time of a shift."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import io
+import json
+import os
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from motionlang.cli import main
+from motionlang.execution import run
+from motionlang.source import Source
+from motionlang.views.table import render
+
+ROOT = Path(__file__).parents[2]
+
+
+def printed(path: Path) -> str:
+    """Return what `motionlang run` writes to a pipe."""
+    out = io.BytesIO()
+    text = io.TextIOWrapper(out, encoding="utf-8", newline="", write_through=True)
+    with contextlib.redirect_stdout(text), contextlib.redirect_stderr(io.StringIO()):
+        main(["run", str(path), "--no-cache"])
+    return out.getvalue().decode()
+
+
+def shift() -> dict[str, Any]:
+    """Return the shift of `benchmarks/shift.py` and its time, the best of three."""
+    sys.path.insert(0, str(ROOT / "benchmarks"))
+    program: str = importlib.import_module("shift").PROGRAM
+    times = []
+    for _ in range(3):
+        began = time.perf_counter()
+        render(run(Source("program.mnt", program), cache=False), width=160)
+        times.append(time.perf_counter() - began)
+    return {"program": program, "seconds": min(times)}
+
+
+def write(file: Path) -> None:
+    """Write the output of every program, by language and name, and the shift."""
+    os.chdir(ROOT)
+    sys.stdin = io.StringIO("")
+    programs = [path for path in sorted(ROOT.glob("scripts/*/*")) if path.suffix in (".mnt", ".mcl")]
+    found: dict[str, Any] = {f"{path.parent.name}/{path.name}": printed(path) for path in programs}
+    file.write_text(json.dumps({**found, "shift": shift()}), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    write(Path(sys.argv[1]))
