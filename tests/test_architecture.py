@@ -28,6 +28,7 @@ LEVELS: dict[str, int] = {
     "library": 12,
     "analysis.diff": 11,
     "debug": 11,
+    "editor": 11,
     "analysis.sweeps": 11,
     "analysis.scenarios": 11,
     "execution": 10,

@@ -29,7 +29,7 @@ NAMED = {
     "controller/triggers/homing.py": "HOME",
     "views/chapter12.py": "DAC",
     "views/chapter12_plot.py": "DAC",
-    "views/keywords.py": "RW",
+    "assumptions/keyword_facts.py": "RW",
     "views/servo.py": "DAC",
     "views/servo_plot.py": "DAC",
     "lang/machine/nonvolatile.py": "NVLONG",

@@ -1,4 +1,4 @@
-"""The facts of a keyword in words, each with its evidence: for its page and for an editor."""
+"""The facts of a keyword in words, each with its evidence."""
 
 from __future__ import annotations
 

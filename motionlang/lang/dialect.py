@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
-    from motionlang.lang.names import Names
+    from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.source import Source
@@ -81,6 +81,8 @@ class Dialect:
     suffixes: tuple[str, ...]
     first_axis: int
     cached = False
+    # The sign that begins a comment.
+    comment: str
     # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
     constant = ""
     # Control words that declare a name, and those that a statement may follow, where a condition follows others.
@@ -149,6 +151,13 @@ class Dialect:
         Lines that cannot be read have none.
         """
         raise NotImplementedError
+
+    def layout(self, source: Source) -> list[LineLayout] | None:
+        """Return the indentation of each line of a text.
+
+        The result is None for a language without blocks.
+        """
+        return None
 
     def forms(self, row: Keyword) -> tuple[str, ...]:
         """Return how a keyword is written, with a for an axis and n for a number.

@@ -63,6 +63,20 @@ class Block:
     span: Span
 
 
+@record
+class LineLayout:
+    """The indentation of a line.
+
+    The line is `back` levels less indented than those above; those below change by `change` levels. A
+    line that `continues` another one, or has characters of no token, is not indented.
+    """
+
+    back: int = 0
+    change: int = 0
+    continues: bool = False
+    unreadable: bool = False
+
+
 class Names:
     """The names of one text.
 

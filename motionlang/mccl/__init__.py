@@ -33,6 +33,7 @@ class Mccl(Dialect):
         ".mcl", ".mccl", ".dc2", ".stn", ".pc1", ".at1", ".at2", ".at3", ".pci1", ".pci3", ".mfx1",
     )  # fmt: skip
     first_axis = 1
+    comment = ";"
     jumps = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
 
     def compile(

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
-    from motionlang.lang.names import Names
+    from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
@@ -31,6 +31,7 @@ class Mint(Dialect):
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
     cached = True
+    comment = "'"
     constant = "Const {} = {}"
     declaring = frozenset(("const", "define", "dim", "nv"))
     before_statements = frozenset(("define", "do", "else", "loop", "repeat", "then"))
@@ -94,6 +95,11 @@ class Mint(Dialect):
         from motionlang.mint.resolve.definitions import names
 
         return names(source)
+
+    def layout(self, source: Source) -> list[LineLayout]:
+        from motionlang.mint.syntax.layout import layout
+
+        return layout(source.text)
 
     def models(self) -> tuple[str, ...]:
         from motionlang.mint.models import NAMES, PRODUCTS

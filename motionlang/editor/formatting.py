@@ -1,0 +1,49 @@
+"""The layout of a Mint program: indentation by blocks, no trailing blanks.
+
+Tokens and comments stay as they are, so the program stays the same.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.editor.fixes import Edit
+
+if TYPE_CHECKING:
+    from motionlang.editor.page import Page
+
+
+def format(page: Page, indent: str = "  ") -> list[Edit]:
+    """Return the edits that lay a text out, none for a language without blocks."""
+    edits = []
+    start = 0
+    for line, wanted in zip(page.text.split("\n"), formatted_lines(page, indent), strict=True):
+        same = 0  # an edit is the part that changes, so that the cursor of an editor stays where it is
+        while same < min(len(line), len(wanted)) and line[same] == wanted[same]:
+            same += 1
+        tail = 0
+        while tail < min(len(line), len(wanted)) - same and line[-1 - tail] == wanted[-1 - tail]:
+            tail += 1
+        if line != wanted:
+            edits.append(Edit((start + same, start + len(line) - tail), wanted[same : len(wanted) - tail]))
+        start += len(line) + 1
+    return edits
+
+
+def formatted_lines(page: Page, indent: str) -> list[str]:
+    """Return the lines of a text in the layout of its language."""
+    lines = page.text.split("\n")
+    layout = page.language.layout(page.source)
+    if layout is None:
+        return lines
+    found, depth = [], 0
+    for line, each in zip(lines, layout, strict=True):
+        if each.unreadable:
+            found.append(line)
+        elif each.continues:
+            found.append(line.rstrip(" \t"))
+        else:
+            body = line.strip(" \t")
+            found.append(indent * max(0, depth - each.back) + body if body else "")
+        depth = max(0, depth + each.change)
+    return found

@@ -1,0 +1,90 @@
+"""The page in Markdown of the name or the keyword under the pointer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.assumptions.keyword_facts import facts
+from motionlang.record import record
+
+if TYPE_CHECKING:
+    from motionlang.editor.page import Page
+    from motionlang.lang.keyword import Keyword
+    from motionlang.lang.names import Definition, Span
+
+# The most lines of a comment above a declaration that belong to it.
+_MAX_COMMENT = 20
+# How often a name is used, where there is a word for it.
+_OFTEN = {0: "never used", 1: "used once", 2: "used twice"}
+# Signs with a meaning in Markdown.
+_SIGNS = str.maketrans({sign: f"\\{sign}" for sign in "\\`*_{}[]<>#|"})
+
+
+@record
+class Hover:
+    """A text in Markdown about a span."""
+
+    markdown: str
+    span: Span
+
+
+def hover(page: Page, offset: int) -> Hover | None:
+    """Return what is known of the word at an offset."""
+    named = page.names.at(offset)
+    if named is not None:
+        return Hover(definition_page(page, named[0]), named[1])
+    word = page.keyword(offset)
+    return None if word is None else Hover(keyword_page(word[0], page.language.name), word[1])
+
+
+def definition_page(page: Page, definition: Definition) -> str:
+    """Return declaration, comment, type, value and number of uses of a name."""
+    written = definition.text
+    if definition.kind == "macro" and definition.span is not None:
+        start, end = page.line_of(definition.span[0])
+        written = page.text[start:end].strip()
+    lines = [f"```{page.language.name}", written or definition.name, "```"]
+    comment = _comment_above(page, definition)
+    if comment:
+        lines += ["", comment]
+    about = [definition.kind + (f" of {definition.home}" if definition.home else "")]
+    if definition.kind == "define":
+        about.append(f"stands for `{definition.value}`")
+    elif definition.value:
+        about.append(f"value `{definition.value}`")
+    others = len(definition.uses) - (definition.span is not None)
+    about.append(_OFTEN.get(others, f"used {others} times"))
+    if definition.span is None and definition.kind == "macro":
+        about.append("not defined in this file")
+    return "\n".join([*lines, "", " · ".join(about)])
+
+
+def keyword_page(row: Keyword, language: str) -> str:
+    """Return the page of a keyword: help, facts with their evidence, an example."""
+    lines = [f"**{row.name}** · {row.kind}", "", row.help.translate(_SIGNS)]
+    if not row.simulated:
+        lines += ["", "*not simulated*: the keyword is recognised, and a program that uses it gets a message"]
+    lines.append("")
+    lines += [f"- {name}: {text.translate(_SIGNS)}" for name, text in facts(row, language) if text]
+    if row.example:
+        lines += ["", f"```{language}", row.example, "```"]
+    return "\n".join(lines)
+
+
+def _comment_above(page: Page, definition: Definition) -> str:
+    """Return the comment in the lines above a declaration, or at its end."""
+    if definition.span is None:
+        return ""
+    start, end = page.line_of(definition.span[0])
+    found = [piece for kind, piece, _ in page.language.tokens(page.text[start:end]) if kind == "comment"]
+    while start > 0 and len(found) < _MAX_COMMENT:
+        above, stop = page.line_of(start - 1)
+        pieces = list(page.language.tokens(page.text[above:stop]))
+        if not pieces or any(
+            kind != "comment" and not (kind == "separator" and p.isspace()) for kind, p, _ in pieces
+        ):
+            break
+        found.insert(0, pieces[-1][1])
+        start = above
+    text = " ".join(each.lstrip("';# \t").strip() for each in found)
+    return text.translate(_SIGNS)

@@ -1,0 +1,105 @@
+"""The simulated time of each line, from a run with limits that writes nothing."""
+
+from __future__ import annotations
+
+from math import fsum
+from typing import TYPE_CHECKING
+
+from motionlang.analysis.cycle.source_positions import SourcePositions
+from motionlang.execution import Checked, end_of, run
+from motionlang.record import record
+
+if TYPE_CHECKING:
+    from motionlang.editor.page import Page
+    from motionlang.result import Run
+
+# The machine time after which a run ends here, s: most programs of machines have no end of their own.
+MAX_TIME = 600.0
+# The size of the log on disk, GB. A run for hints stays in memory.
+_LOG_SIZE = 0.0
+
+
+@record
+class LineTime:
+    """The number of moves that a line has started, and their duration.
+
+    `waited` are the seconds that tasks have waited at the line.
+    """
+
+    line: int
+    moves: int
+    seconds: float
+    waited: float
+
+    def __str__(self) -> str:
+        parts = [f"{_seconds(self.seconds)} ({self.moves}×)"] if self.moves else []
+        if self.waited >= _SHORTEST:
+            parts.append(f"waits {_seconds(self.waited)}")
+        return " · ".join(parts)
+
+
+# A shorter wait is not shown, s.
+_SHORTEST = 0.0005
+
+
+@record
+class Times:
+    """The times of a run's lines.
+
+    `fault` is the line and the message at which it ended, or None. `until` is the machine time at which
+    the run was cut short, 0 if it ended by itself.
+    """
+
+    lines: list[LineTime]
+    fault: tuple[int, str] | None
+    until: float
+
+
+NO_TIMES = Times([], None, 0.0)
+
+
+def times(page: Page) -> Times:
+    """Run a program and return the times of its lines; none if it has errors."""
+    settings = Checked(page.settings)
+    result = run(
+        page.source,
+        dialect=page.language,
+        machine=settings,
+        until=min(end_of(settings), MAX_TIME),
+        cache=False,
+        keep_crash=True,
+        log_size=_LOG_SIZE,
+    )
+    if result.program is None:
+        return NO_TIMES
+    cut = result.time if result.status in ("until", "interrupted", "limit") else 0.0
+    return Times(_lines(result), _fault(result), cut)
+
+
+def _lines(result: Run) -> list[LineTime]:
+    moves: dict[int, list[float]] = {}
+    waits: dict[int, list[float]] = {}
+    log = result.machine.log
+    for move in log.moves:
+        assert move.profile is not None
+        last = move.start_time + move.profile.duration
+        moves.setdefault(move.line, []).append(min(last, result.time) - move.start_time)
+    positions = SourcePositions(result)
+    for wait in log.waits:
+        waits.setdefault(positions.line(wait.at), []).append(wait.until - wait.since)
+    found = [
+        LineTime(line, len(moves.get(line, ())), fsum(moves.get(line, ())), fsum(waits.get(line, ())))
+        for line in sorted(moves.keys() | waits.keys())
+    ]
+    return [each for each in found if each.line and str(each)]
+
+
+def _fault(result: Run) -> tuple[int, str] | None:
+    if result.status != "fault":
+        return None
+    found = [each for each in result.diagnostics if each.severity == "error" and each.line]
+    return (found[-1].line, found[-1].message) if found else None
+
+
+def _seconds(value: float) -> str:
+    return f"{value:.3g} s" if value < 100 else f"{value:.0f} s"

@@ -1,0 +1,89 @@
+"""Semantic tokens: the kinds of words, from the tables of the highlighting."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from motionlang.lang.dialect import dialect
+from motionlang.lang.highlight import pieces
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.editor.page import Page
+    from motionlang.lang.names import Names
+
+# The kinds of tokens, in the order of their numbers, by the kinds of `lang/highlight.py` and `lang/names.py`.
+TYPES = (
+    "keyword", "function", "property", "variable", "parameter", "type", "label", "event", "macro", "number",
+    "string", "comment", "operator", "class",
+)  # fmt: skip
+_TYPE_OF = {
+    "control": "keyword",
+    "keyword": "property",
+    "move": "function",
+    "not-simulated": "property",
+    "number": "number",
+    "string": "string",
+    "text": "string",
+    "comment": "comment",
+    "operator": "operator",
+    "axis": "number",
+    "register": "variable",
+    "variable": "variable",
+    "parameter": "parameter",
+    "constant": "variable",
+    "define": "macro",
+    "sub": "function",
+    "function": "function",
+    "task": "class",
+    "event": "event",
+    "label": "label",
+    "type": "type",
+    "member": "property",
+    "macro": "macro",
+}
+_NUMBERS = {kind: TYPES.index(name) for kind, name in _TYPE_OF.items()}
+# Modifiers, in the order of their bits.
+MODIFIERS = ("readonly", "deprecated", "defaultLibrary")
+_MODIFIERS = {"constant": 1, "not-simulated": 2 | 4, "keyword": 4, "move": 4}
+
+
+@lru_cache(50_000)
+def _words(language: str, line: str) -> tuple[tuple[int, int, str, str], ...]:
+    """Return column, length, kind and name of the tokens of a line.
+
+    Most lines of a text are the same after a key.
+    """
+    found = []
+    for column, kind, piece in pieces(dialect(language), line):
+        if kind in ("word", "keyword", "move", "not-simulated"):
+            name = piece.partition(".")[0]
+            found.append((column, len(name), kind, name.lower()))
+        elif kind in _NUMBERS:
+            found.append((column, len(piece), kind, ""))
+    return tuple(found)
+
+
+def tokens(
+    page: Page, first: int, last: int, names: Names | None = None
+) -> Iterator[tuple[int, int, int, int, int]]:
+    """Yield line, column, length, type and modifiers of the words in some lines.
+
+    The lines are `first` to `last`, from 1; positions in the result count from 0. A name has the kind of
+    the definition with its spelling, so `names` may be those of a text that is a few keys older.
+    """
+    found = page.names if names is None else names
+    kinds: dict[str, str] = {}
+    for each in found.definitions:
+        kinds.setdefault(each.name.lower(), each.kind)
+    start = page.offset(first, 1)
+    lines = page.text[start : page.line_of(page.offset(last, 1))[1]].split("\n")
+    language = page.language.name
+    for number, line in enumerate(lines, first - 1):
+        for column, length, kind, name in _words(language, line):
+            kind = kinds.get(name, kind) if name else kind
+            type_number = _NUMBERS.get(kind)
+            if type_number is not None:
+                yield number, column, length, type_number, _MODIFIERS.get(kind, 0)

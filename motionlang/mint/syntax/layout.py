@@ -1,0 +1,72 @@
+"""The indentation of each line of a text, by its blocks.
+
+A routine of v4, from `#NAME` to its Return, is indented like a block.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from motionlang.lang.names import LineLayout
+from motionlang.lang.parsing.parser import BAD
+from motionlang.mint.syntax.outline import CLOSE, MIDDLE, OPEN, Turn, turns
+from motionlang.mint.syntax.tables import TABLES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+
+def layout(text: str) -> list[LineLayout]:
+    """Return the layout of each line of a text."""
+    kinds = TABLES.kinds_of(TABLES.texts(text))
+    spans = TABLES.spans(text)
+    starts = [0]
+    while (end := text.find("\n", starts[-1])) >= 0:
+        starts.append(end + 1)
+    lines = [LineLayout() for _ in starts]
+    ended = {0}  # the lines before which a statement ends
+    for kind, (start, end) in zip(kinds, spans, strict=False):
+        if kind == "_NL":
+            first = bisect_right(starts, start)
+            ended.update(range(first, bisect_right(starts, end)))
+        elif kind == BAD:
+            lines[bisect_right(starts, start) - 1].unreadable = True
+    for number, line in enumerate(lines):
+        line.continues = number not in ended
+    for turn in _turns(kinds):
+        if turn.at >= len(spans):
+            continue
+        line = lines[bisect_right(starts, spans[turn.at][0]) - 1]
+        is_first = turn.at == 0 or kinds[turn.at - 1] == "_NL"
+        if is_first and turn.what != OPEN:
+            line.back = turn.count
+        if turn.what != MIDDLE:
+            line.change += 1 if turn.what == OPEN else -turn.count
+    return lines
+
+
+def _turns(kinds: Sequence[str]) -> Iterator[Turn]:
+    """Yield the blocks of a text, and the routines of v4."""
+    depth = 0
+    label = -1  # the label at the outermost level that may begin a routine
+    found: list[Turn] = []
+    blocks = {turn.at: turn for turn in turns(kinds)}
+    for at, kind in enumerate(kinds):
+        turn = blocks.get(at)
+        if turn is not None:
+            found.append(turn)
+            depth += {OPEN: 1, MIDDLE: 0, CLOSE: -turn.count}[turn.what]
+        elif depth == 0 and _is_label(kinds, at):
+            label = at
+        elif kind == "RETURN" and depth == 0 and label >= 0:
+            found += [Turn(label, OPEN, "SUB"), Turn(at, CLOSE, "SUB")]
+            label = -1
+    yield from sorted(found, key=lambda each: each.at)
+
+
+def _is_label(kinds: Sequence[str], at: int) -> bool:
+    """True for the `#` or the name with which a line of a label begins."""
+    if at > 0 and kinds[at - 1] != "_NL":
+        return False
+    return kinds[at] == "HASH" or (list(kinds[at : at + 3]) == ["NAME", "COLON", "_NL"])

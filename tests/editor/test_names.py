@@ -1,0 +1,114 @@
+"""Hover, definition, references, new names, symbols and folding."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.editor import navigation
+from motionlang.editor.hover import hover
+from motionlang.editor.navigation import Refused, Symbol
+from tests.cases import cases
+from tests.editor.pages import at_cursor, page
+
+PROGRAM = """\
+Const limit = 250 ' mm
+Dim count As Integer
+' Moves by a distance.
+' The axis has to be enabled.
+Sub Travel(far As Float)
+  MOVER(0) = far : GO(0)
+  count = count + 1
+End Sub
+Travel(limit)
+"""
+
+
+def with_cursor(line: str) -> str:
+    """Return `PROGRAM` with the cursor that `line` has, a line of it with a `|`."""
+    return PROGRAM.replace(line.replace("|", ""), line, 1)
+
+
+# A line of `PROGRAM` with the cursor, and texts that the page there has.
+PAGES = (
+    ("Travel(lim|it)", ("Const limit = 250", "mm", "value `250`", "used once")),
+    ("|Travel(limit)", ("Sub Travel(far As Float)", "Moves by a distance. The axis has to be enabled.")),
+    ("  count = cou|nt + 1", ("Dim count As Integer", "variable", "used twice")),
+    ("  MOVER(0) = far| : GO(0)", ("far As Float", "parameter of Travel")),
+    ("  MO|VER(0) = far : GO(0)", ("**MOVER** · move", "unit: user units", "known from")),
+)
+
+
+@cases("line, wanted", PAGES)
+def test_hover_shows_what_is_known(line: str, wanted: tuple[str, ...]) -> None:
+    shown = hover(*at_cursor(with_cursor(line)))
+    assert shown is not None
+    assert [text for text in wanted if text not in shown.markdown] == []
+
+
+def test_hover_of_a_macro_shows_its_line() -> None:
+    shown = hover(*at_cursor("MD3,1MR100,1WS\nMC|3\n", "mccl"))
+    assert shown is not None
+    assert "MD3,1MR100,1WS" in shown.markdown
+
+
+def test_nothing_is_known_of_a_number() -> None:
+    assert hover(*at_cursor("x = 1|2\nPrint x\n")) is None
+
+
+def test_the_definition_of_a_name_is_its_declaration() -> None:
+    shown, offset = at_cursor(with_cursor("Travel(lim|it)"))
+    assert navigation.definition(shown, offset) == (6, 11)
+
+
+def test_references_are_all_uses_with_or_without_the_declaration() -> None:
+    shown, offset = at_cursor(with_cursor("  count = cou|nt + 1"))
+    lines = [shown.source.place(start)[0] for start, _ in navigation.references(shown, offset)]
+    assert lines == [2, 7, 7]
+    assert len(navigation.references(shown, offset, declaration=False)) == 2
+
+
+def test_a_new_name_changes_all_uses() -> None:
+    shown, offset = at_cursor("n = 1\nFor n = 1 To 3\nNext |n\n")
+    assert [(each.span, each.text) for each in navigation.rename(shown, offset, "i")] == [
+        ((0, 1), "i"), ((10, 11), "i"), ((26, 27), "i"),
+    ]  # fmt: skip
+
+
+# A text with the cursor, and why nothing there gets the name `speed`.
+REFUSED = (
+    ("GO|(0)\n", "GO is a keyword"),
+    ("Print 1|2\n", "there is no name here"),
+    ("x| = 1\nPrint x\n", "SPEED is a keyword of Mint"),
+    ("x| = 1\nPrint x +\n", "the text has lines that cannot be read; correct them first"),
+    ("Event IN|1\nEnd Event\n", "an event handler has the name of its event"),
+)
+
+
+@cases("text, reason", REFUSED)
+def test_a_name_is_refused_with_a_reason(text: str, reason: str) -> None:
+    with pytest.raises(Refused) as refused:
+        navigation.rename(*at_cursor(text), "speed")
+    assert str(refused.value) == reason
+
+
+def test_the_outline_has_blocks_with_their_declarations() -> None:
+    def names(symbols: list[Symbol]) -> list[object]:
+        return [
+            (each.kind, each.name, names(each.inner)) if each.inner else (each.kind, each.name)
+            for each in symbols
+        ]
+
+    text = (
+        PROGRAM + "Type Job\n  Dim size As Float\nEnd Type\nTask t\n  Sub s\n    Dim a\n  End Sub\nEnd Task\n"
+    )
+    assert names(navigation.symbols(page(text))) == [
+        ("constant", "limit"),
+        ("variable", "count"),
+        ("sub", "Travel"),
+        ("type", "Job", [("member", "size")]),
+        ("task", "t", [("sub", "s", [("variable", "a")])]),
+    ]
+
+
+def test_blocks_and_comments_fold() -> None:
+    assert navigation.folds(page(PROGRAM)) == [(3, 4, True), (5, 7, False)]

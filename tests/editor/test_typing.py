@@ -1,0 +1,97 @@
+"""Completion and signatures: what may follow the text before the cursor."""
+
+from __future__ import annotations
+
+from motionlang.editor.completion import Item, complete
+from motionlang.editor.signature import signature
+from tests.cases import cases
+from tests.editor.pages import at_cursor
+
+SUBS = "Dim speedy As Integer\nConst span = 3\nSub Spin(turns As Float, n)\nEnd Sub\nTask spare\nEnd Task\n"
+TYPES = "Type Job\n  Dim size As Float\n  Dim skew As Float\nEnd Type\nDim j As Job\n"
+
+
+def proposed(text: str, language: str = "mint") -> list[Item]:
+    return complete(*at_cursor(text, language))
+
+
+# Language, a text with the cursor, and labels among the proposals there.
+PROPOSED = (
+    ("mint", SUBS + "sp|\n", ("speedy", "span", "Spin", "spare", "SPEED")),
+    ("mint", SUBS + "Run sp|\n", ("spare",)),
+    ("mint", TYPES + "j.s|\n", ("size", "skew")),
+    ("mint", TYPES + "Dim k As J|\n", ("Job",)),
+    ("mint", "#START\n#STOPPED\nGoto ST|\n", ("START", "STOPPED")),
+    ("mint", "Sub a\n  Dim local\nEnd Sub\nSub b\n  lo|\nEnd Sub\n", ("Loop",)),
+    ("mint", "x = 3 ' sp|\n", ()),
+    ("mint", 'Print "sp|\n', ()),
+    ("mint", 'Print "a" sp|\n', ("SPEED",)),
+    ("mint", "x = 0x1|\n", ()),
+    ("mccl", "1M|\n", ("MR", "MA", "MN")),
+    ("mccl", "MD1,1MN\nMD12,1WS\nMC1|\n", ("1", "12")),
+    ("mccl", "AL5,AR10,AA@1|\n", ("10",)),
+    ("mccl", "1MR100 ; M|\n", ()),
+)
+
+
+@cases("language, text, wanted", PROPOSED)
+def test_what_fits_is_proposed(language: str, text: str, wanted: tuple[str, ...]) -> None:
+    found = [each.label for each in proposed(text, language)]
+    assert [each for each in wanted if each not in found] == []
+    assert bool(found) is bool(wanted)
+
+
+def test_only_tasks_follow_run_and_only_members_a_dot() -> None:
+    assert [each.label for each in proposed(SUBS + "Run |\n")] == ["spare"]
+    assert [each.label for each in proposed(TYPES + "j.|\n")] == ["size", "skew"]
+
+
+def test_names_of_another_sub_are_not_proposed() -> None:
+    found = proposed("Sub a\n  Dim local\nEnd Sub\nSub b\n  lo|\nEnd Sub\n")
+    assert "local" not in [each.label for each in found]
+
+
+def test_a_setting_is_completed_with_brackets_and_its_value() -> None:
+    snippets = {each.label: each.snippet for each in proposed("SPEE|\n")}
+    assert snippets["SPEED"] == "SPEED(${1:0}) = $0"
+    read = {each.label: each.snippet for each in proposed("x = SPEE|\n")}
+    assert read["SPEED"] == "SPEED(${1:0})"
+
+
+def test_a_block_is_completed_with_its_end() -> None:
+    (loop,) = (each for each in proposed("Whil|\n") if each.kind == "block")
+    assert loop.snippet == "While ${1:condition}\n\t$0\nEnd While"
+    assert [each for each in proposed("x = Whil|\n") if each.kind == "block"] == []
+
+
+def test_a_keyword_gets_the_case_that_was_begun() -> None:
+    assert "mover" in [each.text for each in proposed("move|\n")]
+    assert "MOVER" in [each.text for each in proposed("MOVE|\n")]
+
+
+def test_brackets_that_are_there_are_not_added_again() -> None:
+    assert {each.snippet for each in proposed("SPEE|(0) = 3\n") if each.label == "SPEED"} == {""}
+
+
+# A text with the cursor, the signature there, and the number of the parameter.
+SIGNATURES = (
+    (SUBS + "Spin(|\n", "Sub Spin(turns As Float, n As Float)", 0),
+    (SUBS + "Spin(POS(0), |\n", "Sub Spin(turns As Float, n As Float)", 1),
+    (SUBS + "Spin(POS(|\n", "POS(axis) = user units", 0),
+    (SUBS + "Spin(1, 2, |\n", "Sub Spin(turns As Float, n As Float)", -1),
+    ("SPEED(|\n", "SPEED(axis) = user units/s", 0),
+    ("IDLE(|\n", "IDLE(axis)", 0),
+)
+
+
+@cases("text, wanted, active", SIGNATURES)
+def test_the_signature_is_that_of_the_innermost_call(text: str, wanted: str, active: int) -> None:
+    shown = signature(*at_cursor(text))
+    assert shown is not None
+    assert (shown.text, shown.active) == (wanted, active)
+
+
+def test_no_call_has_no_signature() -> None:
+    assert signature(*at_cursor("x = (|\n")) is None
+    assert signature(*at_cursor("GO(0) |\n")) is None
+    assert signature(*at_cursor("' SPEED(|\n")) is None
