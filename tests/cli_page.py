@@ -34,6 +34,7 @@ PAGES = {
     "probe": "probe.md",
     "serve": "serve.md",
     "mcapi": "mcapi.md",
+    "lsp": "editor.md",
 }
 
 # Commands that are `run` with one of its options; their options are those of `run`.

@@ -23,6 +23,7 @@ LEVELS: dict[str, int] = {
     "client": 14,
     "mcapi": 14,
     "serve": 13,
+    "lsp": 13,
     "views": 12,
     "analysis.guesses": 12,
     "library": 12,
@@ -150,6 +151,8 @@ HOMES: dict[str, tuple[str, ...]] = {
     "can": ("copley",),
     "canopen": ("copley",),
     "pygments": ("views",),
+    "pygls": ("lsp",),
+    "lsprotocol": ("lsp",),
     "serial": ("client",),
     "shtab": ("cli",),
 }
@@ -449,13 +452,13 @@ def test_floors_inside_a_package(package: str) -> None:
             assert here == there or level[there] < level[here], f"{'/'.join(own)} imports {name}"
 
 
-def test_the_package_has_27_entries_and_each_has_a_level() -> None:
+def test_the_package_has_28_entries_and_each_has_a_level() -> None:
     entries = {
         path.stem
         for path in PACKAGE.iterdir()
         if path.suffix == ".py" or (path.is_dir() and any(path.glob("*.py")))
     } - {"__init__", "__main__", "_wheel"}
-    assert len(entries) == 27
+    assert len(entries) == 28
     assert entries == {name.partition(".")[0] for name in LEVELS} - {"", "__main__", "_wheel"}
 
 

@@ -49,6 +49,7 @@ COMMANDS = {
     "probe": ("probe", "write a test program that settles open questions on a real controller"),
     "serve": ("serve", "let hosts talk to a virtual controller, or to a Mint program over Modbus"),
     "mcapi": ("mcapi", "run hosts of PMC boards as they are: build MCAPI, record and replay calls"),
+    "lsp": ("lsp", "serve an editor: diagnostics, completion, names, simulated times"),
     "completion": ("completion", "print a completion script for bash, zsh or fish"),
 }
 

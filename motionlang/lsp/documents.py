@@ -1,0 +1,137 @@
+"""The open texts of an editor, changed as it reports, with positions in UTF-16.
+
+pygls has its own documents. They split lines at characters that are no line ends for an editor, such as a form
+feed, and count from a wrong place after that. These accept any position: one outside the text is moved to the
+nearest one in it, one inside a surrogate pair to the begin of the pair.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.lang.names import Span
+
+# The line ends of the protocol.
+_LINE_END = re.compile(r"\r\n|\n|\r")
+_MARK = "\ufeff"
+
+
+class Document:
+    """One open text, with the `version` that the editor gave it.
+
+    Offsets are those of `source`, which has `\\n` for each line end. A line has the same characters in both.
+    """
+
+    __slots__ = ("_source", "_starts", "text", "uri", "version")
+
+    def __init__(self, uri: str, text: str, version: int) -> None:
+        self.uri, self.version, self.text = uri, version, text
+        self._starts: list[int] | None = None
+        self._source: Source | None = None
+
+    @property
+    def name(self) -> str:
+        """The file name of the text, or the last part of its address."""
+        return self.uri.rstrip("/").rpartition("/")[2] or self.uri
+
+    @property
+    def source(self) -> Source:
+        """The text as a program.
+
+        A blank replaces a byte order mark, so that columns are right.
+        """
+        if self._source is None:
+            text = " " + self.text[1:] if self.text.startswith(_MARK) else self.text
+            self._source = Source(self.name, text)
+        return self._source
+
+    def change(self, changes: Sequence[types.TextDocumentContentChangeEvent], version: int) -> None:
+        """Apply the changes of an editor, each to the text after the one before."""
+        for each in changes:
+            if isinstance(each, types.TextDocumentContentChangePartial):
+                start, end = self._raw(each.range.start), self._raw(each.range.end)
+                if end < start:
+                    start, end = end, start
+                self.text = self.text[:start] + each.text + self.text[end:]
+            else:
+                self.text = each.text
+            self._starts = None
+        self.version, self._source = version, None
+
+    def _raw(self, position: types.Position) -> int:
+        """Return the offset of a position in the text with its own line ends."""
+        starts = [0, *(match.end() for match in _LINE_END.finditer(self.text))] if position.line > 0 else [0]
+        if position.line >= len(starts):
+            return len(self.text)
+        start = starts[max(position.line, 0)]
+        match = _LINE_END.search(self.text, start)
+        line = self.text[start : match.start() if match is not None else len(self.text)]
+        return start + characters(line, position.character)
+
+    # ------------------------------------------------------------- positions and offsets of the source
+
+    def offset(self, position: types.Position) -> int:
+        """Return the offset in the source of a position."""
+        starts = self._line_starts()
+        if position.line >= len(starts):
+            return len(self.source.text)
+        start = starts[max(position.line, 0)]
+        end = self.source.text.find("\n", start)
+        line = self.source.text[start : end if end >= 0 else len(self.source.text)]
+        return start + characters(line, position.character)
+
+    def position(self, offset: int) -> types.Position:
+        """Return the position of an offset in the source."""
+        text = self.source.text
+        offset = min(max(offset, 0), len(text))
+        line, column = self.source.place(offset)
+        return types.Position(line - 1, units(text[offset - column + 1 : offset]))
+
+    def source_offset(self, line: int) -> int:
+        """Return the offset in the source of the begin of a line, from 1."""
+        starts = self._line_starts()
+        return starts[min(line, len(starts)) - 1]
+
+    def range(self, span: Span) -> types.Range:
+        """Return the range of two offsets in the source."""
+        return types.Range(self.position(span[0]), self.position(span[1]))
+
+    def span(self, range: types.Range) -> Span:
+        """Return the offsets of a range in the source."""
+        return self.offset(range.start), self.offset(range.end)
+
+    @property
+    def last_line(self) -> int:
+        """The number of the last line, from 1."""
+        return len(self._line_starts())
+
+    def _line_starts(self) -> list[int]:
+        if self._starts is None:
+            self._starts = [0, *(match.end() for match in re.finditer("\n", self.source.text))]
+        return self._starts
+
+
+def units(text: str) -> int:
+    """Return the number of UTF-16 units of a text."""
+    return len(text) if text.isascii() else len(text.encode("utf-16-le", "surrogatepass")) // 2
+
+
+def characters(line: str, count: int) -> int:
+    """Return the number of characters in the first `count` UTF-16 units of a line."""
+    if line.isascii() or count <= 0:
+        return max(0, min(count, len(line)))
+    found = 0
+    for character in line:
+        count -= 2 if character > "\uffff" else 1
+        if count < 0:
+            break
+        found += 1
+    return found

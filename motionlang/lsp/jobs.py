@@ -1,0 +1,55 @@
+"""The jobs of the worker of a language server: checks and runs of one text.
+
+A job is plain data in both directions, so it can go to another process.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.editor.diagnostics import findings, settings_of
+from motionlang.editor.page import Page
+from motionlang.editor.times import times
+from motionlang.errors import Diagnostic
+from motionlang.lang.dialect import dialect
+from motionlang.record import record
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.editor.times import Times
+
+CHECK, TIMES = "check", "times"
+
+
+@record
+class Job:
+    """A text to check or to run.
+
+    `language` is "" for a machine file. `machine` is the text of the machine file next to the program,
+    None if there is none; `machine_name` is its file name.
+    """
+
+    what: str
+    name: str
+    text: str
+    language: str
+    machine: str | None
+    machine_name: str
+
+
+def work(job: Job) -> list[Diagnostic] | Times:
+    """Do a job and return its result."""
+    language = dialect(job.language) if job.language else None
+    source = Source(job.name, job.text)
+    if language is None:
+        return settings_of(source, None)[1]
+    machine = None if job.machine is None else Source(job.machine_name, job.machine)
+    settings, wrong = settings_of(machine, language) if machine is not None else ({}, [])
+    page = Page(source, language, settings)
+    if job.what == TIMES:
+        return times(page)
+    found = findings(page)
+    if wrong:
+        message = f"{job.machine_name} is invalid, and the program is checked without it: {wrong[0].message}"
+        found.insert(0, Diagnostic("machine-file", message, 1, 1, severity="warning"))
+    return found

@@ -1,0 +1,123 @@
+"""The protocol of pygls with answers for what it leaves unanswered or prints.
+
+Each request gets one answer: a malformed one, one before `initialize` or after `shutdown`, and one that fails.
+Errors have one sentence, and no traceback leaves the process.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from lsprotocol import types
+from pygls.exceptions import JsonRpcException
+from pygls.protocol import LanguageServerProtocol
+from pygls.protocol.language_server import lsp_method
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+    from motionlang.lsp.server import Server
+
+NOT_INITIALIZED = -32002
+INVALID_REQUEST = -32600
+INVALID_PARAMETERS = -32602
+INTERNAL_ERROR = -32603
+PARSE_ERROR = -32700
+REQUEST_FAILED = -32803
+
+
+class Malformed:
+    """A message whose form is wrong: the `id` to answer, None if it has none."""
+
+    def __init__(self, number: int | str | None, code: int, message: str) -> None:
+        self.id, self.code, self.message = number, code, message
+
+
+class Protocol(LanguageServerProtocol):
+    """The protocol of one connection, with the server's own documents."""
+
+    _server: Server
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self._is_initialized = False
+
+    # ----------------------------------------------------------------------------------------- messages
+
+    def structure_message(self, data: dict[str, Any]) -> Any:
+        """Return the message that a JSON object is."""
+        try:
+            return super().structure_message(data)
+        except Exception:
+            number = data.get("id")
+            is_request = "method" in data and isinstance(number, int | str) and not isinstance(number, bool)
+            if not is_request:
+                return (
+                    Malformed(None, INVALID_REQUEST, "")
+                    if "id" not in data
+                    else Malformed(None, INVALID_REQUEST, "the message has no valid form")
+                )
+            return Malformed(number, INVALID_PARAMETERS, f"invalid parameters of {data['method']}")
+
+    def handle_message(self, message: Any) -> None:
+        """Answer a message, or pass it to its handler."""
+        if isinstance(message, Malformed):
+            if message.message:
+                self._refuse(message.id, message.code, message.message)
+            return
+        method = getattr(message, "method", None)
+        number = getattr(message, "id", None)
+        if isinstance(message, dict) or getattr(message, "jsonrpc", None) != self.VERSION:
+            self._refuse(None, INVALID_REQUEST, "the message is not JSON-RPC 2.0")
+        elif self._shutdown and method != types.EXIT:
+            if method is not None and number is not None:
+                self._refuse(number, INVALID_REQUEST, "the server is shut down")
+        elif method == types.INITIALIZE and self._is_initialized:
+            self._refuse(number, INVALID_REQUEST, "the server is initialized already")
+        elif method is not None and not self._is_initialized and method not in (types.INITIALIZE, types.EXIT):
+            if number is not None:
+                self._refuse(number, NOT_INITIALIZED, "the server is not initialized")
+        else:
+            super().handle_message(message)
+
+    def _refuse(self, number: int | str | None, code: int, text: str) -> None:
+        self._send_data({"jsonrpc": self.VERSION, "id": number, "error": {"code": code, "message": text}})
+
+    def _send_response(
+        self, msg_id: int | str, result: Any | None = None, error: types.ResponseError | None = None
+    ) -> None:
+        """Send the answer to a request; an error has its message alone."""
+        if error is not None:
+            error.data = None
+        super()._send_response(msg_id, result, error)
+
+    def report_broken(self, error: Exception) -> None:
+        """Answer bytes that are no message."""
+        text = "the message is not valid JSON" if not isinstance(error, JsonRpcException) else str(error)
+        self._refuse(None, PARSE_ERROR, text)
+
+    # ---------------------------------------------------------------------------------------- documents
+
+    @lsp_method(types.INITIALIZE)
+    def lsp_initialize(self, params: types.InitializeParams) -> Generator[Any, Any, types.InitializeResult]:
+        """Agree on the features; positions are in UTF-16, which all clients support."""
+        general = params.capabilities.general
+        if general is not None:
+            general.position_encodings = [types.PositionEncodingKind.Utf16]
+        self._is_initialized = True
+        return (yield from super().lsp_initialize(params))
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
+    def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
+        """Take over a text."""
+        self._server.session.open(params.text_document)
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
+    def lsp_text_document__did_change(self, params: types.DidChangeTextDocumentParams) -> None:
+        """Change a text."""
+        self._server.session.change(params)
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
+    def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
+        """Forget a text."""
+        self._server.session.close(params.text_document.uri)

@@ -1,0 +1,229 @@
+"""The open texts of one editor, with their names, diagnostics and times.
+
+Typing costs little: names are found and checks are started when it pauses. A check or a run is done by the
+worker, one at a time. Its result is dropped if the text has changed since.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+from pygls.uris import to_fs_path
+
+from motionlang.editor.diagnostics import settings_of
+from motionlang.editor.page import Page
+from motionlang.execution import MACHINE_SUFFIX, dialect_of
+from motionlang.lang.dialect import dialect, dialects
+from motionlang.lang.names import NO_NAMES
+from motionlang.lsp.documents import Document
+from motionlang.lsp.jobs import CHECK, TIMES, Job
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+    from typing import Any, Protocol
+
+    from motionlang.editor.times import Times
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.names import Names
+
+    class Worker(Protocol):
+        """Does the jobs of a server."""
+
+        async def do(self, job: Job) -> list[Diagnostic] | Times | None: ...
+
+        def stop(self) -> None: ...
+
+
+# Seconds without a key after which typing has paused.
+PAUSE = 0.2
+
+
+class Known:
+    """The state of one open text; `checked` and `timed` are versions."""
+
+    __slots__ = ("checked", "document", "found", "language", "names", "page", "pause", "timed", "times")
+
+    def __init__(self, document: Document, language: Dialect | None) -> None:
+        self.document, self.language = document, language
+        self.page: Page | None = None
+        # The names of the latest text in which they were found, which may be older than the present one.
+        self.names: Names = NO_NAMES
+        self.found: list[Diagnostic] = []
+        self.checked = -1
+        self.times: asyncio.Task[Times | None] | None = None
+        self.timed = -1
+        self.pause: asyncio.TimerHandle | None = None
+
+
+class Session:
+    """All open texts; `publish` is called with the diagnostics of one."""
+
+    def __init__(self, worker: Worker, publish: Callable[[Document, list[Diagnostic]], None]) -> None:
+        self._worker, self._publish = worker, publish
+        self._known: dict[str, Known] = {}
+        self._lock: asyncio.Lock | None = None
+        self._tasks: set[asyncio.Task[Any]] = set()
+        # Counts texts, so that each has a number of its own whatever versions an editor gives.
+        self._count = 0
+
+    # ---------------------------------------------------------------------------------------- documents
+
+    def open(self, item: types.TextDocumentItem) -> None:
+        """Take over a text; one that is open already is replaced."""
+        self.close(item.uri)
+        document = Document(item.uri, item.text, item.version)
+        name = document.name
+        language = dialect_of(name)
+        if language is None and item.language_id in dialects():
+            language = dialect(item.language_id)
+        if language is None and not is_machine_file(name):
+            return
+        self._known[item.uri] = Known(document, language)
+        self._changed(self._known[item.uri], 0.0)
+
+    def change(self, params: types.DidChangeTextDocumentParams) -> None:
+        """Change a text that is open; others are ignored."""
+        known = self._known.get(params.text_document.uri)
+        if known is not None:
+            known.document.change(params.content_changes, params.text_document.version)
+            self._changed(known, PAUSE)
+
+    def close(self, uri: str) -> None:
+        """Forget a text and take back its diagnostics."""
+        known = self._known.pop(uri, None)
+        if known is None:
+            return
+        self._count += 1
+        if known.pause is not None:
+            known.pause.cancel()
+        if known.times is not None:
+            known.times.cancel()
+        self._publish(known.document, [])
+
+    def stop(self) -> None:
+        """Forget all texts and end the worker."""
+        for known in self._known.values():
+            if known.pause is not None:
+                known.pause.cancel()
+        for task in self._tasks:
+            task.cancel()
+        self._known.clear()
+        self._worker.stop()
+
+    def known(self, uri: str) -> Known | None:
+        """Return the state of an open text, None if it is not open."""
+        return self._known.get(uri)
+
+    def page(self, known: Known) -> Page | None:
+        """Return the page of a text, None for a machine file."""
+        if known.language is None:
+            return None
+        if known.page is None or known.page.source is not known.document.source:
+            name, text = self._machine_of(known.document.uri)
+            settings = settings_of(Source(name, text), known.language)[0] if text is not None else {}
+            known.page = Page(known.document.source, known.language, settings)
+        return known.page
+
+    def names(self, known: Known) -> Names:
+        """Return the names of the present text."""
+        page = self.page(known)
+        if page is not None:
+            known.names = page.names
+        return known.names
+
+    def machine_changed(self) -> None:
+        """Check all programs again, because a machine file has changed."""
+        for known in self._known.values():
+            if known.language is not None:
+                known.page = None
+                self._changed(known, PAUSE)
+
+    # ---------------------------------------------------------------------------------------- the worker
+
+    def _changed(self, known: Known, delay: float) -> None:
+        self._count += 1
+        known.checked = known.timed = -1
+        if known.times is not None:
+            known.times.cancel()
+            known.times = None
+        if known.pause is not None:
+            known.pause.cancel()
+        known.pause = asyncio.get_running_loop().call_later(delay, self._paused, known)
+        if known.language is None and delay:
+            self.machine_changed()
+
+    def _paused(self, known: Known) -> None:
+        known.pause = None
+        self.names(known)
+        self._start(self._check(known))
+
+    def _start(self, coroutine: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
+        task = asyncio.get_running_loop().create_task(coroutine)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+        return task
+
+    async def _check(self, known: Known) -> None:
+        source = known.document.source
+        result = await self._do(CHECK, known)
+        if isinstance(result, list) and self._is_current(known, source):
+            known.found, known.checked = result, known.document.version
+            self._publish(known.document, result)
+
+    async def times(self, known: Known) -> Times | None:
+        """Return the times of the lines of the present text, None if it has changed."""
+        if known.language is None:
+            return None
+        if known.times is None:
+            known.times = self._start(self._times(known))
+        return await asyncio.shield(known.times)
+
+    async def _times(self, known: Known) -> Times | None:
+        source = known.document.source
+        result = await self._do(TIMES, known)
+        return result if not isinstance(result, list) and self._is_current(known, source) else None
+
+    async def _do(self, what: str, known: Known) -> list[Diagnostic] | Times | None:
+        """Return the result of a job on the present text, None if it changes before the job begins."""
+        source = known.document.source
+        if self._lock is None:
+            self._lock = asyncio.Lock()
+        async with self._lock:
+            if not self._is_current(known, source):
+                return None
+            name, text = self._machine_of(known.document.uri)
+            language = known.language.name if known.language is not None else ""
+            return await self._worker.do(Job(what, source.name, source.text, language, text, name))
+
+    def _is_current(self, known: Known, source: Source) -> bool:
+        return self._known.get(known.document.uri) is known and known.document.source is source
+
+    # ------------------------------------------------------------------------------------ machine files
+
+    def _machine_of(self, uri: str) -> tuple[str, str | None]:
+        """Return name and text of the machine file next to a program.
+
+        The text is None if there is no such file.
+        """
+        machine = os.path.splitext(uri)[0] + MACHINE_SUFFIX
+        name = machine.rpartition("/")[2]
+        known = self._known.get(machine)
+        if known is not None:
+            return name, known.document.source.text
+        path = to_fs_path(machine)
+        if path is None or not os.path.isfile(path):
+            return name, None
+        try:
+            return name, Source.read(path).text
+        except OSError:
+            return name, None
+
+
+def is_machine_file(name: str) -> bool:
+    """True if a file is a machine file by its name."""
+    return name.endswith(MACHINE_SUFFIX) or name == MACHINE_SUFFIX[1:]

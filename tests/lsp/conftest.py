@@ -1,0 +1,90 @@
+"""A running server, and a client that is one of the usual editors."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Callable, Coroutine
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
+pytest.importorskip("pytest_lsp", reason="pytest-lsp is not installed")
+
+from lsprotocol import types
+from pytest_lsp import LanguageClient, client_capabilities, make_test_lsp_client
+
+# The longest time that a test waits for an answer, s; a loaded computer is slow.
+MAX_SECONDS = 120.0
+ROOT = Path(__file__).parents[2]
+
+
+class Editor:
+    """A client with one open text, and short names for its requests."""
+
+    def __init__(self, client: LanguageClient, uri: str) -> None:
+        self.client, self.uri, self.version = client, uri, 0
+        self.document = types.TextDocumentIdentifier(uri)
+
+    async def open(self, text: str, language: str = "mint") -> list[types.Diagnostic]:
+        """Open a text and return its diagnostics."""
+        self.version += 1
+        item = types.TextDocumentItem(self.uri, language, self.version, text)
+        self.client.text_document_did_open(types.DidOpenTextDocumentParams(item))
+        return await self.diagnostics()
+
+    async def change(self, *changes: types.TextDocumentContentChangeEvent) -> list[types.Diagnostic]:
+        """Change the text and return its new diagnostics."""
+        self.edit(*changes)
+        return await self.diagnostics()
+
+    def edit(self, *changes: types.TextDocumentContentChangeEvent) -> None:
+        """Change the text."""
+        self.version += 1
+        identifier = types.VersionedTextDocumentIdentifier(self.version, self.uri)
+        self.client.text_document_did_change(types.DidChangeTextDocumentParams(identifier, changes))
+
+    async def diagnostics(self) -> list[types.Diagnostic]:
+        """Wait for the diagnostics of the present version."""
+        while True:
+            found = await self.client.wait_for_notification(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+            if found.uri == self.uri and found.version == self.version:
+                return list(found.diagnostics)
+
+
+def at(line: int, character: int) -> types.Position:
+    return types.Position(line, character)
+
+
+def insertion(line: int, character: int, text: str) -> types.TextDocumentContentChangePartial:
+    return types.TextDocumentContentChangePartial(types.Range(at(line, character), at(line, character)), text)
+
+
+def session(
+    work: Callable[[Editor], Coroutine[Any, Any, None]],
+    folder: Path,
+    *,
+    editor: str = "visual-studio-code",
+    name: str = "a.mnt",
+    options: object = None,
+) -> int:
+    """Run `work` with an editor and its server; return the server's exit status."""
+
+    async def whole() -> int:
+        client = make_test_lsp_client()
+        await client.start_io(sys.executable, "-m", "motionlang", "lsp", cwd=str(ROOT))
+        capabilities = client_capabilities(editor)
+        await client.initialize_session(
+            types.InitializeParams(capabilities, workspace_folders=[], initialization_options=options)
+        )
+        try:
+            await work(Editor(client, (folder / name).as_uri()))
+        finally:
+            await client.shutdown_session()
+        process = client._server
+        assert process is not None
+        return await process.wait()
+
+    return asyncio.run(asyncio.wait_for(whole(), MAX_SECONDS))

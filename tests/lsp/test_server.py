@@ -1,0 +1,171 @@
+"""The server with clients that behave like VS Code, Neovim and Emacs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from lsprotocol import types
+from pygls.exceptions import JsonRpcException
+
+from tests.lsp.conftest import Editor, at, insertion, session
+
+EDITORS = ("visual-studio-code", "neovim", "emacs")
+PROGRAM = """\
+Dim count As Integer
+SPEDE = 3
+' Moves by a distance.
+Sub Travel(far As Float)
+  MOVER(0) = far : GO(0)
+  Pause IDLE(0)
+  count = count + 1
+End Sub
+Travel(10)
+Print count
+"""
+
+
+def changes_of(edit: types.WorkspaceEdit, uri: str) -> list[types.TextEdit]:
+    """Return the changes of a text, in either form of the protocol."""
+    found = list((edit.changes or {}).get(uri, ()))
+    for each in edit.document_changes or ():
+        assert isinstance(each, types.TextDocumentEdit)
+        found += [change for change in each.edits if isinstance(change, types.TextEdit)]
+    return found
+
+
+@pytest.mark.parametrize("editor", EDITORS)
+def test_a_session_of_an_editor(editor: str, tmp_path: Path) -> None:
+    async def work(client: Editor) -> None:
+        server, document = client.client, client.document
+        (found,) = await client.open(PROGRAM)
+        assert (found.code, found.range) == ("unknown-word", types.Range(at(1, 0), at(1, 5)))
+        assert found.message == (
+            "SPEDE is assigned but never read\nhint: did you mean SPEED? If it is a variable, declare it with Dim"
+        )
+
+        context = types.CodeActionContext([found])
+        offered = await server.text_document_code_action_async(
+            types.CodeActionParams(document, found.range, context)
+        )
+        assert [each.title for each in offered or ()] == ["Change to SPEED"]
+
+        hover = await server.text_document_hover_async(types.HoverParams(document, at(8, 1)))
+        assert hover is not None
+        assert "Moves by a distance." in hover.contents.value  # type: ignore[union-attr]
+
+        place = await server.text_document_definition_async(types.DefinitionParams(document, at(8, 1)))
+        assert place == types.Location(client.uri, types.Range(at(3, 4), at(3, 10)))
+
+        uses = await server.text_document_references_async(
+            types.ReferenceParams(types.ReferenceContext(True), document, at(0, 5))
+        )
+        assert [each.range.start.line for each in uses or ()] == [0, 6, 6, 9]
+
+        proposed = await server.text_document_completion_async(types.CompletionParams(document, at(4, 4)))
+        assert isinstance(proposed, types.CompletionList)
+        assert "MOVER" in [each.label for each in proposed.items]
+
+        edit = await server.text_document_rename_async(types.RenameParams(document, at(0, 5), "done"))
+        assert edit is not None
+        assert [(each.range.start.line, each.new_text) for each in changes_of(edit, client.uri)] == [
+            (0, "done"), (6, "done"), (6, "done"), (9, "done"),
+        ]  # fmt: skip
+
+        with pytest.raises(JsonRpcException, match="SPEED is a keyword of Mint"):
+            await server.text_document_rename_async(types.RenameParams(document, at(0, 5), "speed"))
+
+        symbols = await server.text_document_document_symbol_async(types.DocumentSymbolParams(document))
+        assert [each.name for each in symbols or ()] == ["count", "SPEDE", "Travel"]
+
+        assert await client.change(insertion(1, 3, "ED"), insertion(1, 5, "X")) != []
+        whole = types.TextDocumentContentChangeWholeDocument(PROGRAM.replace("SPEDE = 3\n", ""))
+        assert await client.change(whole) == []
+
+        lines = types.Range(at(0, 0), at(20, 0))
+        hints = await server.text_document_inlay_hint_async(types.InlayHintParams(document, lines))
+        assert [each.position.line for each in hints or ()] == [3, 4]
+
+    assert session(work, tmp_path, editor=editor) == 0
+
+
+def test_mccl_and_machine_files(tmp_path: Path) -> None:
+    async def work(client: Editor) -> None:
+        assert await client.open("MD1,1MN,1MR100,1WS\nMC1\n", "mccl") == []
+        edit = await client.client.text_document_rename_async(
+            types.RenameParams(client.document, at(1, 3), "7")
+        )
+        assert edit is not None
+        machine = Editor(client.client, client.uri.removesuffix(".mcl") + ".machine.toml")
+        (found,) = await machine.open("[axis.1]\ntravvel = [0, 1]\n", "toml")
+        assert (found.range.start.line, found.code) == (1, "machine-file")
+        assert (
+            await machine.change(types.TextDocumentContentChangeWholeDocument("[axis.1]\ntravel = [0, 1]\n"))
+            == []
+        )
+
+    assert session(work, tmp_path, name="a.mcl") == 0
+
+
+def test_a_program_is_checked_with_the_machine_file_next_to_it(tmp_path: Path) -> None:
+    (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravel = [0, 100]\n", encoding="utf-8")
+
+    async def work(client: Editor) -> None:
+        (found,) = await client.open("MOVEA(0) = 500 : GO(0)\n")
+        assert found.code == "beyond-travel"
+
+    assert session(work, tmp_path) == 0
+
+
+def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
+    """The sign before the name is one character and two units."""
+
+    async def work(client: Editor) -> None:
+        text = 'Dim name\nname = 1 : Print "\U0001f527\U0001f527", name\n'
+        assert await client.open(text) == []
+        uses = await client.client.text_document_references_async(
+            types.ReferenceParams(types.ReferenceContext(True), client.document, at(0, 4))
+        )
+        assert [each.range.start.character for each in uses or ()] == [4, 0, 25]
+        inside = insertion(1, 19, "x")  # in the middle of a pair
+        assert await client.change(inside) == []
+        found = await client.change(insertion(1, 26, "(1)"))
+        assert [each.range.start.character for each in found] == [29]  # the name is behind the brackets
+
+    assert session(work, tmp_path) == 0
+
+
+def test_lenses_are_for_editors_that_have_their_commands(tmp_path: Path) -> None:
+    async def work(client: Editor) -> None:
+        await client.open("Print 1\n")
+        lenses = await client.client.text_document_code_lens_async(types.CodeLensParams(client.document))
+        assert [each.command.title for each in lenses or () if each.command] == ["run", "debug"]
+
+    options = {"commands": ["motionlang.run", "motionlang.debug", "motionlang.other"]}
+    assert session(work, tmp_path, options=options) == 0
+
+
+def test_tokens_are_sent_whole_and_as_a_difference(tmp_path: Path) -> None:
+    async def work(client: Editor) -> None:
+        await client.open("Print 1\nPrint 2\n")
+        server = client.client
+        whole = await server.text_document_semantic_tokens_full_async(
+            types.SemanticTokensParams(client.document)
+        )
+        assert whole is not None
+        assert whole.result_id is not None
+        await client.change(insertion(1, 7, "3"))
+        delta = await server.text_document_semantic_tokens_full_delta_async(
+            types.SemanticTokensDeltaParams(client.document, whole.result_id)
+        )
+        assert isinstance(delta, types.SemanticTokensDelta)
+        (edit,) = delta.edits
+        data = list(whole.data)
+        data[edit.start : edit.start + edit.delete_count] = edit.data or ()
+        again = await server.text_document_semantic_tokens_full_async(
+            types.SemanticTokensParams(client.document)
+        )
+        assert again is not None
+        assert data == list(again.data)
+
+    assert session(work, tmp_path) == 0
