@@ -326,11 +326,13 @@ class Session:
         self.desk.console.start(poll)
 
     def _read(self, call: Call, given: Given) -> None:
+        """Read at once if the interface is idle, which takes no machine time, or else in its turn."""
         reading = READINGS[call.function.name]
-        assert call.handle is not None
+        handle = call.handle
+        assert handle is not None
         by_name = given.by_name
 
-        def read(task: CommandTask, _: Command) -> None:
+        def read(task: CommandTask, _: Command | None) -> None:
             try:
                 found = reading(task, **by_name)
             except Refused as refused:
@@ -341,8 +343,12 @@ class Session:
             else:
                 call.outputs = found if isinstance(found, tuple) else (found,)
 
-        call.line = line([own(call.function.name, read)])
-        self._submit(call)
+        if handle.interface.occupied or handle.interface.owner not in (None, handle):
+            call.line = line([own(call.function.name, read)])
+            self._submit(call)
+        else:
+            read(handle.interface, None)
+            call.finish(self.desk.now)
 
     def _command(self, call: Call, commands: list[Command]) -> None:
         """Carry out commands, or add them to the open block."""

@@ -116,7 +116,8 @@ class Console:
 
     def run(self, until: float) -> None:
         """Let time pass to `until`."""
-        self._pass(until, lambda: False)
+        if self.next_time() <= until:
+            self._pass(until, lambda: False)
         self.machine.controller.clock.advance(until)
         self._forget()
 
