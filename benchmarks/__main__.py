@@ -28,7 +28,7 @@ from growth import GROWTH
 FOLDER = Path(__file__).parent
 # Order: the ones that take seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "pvt", "watches", "cycle", "events", "growth",
+         "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "growth",
          "proof")  # fmt: skip
 
 
@@ -52,6 +52,13 @@ def _most(value: float) -> Bar:
 
 
 BARS: dict[str, Bar] = {
+    # MCAPI against ASCII MCCL, and the replay of a log.
+    "mcapi_read_over_1tp": _most(1.3),
+    "mcapi_20_hosts_least_share": _least(0.8),
+    "mcapi_next_to_a_wait": _least(0.9),
+    "mcapi_virtual_over_1tp": _most(0.7),
+    "mcapi_replay": _least(8_000.0),
+    "mcapi_replay_memory_growth": _most(20.0),
     # Loops against equal loops in Python.
     "loop_declared": _most(1.0),
     "loop_undeclared": _most(1.0),

@@ -66,6 +66,8 @@ class Server:
         self._refusals = Refusals(complain)
         self._listeners: dict[socket.socket, Callable[[], None]] = {}
         self._refusing = False
+        # The index of the host that is answered first.
+        self._first = 0
         self._known: set[str] = set()
         self._selector = selectors.DefaultSelector()
         # Called in every iteration after the hosts are read, for other servers of the same board.
@@ -141,7 +143,9 @@ class Server:
         for call in self.in_turn:
             self._guard(call)
         self._guard(self.pace.work)
-        for host in list(self.hosts):
+        # A host that is answered first asks again first, so another one is first each time.
+        self._first = (self._first + 1) % max(1, len(self.hosts))
+        for host in self.hosts[self._first :] + self.hosts[: self._first]:
             self._serve(host)
         self._tell_waits()
 

@@ -7,7 +7,9 @@ import socket
 
 import pytest
 
-from motionlang.serve import Limits
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
+from motionlang.serve import Limits, Server
 from tests.serve.conftest import Serve, Wire
 
 
@@ -91,3 +93,43 @@ def test_silent_hosts_do_not_shut_out_others(serve: Serve) -> None:
     assert later.ask(b"2TP") == b"02 0\n>"
     assert board.server.hosts[0].port.busy
     assert board.complaints == []
+
+
+class Listed:
+    """A channel that has one line to give, and writes down when it is answered."""
+
+    def __init__(self, order: list[str], name: str) -> None:
+        self.name = name
+        self._order = order
+        self._ends = socket.socketpair()
+        self._ends[1].send(b"1TP\r")
+
+    def fileno(self) -> int:
+        return self._ends[0].fileno()
+
+    def receive(self, most: int) -> bytes | None:
+        return self._ends[0].recv(most)
+
+    def send(self, data: bytes) -> int:
+        self._order.append(self.name)
+        self._ends[1].send(b"1TP\r")
+        return len(data)
+
+    def close(self) -> None:
+        for end in self._ends:
+            end.close()
+
+
+def test_another_host_is_answered_first_each_time() -> None:
+    """The one that is answered first asks again first; with a fixed order it would get the most answers."""
+    order: list[str] = []
+    console = Console(Machine(first_axis=1))
+    with Server(console) as server:
+        for name in "abc":
+            channel = Listed(order, name)
+            server._join(channel, server._maker(False))
+        order.clear()
+        for _ in range(6):
+            server.turn()
+    firsts = [order[k] for k in range(0, len(order) - 2, 3)]
+    assert sorted(firsts[:3]) == sorted(firsts[3:6]) == ["a", "b", "c"]
