@@ -1,4 +1,7 @@
-"""MCAPI against ASCII MCCL: a read over the port and in process, hosts side by side, and the replay of a log.
+"""MCAPI against ASCII MCCL.
+
+A read over the port and in process, hosts side by side, and the replay of a log.
+
 
 It prints `name value unit`. Over the port, MCGetPositionEx and `1TP` alternate in one run, with plain sockets
 and one server; each figure is a ratio. The replay is of a log of reads in motion; its memory is the peak of a
@@ -101,7 +104,10 @@ def total(counts: dict[socket.socket, int]) -> int:
 
 
 def next_to_a_wait(port: int) -> float:
-    """Return the reads of eight connections next to a poll that waits, as a share of those without it."""
+    """Return the reads of eight connections next to a poll that waits.
+
+    As a share of those without it.
+    """
     shares = []
     for _ in range(3):
         alone = total(side_by_side(port, THREADS))

@@ -17,6 +17,7 @@ from motionlang.errors import Diagnostic
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
+    from motionlang.mcapi.log import BadLog
 
 OK, WRONG = 0, 1
 TARGETS = ("linux", "win64", "win32")
@@ -155,9 +156,8 @@ def log_command(args: argparse.Namespace) -> int:
 def replay_command(args: argparse.Namespace) -> int:
     """Replay a log; 1 if it differs or cannot be read."""
     from motionlang.controller.faults import Rejected
-    from motionlang.mcapi.client import VirtualBoard
-    from motionlang.mcapi.log import BadLog, model_of, read
-    from motionlang.mcapi.replay import Replay
+    from motionlang.mcapi.log import BadLog, model_of
+    from motionlang.mcapi.replay import call_of, replay_file
 
     options = Options("")
     status = read_board(args, options)
@@ -166,44 +166,25 @@ def replay_command(args: argparse.Namespace) -> int:
     try:
         with open(args.file, "rb") as file:
             model = model_of(file)
-            file.seek(0)
-            own = str(options.settings.setdefault("controller.model", model))
-            if model and own != model:
-                _note(f"the log is of a {model}, this board is a {own}")
-            board = VirtualBoard(options.settings, complain=lambda text: None)
-            replay = Replay(board, args.skew, args.tolerance)
-            replay.run(read(file))
+        own = options.settings.get("controller.model", model)
+        if model and own != model:
+            _note(f"the log is of a {model}, this board is a {own}")
+        replay = replay_file(args.file, options.settings, args.skew, args.tolerance)
     except BadLog as problem:
         return _bad_log(args.file, problem)
     except Rejected as rejected:
         return _refuse(rejected.message, rejected.hint)
     except OSError as error:
         return _refuse(f"{args.file}: {error.strerror or error}", "name a log that --record has written")
-    _report(args.file, replay)
-    return WRONG if replay.first is not None else OK
-
-
-def _report(name: str, replay: object) -> None:
-    from motionlang.mcapi.replay import Replay, call_of
-
-    assert isinstance(replay, Replay)
     first = replay.first
     if first is not None:
-        print(f"{os.path.basename(name)}:{first.entry.line}: at {first.entry.begin:.6f} s: {first.text}")
+        print(f"{os.path.basename(args.file)}:{first.entry.line}: at {first.entry.begin:.6f} s: {first.text}")
         print(f"  {call_of(first.entry)}")
-    count = 0
-    for number in replay.counts.values():
-        count += number
-    kinds = ", ".join(f"{number} of {kind}" for kind, number in sorted(replay.counts.items()))
-    calls = f"{replay.calls} call{'' if replay.calls == 1 else 's'}"
-    differences = f"{count} difference{'' if count == 1 else 's'}"
-    print(f"{calls}, {differences}{f': {kinds}' if kinds else ''}")
+    print(replay.summary)
+    return WRONG if first is not None else OK
 
 
-def _bad_log(name: str, problem: object) -> int:
-    from motionlang.mcapi.log import BadLog
-
-    assert isinstance(problem, BadLog)
+def _bad_log(name: str, problem: BadLog) -> int:
     return _refuse(f"{name}:{problem.line}: {problem}", "record it again")
 
 

@@ -11,10 +11,13 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 
-def programs(paths: Sequence[str]) -> list[str]:
-    """Return the programs of the paths, those of a folder by their suffixes, in order."""
+def programs(paths: Sequence[str], *more: str) -> list[str]:
+    """Return the programs of the paths, those of a folder by their suffixes, in order.
+
+    `more` are further suffixes of files to return.
+    """
     found: list[str] = []
-    suffixes = tuple(suffix for name in dialects() for suffix in dialect(name).suffixes)
+    suffixes = (*(suffix for name in dialects() for suffix in dialect(name).suffixes), *more)
     for path in paths:
         if not os.path.isdir(path):
             found.append(path)

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 SCHEMA = "motionlang.verify/1"
+KINDS = ("program", "scenario", "sweep", "log")
+LOG_SUFFIX = ".mcapi-log"
 NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
 accept all changes with --update. The golden files of this program are unchanged.
@@ -48,7 +50,8 @@ def add_parser(commands: Commands, summary: str) -> None:
         default=["scripts"],
         help=(
             "programs, or folders of programs (scripts); the golden files of pick.mnt are "
-            "pick.golden.json, with its report, and pick.golden.txt, with its output"
+            "pick.golden.json, with its report, and pick.golden.txt, with its output; a log of calls, "
+            "host.mcapi-log, must replay without a difference"
         ),
     )
     parser.add_argument("--update", action="store_true", help="rewrite the golden files that differ")
@@ -72,7 +75,7 @@ def verify_command(
 
     A missing golden file is an error.
     """
-    found = programs(paths)
+    found = programs(paths, LOG_SUFFIX)
     if not found:
         sys.stderr.write(f"no programs in {', '.join(paths)}\n")
         return 1
@@ -94,7 +97,7 @@ def verify_command(
                     sys.stderr.write(NO_ANSWER)
                     return 2
     if form == "text":
-        good = f"{_count(verdicts, 'program')}{_further_counts(verdicts)}"
+        good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
         sys.stdout.write(f"{good} {'have current golden files' if rewrite else 'match their golden files'}\n")
     elif form == "json":
         sys.stdout.write(
@@ -112,6 +115,10 @@ def _review(program: str, verdict: Verdict) -> None:
     try:
         if verdict.kind == "sweep":
             _review_rows(program, verdict)
+        elif verdict.kind == "log":
+            sys.stderr.write(
+                f"{verdict.name}: a log is recorded, not accepted: motionlang mcapi run --record\n"
+            )
         elif verdict.kind == "program":
             result = run(program, cache=False)
             as_golden = review(program, result)
@@ -142,18 +149,20 @@ def _count(verdicts: Sequence[Verdict], kind: str) -> str:
     return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""
 
 
-def _further_counts(verdicts: Sequence[Verdict]) -> str:
-    parts = [_count(verdicts, kind) for kind in ("scenario", "sweep")]
-    return "".join(f", {part}" for part in parts if part)
-
-
 def _row(verdict: Verdict) -> dict[str, object]:
     found = [each.as_dict() for each in verdict.findings()]
     return {verdict.kind: verdict.name, "as_golden": not verdict.failed, "diagnostics": found}
 
 
 def _judged(rewrite: bool, program: str) -> list[Verdict]:
-    """Return the verdict of a program, and those of its scenarios and sweep."""
+    """Return the verdict of a program, and those of its scenarios and sweep.
+
+    Or that of a log.
+    """
+    if program.endswith(LOG_SUFFIX):
+        from motionlang.cli.verify_log import verify_log
+
+        return [verify_log(program)]
     verdict = Verdict(program)
     if _is_readable(verdict):
         (_update if rewrite else _verify)(verdict)

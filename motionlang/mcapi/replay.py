@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.mcapi.calls.controller import MODELS
 from motionlang.mcapi.client import VirtualBoard
+from motionlang.mcapi.log import Entry, model_of, read
 from motionlang.mcapi.protocol import encode, request
 from motionlang.mcapi.session import BadCall, Session
 from motionlang.mcapi.table import STRUCTURES
@@ -28,10 +29,9 @@ from motionlang.mccl.axis import flags
 from motionlang.record import record
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from motionlang.mcapi.call import Call
-    from motionlang.mcapi.log import Entry
     from motionlang.mcapi.table import Value
 
 # Quantities that change while an axis moves, by what each is in the track of the axis. The track has no following
@@ -63,6 +63,8 @@ MOTION_BITS = (
     | flags.INDEX_INPUT
     | flags.INPUTS["home"]
 )
+# Seconds by which the times of a log may be off.
+SKEW = 0.01
 # Points of a track in the time of a check.
 SAMPLES = 32
 # Half a count: positions are reported in whole ones.
@@ -94,7 +96,7 @@ class _Check:
 class Replay:
     """Carries out the calls of a log; `first` and `counts` have the differences."""
 
-    def __init__(self, board: VirtualBoard, skew: float = 0.01, tolerance: float = 0.0) -> None:
+    def __init__(self, board: VirtualBoard, skew: float = SKEW, tolerance: float = 0.0) -> None:
         self._board, self._skew, self._tolerance = board, skew, tolerance
         self._sessions: dict[int, Session] = {}
         self._handles: dict[tuple[int, int], int] = {}
@@ -146,6 +148,17 @@ class Replay:
         if not call.done and entry.end - entry.begin <= self._skew:
             # Nearly every call: it takes some 10 µs here, and ends before the next one begins.
             self._board.console.run_until(lambda: call.done, entry.end + self._skew)
+
+    @property
+    def summary(self) -> str:
+        """The number of calls, and the differences by kind."""
+        count = 0
+        for number in self.counts.values():
+            count += number
+        kinds = ", ".join(f"{number} of {kind}" for kind, number in sorted(self.counts.items()))
+        calls = f"{self.calls} call{'' if self.calls == 1 else 's'}"
+        differences = f"{count} difference{'' if count == 1 else 's'}"
+        return f"{calls}, {differences}{f': {kinds}' if kinds else ''}"
 
     # --------------------------------------------------------------------------------------------- comparing
 
@@ -285,6 +298,25 @@ def _difference(entry: Entry, call: Call) -> str:
 
 def _model(number: Value | None) -> str:
     return next((name for name, each in MODELS.items() if each[0] == number), f"model {number}")
+
+
+def replay_file(
+    path: str, settings: Mapping[str, object], skew: float = SKEW, tolerance: float = 0.0
+) -> Replay:
+    """Replay the log of a file.
+
+    The model is that of the log unless the settings have one.
+
+
+    Raises BadLog, OSError, and Rejected for a machine that cannot be made.
+    """
+    with open(path, "rb") as file:
+        model = model_of(file)
+        file.seek(0)
+        board = VirtualBoard({"controller.model": model, **settings}, complain=lambda text: None)
+        replay = Replay(board, skew, tolerance)
+        replay.run(read(file))
+    return replay
 
 
 def call_of(entry: Entry) -> str:

@@ -326,7 +326,10 @@ class Session:
         self.desk.console.start(poll)
 
     def _read(self, call: Call, given: Given) -> None:
-        """Read at once if the interface is idle, which takes no machine time, or else in its turn."""
+        """Read at once if the interface is idle, which takes no machine time.
+
+        Or behind its calls.
+        """
         reading = READINGS[call.function.name]
         handle = call.handle
         assert handle is not None

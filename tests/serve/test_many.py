@@ -121,7 +121,10 @@ class Listed:
 
 
 def test_another_host_is_answered_first_each_time() -> None:
-    """The one that is answered first asks again first; with a fixed order it would get the most answers."""
+    """The one that is answered first asks again first.
+
+    With a fixed order it would get the most answers.
+    """
     order: list[str] = []
     console = Console(Machine(first_axis=1))
     with Server(console) as server:
