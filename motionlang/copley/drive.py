@@ -7,6 +7,7 @@ microseconds while a move runs, and passes only in `run_until`.
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import ceil, inf
 
 from motionlang.copley.buffer import Buffer, Entry, entry_of
 from motionlang.copley.packet import UNDERFLOW
@@ -49,6 +50,10 @@ class Drive:
         self.profiles: list[Profile] = [hold(position)]
         self.log: list[tuple[float, str]] = []
         self.listener: Callable[[], None] | None = None
+        # Position on the machine minus the position that the drive shows; homing changes it.
+        self.datum = 0.0
+        # Called at the end of a motion outside the buffer.
+        self._then: Callable[[], None] | None = None
         self._boundary: int | None = None
         self._reference = position
         self._velocity = 0.0
@@ -134,6 +139,34 @@ class Drive:
         elif self.state == WAITING:
             self.state = IDLE
 
+    # ----------------------------------------------------------------------------- motion outside the buffer
+
+    def follow(self, profile: Profile, seconds: float, then: Callable[[], None]) -> None:
+        """Begin a motion now, instead of any other; call `then` after `seconds`."""
+        self._append(profile)
+        self.state, self._then = MOVING, then
+        self._boundary = None if seconds == inf else self.microseconds + max(1, ceil(seconds * 1e6 - 1e-6))
+
+    def rest(self) -> None:
+        """End the motion in progress at the end of its profile."""
+        self._then = None
+        self._rest(self.profiles[-1].end)
+
+    def brake(self, deceleration: float) -> None:
+        """Brake to rest at a deceleration, counts/s², without a call at the end."""
+        self._then = None
+        self._brake(deceleration)
+
+    def shift(self, distance: float) -> None:
+        """Move the zero position by a distance, at rest; the axis stays where it is."""
+        self.datum += distance
+        self._rest(self.position - distance)
+
+    def forget(self, most: int) -> None:
+        """Drop all but the last `most` profiles and remarks."""
+        for records in (self.starts, self.profiles, self.log):
+            del records[: max(0, len(records) - most)]
+
     # ---------------------------------------------------------------------------------------------- time
 
     def run_until(self, microseconds: int) -> None:
@@ -168,7 +201,10 @@ class Drive:
 
     def _arrive(self) -> None:
         """End the current profile; begin the next segment or come to rest."""
-        if self.state == STOPPING:
+        if self._then is not None:
+            then, self._then = self._then, None
+            then()
+        elif self.state == STOPPING:
             self._rest(self.profiles[-1].end)
         else:
             self._next_segment()
@@ -226,13 +262,13 @@ class Drive:
         self._event()
         self._brake()
 
-    def _brake(self) -> None:
-        velocity = self.velocity
+    def _brake(self, deceleration: float = 0.0) -> None:
+        velocity, self._then = self.velocity, None
         if velocity == 0.0:
             self._rest(self.position)
             return
         self.state = STOPPING
-        stop = plan_stop("trapezoid", self.position, velocity, self.abort_deceleration)
+        stop = plan_stop("trapezoid", self.position, velocity, deceleration or self.abort_deceleration)
         self._append(stop)
         self._boundary = self.microseconds + max(1, round(stop.duration * 1e6))
 

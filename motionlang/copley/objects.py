@@ -8,14 +8,53 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from motionlang.copley import packet
 from motionlang.copley.buffer import Entry, entry_of
-from motionlang.copley.drive import MOVING, STOPPING, WAITING, Drive
+from motionlang.copley.drive import IDLE, MOVING, STOPPING, WAITING, Drive
+from motionlang.copley.modes import (
+    HALT,
+    HOMING,
+    METHODS,
+    PROFILE_POSITION,
+    PROFILE_VELOCITY,
+    SPEED_UNIT,
+    START,
+    ProfileModes,
+)
 from motionlang.copley.point import MAX_TIME
+from motionlang.copley.states import DISABLED, ENABLED, FAULT, QUICK_STOP, STATUS, next_state
+from motionlang.copley.switches import Switches
 
 INTERPOLATED_POSITION = 7
 """Mode of operation (object 0x6060) in which the drive accepts PVT points."""
+MODES = (PROFILE_POSITION, PROFILE_VELOCITY, HOMING, INTERPOLATED_POSITION)
+# Object 0x6502 has bit n - 1 for mode n.
+SUPPORTED = sum(1 << mode - 1 for mode in MODES)
+# Values at power-up: 10 000 counts/s, 100 000 counts/s², homing at 5000 and 500 counts/s.
+DEFAULTS: dict[tuple[int, int], int] = {
+    (0x6040, 0): 0,
+    (0x605A, 0): 2,
+    (0x6060, 0): 0,
+    (0x607A, 0): 0,
+    (0x607C, 0): 0,
+    (0x6081, 0): 100_000,
+    (0x6083, 0): 10_000,
+    (0x6084, 0): 10_000,
+    (0x6086, 0): 0,
+    (0x6098, 0): 0,
+    (0x6099, 1): 50_000,
+    (0x6099, 2): 5000,
+    (0x609A, 0): 10_000,
+    (0x60C0, 0): 0,
+    (0x60C1, 1): 0,
+    (0x60C1, 2): 0,
+    (0x60C1, 3): 0,
+    (0x60C2, 1): 1,
+    (0x60C2, 2): -3,
+    (0x60FF, 0): 0,
+}
 SUB_MODES: dict[int, str] = {
     0: "linear, fixed time of 0x60C2 steered by one servo period, starts after three new points",
     -1: "linear, fixed time of 0x60C2",
@@ -76,6 +115,66 @@ OBJECTS: tuple[Object, ...] = (
     Object(
         0x6085, 0, "Quick stop deceleration", "u32", "rw", "10 counts/s2", "brakes aborted moves", "DS402"
     ),
+    Object(0x603F, 0, "Error code", "u16", "r", "", "the last error; 0 after a reset", "DS402"),
+    Object(
+        0x605A,
+        0,
+        "Quick stop option code",
+        "i16",
+        "rw",
+        "",
+        "2: brake and disable; 6: brake and stay",
+        "DS402",
+    ),
+    Object(0x6063, 0, "Position internal value", "i32", "r", "counts", "like 0x6064", "DS402"),
+    Object(0x606B, 0, "Velocity demand value", "i32", "r", "0.1 counts/s", "the commanded velocity", "DS402"),
+    Object(
+        0x606C, 0, "Velocity actual value", "i32", "r", "0.1 counts/s", "no motor: the commanded one", "DS402"
+    ),
+    Object(0x607A, 0, "Target position", "i32", "rw", "counts", "of the next set-point", "DS402"),
+    Object(0x607C, 0, "Home offset", "i32", "rw", "counts", "the home position becomes minus this", "DS402"),
+    Object(0x6081, 0, "Profile velocity", "u32", "rw", "0.1 counts/s", "speed of set-points", "DS402"),
+    Object(
+        0x6083,
+        0,
+        "Profile acceleration",
+        "u32",
+        "rw",
+        "10 counts/s2",
+        "of set-points and velocities",
+        "DS402",
+    ),
+    Object(
+        0x6084,
+        0,
+        "Profile deceleration",
+        "u32",
+        "rw",
+        "10 counts/s2",
+        "of set-points and velocities",
+        "DS402",
+    ),
+    Object(0x6086, 0, "Motion profile type", "i16", "rw", "", "0: trapezoid", "DS402"),
+    Object(0x6098, 0, "Homing method", "i8", "rw", "", "1, 2, 17 to 20, 33, 34, 35 or 37", "DS402"),
+    Object(
+        0x6099, 1, "Homing speed search for switch", "u32", "rw", "0.1 counts/s", "towards a switch", "DS402"
+    ),
+    Object(
+        0x6099,
+        2,
+        "Homing speed search for zero",
+        "u32",
+        "rw",
+        "0.1 counts/s",
+        "off a switch and to an index",
+        "DS402",
+    ),
+    Object(0x609A, 0, "Homing acceleration", "u32", "rw", "10 counts/s2", "of all stages of homing", "DS402"),
+    Object(0x60FD, 0, "Digital inputs", "u32", "r", "", "bits 0, 1: limit switches; 2: home switch", "DS402"),
+    Object(
+        0x60FF, 0, "Target velocity", "i32", "rw", "0.1 counts/s", "followed in profile velocity", "DS402"
+    ),
+    Object(0x6502, 0, "Supported drive modes", "u32", "r", "", "a bit for each: 1, 3, 6 and 7", "DS402"),
     Object(0x60C0, 0, "Interpolation sub-mode select", "i16", "rw", "", "one of the four sub-modes"),
     Object(
         0x60C1, 1, "Interpolation position", "i32", "rw", "counts", "position; in 0 and -1 adds the point"
@@ -93,28 +192,21 @@ OBJECTS: tuple[Object, ...] = (
 )
 BY_ADDRESS: dict[tuple[int, int], Object] = {(o.index, o.sub): o for o in OBJECTS}
 
-_READY, _ON, _ENABLED = 1, 2, 3
-
 
 class ObjectServer:
     """The objects of one drive.
 
-    `power` is the DS402 state: switch-on disabled (0), ready, switched on or enabled.
+    `power` is the state of `states`. `emergency` is called with the code of an error.
     """
 
-    def __init__(self, drive: Drive) -> None:
+    def __init__(self, drive: Drive, switches: Switches | None = None) -> None:
         self.drive = drive
-        self.power = 0
-        self.values: dict[tuple[int, int], int] = {
-            (0x6040, 0): 0,
-            (0x6060, 0): 0,
-            (0x60C0, 0): 0,
-            (0x60C1, 1): 0,
-            (0x60C1, 2): 0,
-            (0x60C1, 3): 0,
-            (0x60C2, 1): 1,
-            (0x60C2, 2): -3,
-        }
+        self.power = DISABLED
+        self.values: dict[tuple[int, int], int] = dict(DEFAULTS)
+        self.emergency: Callable[[int], None] = lambda code: None
+        self.error = 0
+        self._switches = switches or Switches()
+        self._modes = ProfileModes(drive, self.values, self._switches, self._report)
         drive.steering = True
         self._reads: dict[int, Callable[[], int]] = {
             0x2011: lambda: self.drive.buffer.free,
@@ -123,12 +215,29 @@ class ObjectServer:
             0x6041: self._status_word,
             0x6061: lambda: self.values[0x6060, 0],
             0x6062: self._position,
+            0x6063: self._position,
             0x6064: self._position,
+            0x606B: self._velocity,
+            0x606C: self._velocity,
+            0x603F: lambda: self.error,
+            0x60FD: lambda: self._switches.inputs(self.drive.position + self.drive.datum),
+            0x6502: lambda: SUPPORTED,
             0x6085: lambda: round(self.drive.abort_deceleration / 10.0),
         }
         self._writes: dict[int, Callable[[int, int], None]] = {
             0x6040: self._control,
+            0x605A: partial(self._choose, 0x605A, (2, 6)),
             0x6060: self._choose_mode,
+            0x607A: partial(self._store, 0x607A),
+            0x607C: partial(self._store, 0x607C),
+            0x6081: partial(self._store_positive, 0x6081),
+            0x6083: partial(self._store_positive, 0x6083),
+            0x6084: partial(self._store_positive, 0x6084),
+            0x6086: partial(self._choose, 0x6086, (0,)),
+            0x6098: partial(self._choose, 0x6098, (0, *METHODS)),
+            0x6099: partial(self._store_positive, 0x6099),
+            0x609A: partial(self._store_positive, 0x609A),
+            0x60FF: self._set_velocity,
             0x6085: self._set_deceleration,
             0x60C0: self._choose_sub_mode,
             0x60C1: self._record,
@@ -223,13 +332,64 @@ class ObjectServer:
 
     # -------------------------------------------------------------------------------------------- DS402
 
+    @property
+    def mode(self) -> int:
+        """The mode of operation in force."""
+        return self.values[0x6060, 0]
+
+    def update(self) -> None:
+        """Let the state machine follow the motion: a quick stop ends at rest."""
+        if self.power == QUICK_STOP and self.drive.state == IDLE and self.values[0x605A, 0] == 2:
+            self.power = DISABLED
+
+    def trip(self, code: int) -> None:
+        """Enter the fault state with an error code; the axis brakes."""
+        self.error = code
+        self._leave("by a fault")
+        self.power = FAULT
+        self.emergency(code)
+
+    def reset(self) -> None:
+        """Return to the state after power-up; the axis stays where it is."""
+        self._leave("by a reset")
+        self.power, self.error = DISABLED, 0
+        self.values.update(DEFAULTS)
+        self.drive.steering = True
+
+    def _report(self, code: int) -> None:
+        """Report an error that is no fault."""
+        self.error = code
+        self.emergency(code)
+
     def _choose_mode(self, _: int, value: int) -> None:
-        if value not in (0, INTERPOLATED_POSITION):
-            raise Abort(
-                VALUE_RANGE, f"only mode {INTERPOLATED_POSITION}, interpolated position, is simulated"
-            )
+        if value not in (0, *MODES):
+            raise Abort(VALUE_RANGE, f"mode {value} is not simulated, only {', '.join(map(str, MODES))}")
+        if value == self.mode:
+            return
         self._refuse_in_motion("the mode of operation cannot change")
+        self._modes.leave("by another mode of operation")
         self.values[0x6060, 0] = value
+        if self.power == ENABLED and value == PROFILE_VELOCITY:
+            self._modes.follow_velocity()
+
+    def _store(self, index: int, sub: int, value: int) -> None:
+        self.values[index, sub] = value
+
+    def _store_positive(self, index: int, sub: int, value: int) -> None:
+        if value <= 0:
+            raise Abort(VALUE_RANGE, f"object {index:#06x} must be greater than zero")
+        self.values[index, sub] = value
+
+    def _choose(self, index: int, known: tuple[int, ...], sub: int, value: int) -> None:
+        if value not in known:
+            names = ", ".join(map(str, known))
+            raise Abort(VALUE_RANGE, f"object {index:#06x} takes {names}, not {value}")
+        self.values[index, sub] = value
+
+    def _set_velocity(self, _: int, value: int) -> None:
+        self.values[0x60FF, 0] = value
+        if self.power == ENABLED and self.mode == PROFILE_VELOCITY:
+            self._modes.follow_velocity()
 
     def _set_deceleration(self, _: int, value: int) -> None:
         if value <= 0:
@@ -237,37 +397,55 @@ class ObjectServer:
         self.drive.abort_deceleration = value * 10.0
 
     def _control(self, _: int, value: int) -> None:
-        before = self.values[0x6040, 0]
+        self.update()
+        before, was = self.values[0x6040, 0], self.power
         self.values[0x6040, 0] = value
-        self.power = _next_power(self.power, value)
-        halted = bool(value & 0x100)
-        ready = self.power == _ENABLED and self.values[0x6060, 0] == INTERPOLATED_POSITION
-        if self.power != _ENABLED or halted or (before & 0x10 and not value & 0x10):
+        self.power = next_state(was, before, value)
+        if was == FAULT and self.power != FAULT:
+            self.error = 0
+            self.emergency(0)
+        if self.power != ENABLED:
+            if was == ENABLED:
+                self._leave("by the control word")
+            self.update()
+        elif self.mode == INTERPOLATED_POSITION:
+            self._interpolate(before, value)
+        else:
+            self._modes.control(self.mode, before if was == ENABLED else 0, value)
+
+    def _interpolate(self, before: int, control: int) -> None:
+        """Start and stop the move in the buffer."""
+        if control & HALT or (before & START and not control & START):
             self.drive.stop("by the control word")
-        elif ready and value & 0x10 and not before & 0x10:
+        elif control & START and not before & START:
             self.drive.start()
 
+    def _leave(self, why: str) -> None:
+        self._modes.leave(why)
+
     def _status_word(self) -> int:
-        bits = (0x40, 0x21, 0x23, 0x27)[self.power]
-        moving = self.drive.state in (MOVING, STOPPING, WAITING)
-        return bits | 0x0210 | (0x1000 if moving else 0x0400)
+        self.update()
+        bits = STATUS[self.power] | 0x0210
+        if self.mode in (PROFILE_POSITION, PROFILE_VELOCITY, HOMING):
+            return bits | self._modes.status(self.mode)
+        return bits | (0x1000 if self.is_moving else 0x0400)
+
+    @property
+    def is_moving(self) -> bool:
+        """True unless the axis is at rest and waits for nothing."""
+        return self.drive.state in (MOVING, STOPPING, WAITING)
 
     def _position(self) -> int:
-        return (round(self.drive.position) + 2**31) % 2**32 - 2**31
+        return _wrapped(round(self.drive.position))
+
+    def _velocity(self) -> int:
+        return _wrapped(round(self.drive.velocity / SPEED_UNIT))
 
     def _refuse_in_motion(self, what: str) -> None:
-        if self.drive.state in (MOVING, STOPPING, WAITING):
+        if self.is_moving:
             raise Abort(DEVICE_STATE, f"{what} while a move is in progress")
 
 
-def _next_power(power: int, control: int) -> int:
-    """Return the next DS402 state, without faults.
-
-    It rises one command at a time and falls at any time.
-    """
-    if not control & 0x02 or not control & 0x04:
-        return 0
-    asked = _READY if not control & 0x01 else _ON if not control & 0x08 else _ENABLED
-    if power == 0:
-        return _READY if asked == _READY else 0
-    return asked
+def _wrapped(value: int) -> int:
+    """Return a number as 32 bits show it."""
+    return (value + 2**31) % 2**32 - 2**31

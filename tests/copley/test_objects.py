@@ -127,8 +127,9 @@ def test_only_interpolated_position_mode_starts() -> None:
     for control in (0x06, 0x07, 0x0F, 0x1F):
         server.write(0x6040, 0, control)
     assert server.drive.state == IDLE
-    with pytest.raises(Abort, match="only mode 7"):
-        server.write(0x6060, 0, 1)
+    with pytest.raises(Abort, match="mode 4 is not simulated, only 1, 3, 6, 7") as refused:
+        server.write(0x6060, 0, 4)
+    assert refused.value.code == VALUE_RANGE
 
 
 def test_modes_do_not_change_in_mid_move(server: ObjectServer) -> None:
