@@ -1,0 +1,89 @@
+"""Process data objects of the simulated drive: mappings, defaults, transmission.
+
+PDO 1 carries the control word and the status word from power-up on. The others have the mappings of DS402 and are
+switched off, because two PDOs that both carry the control word would overwrite each other's. A transmit PDO is sent
+after each change of its data (types 254 and 255), no sooner than its inhibit time, at the latest after its event
+timer, and on every n-th SYNC (types 1 to 240; 0: after a change).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+PDOS = 4
+EVENT_DRIVEN = (254, 255)
+SYNCHRONOUS = range(241)
+PDO_INVALID = 1 << 31
+MAX_BITS = 64
+# The objects that PDOs 1 to 4 carry by default, with their bits: those that are received, and those that are sent.
+RECEIVED = (
+    ((0x6040, 16),),
+    ((0x6040, 16), (0x6060, 8)),
+    ((0x6040, 16), (0x607A, 32)),
+    ((0x6040, 16), (0x60FF, 32)),
+)
+SENT = (
+    ((0x6041, 16),),
+    ((0x6041, 16), (0x6061, 8)),
+    ((0x6041, 16), (0x6064, 32)),
+    ((0x6041, 16), (0x606C, 32)),
+)
+# The event timer of the first transmit PDO, ms: a master that begins to listen late learns of the state.
+STATUS_PERIOD = 100
+# Identifiers of PDO 1, of each direction, without the node; the next ones are 0x100 apart.
+RECEIVE_ID, SEND_ID, ID_STEP = 0x200, 0x180, 0x100
+NEVER = float("-inf")
+INFINITY = float("inf")
+
+Address = tuple[int, int]
+
+
+def entry(index: int, bits: int, sub: int = 0) -> int:
+    """Return the mapping entry of an object."""
+    return index << 16 | sub << 8 | bits
+
+
+@dataclass(slots=True)
+class Sent:
+    """A transmit PDO: identifier, type, times in seconds, and its last transmission."""
+
+    can_id: int
+    kind: int
+    inhibit: float
+    timer: float
+    addresses: list[Address]
+    data: bytes = b""
+    at: float = NEVER
+    syncs: int = 0
+
+    def due(self, data: bytes, now: float) -> bool:
+        """True if it must be sent now, on its own account."""
+        if self.kind not in EVENT_DRIVEN:
+            return False
+        if self.timer and now >= self.at + self.timer:
+            return True
+        return data != self.data and now >= self.at + self.inhibit
+
+    def next_time(self) -> float:
+        """Return when it must be checked next, if nothing else happens."""
+        if self.kind not in EVENT_DRIVEN or self.at == NEVER:
+            return INFINITY
+        return self.at + self.timer if self.timer else INFINITY
+
+    def on_sync(self, data: bytes) -> bool:
+        """True if it is sent on this SYNC."""
+        if self.kind == 0:
+            return data != self.data
+        if self.kind not in SYNCHRONOUS:
+            return False
+        self.syncs += 1
+        if self.syncs < self.kind:
+            return False
+        self.syncs = 0
+        return True
+
+
+def sent_pdo(read: Callable[[int], int], can_id: int, addresses: list[Address]) -> Sent:
+    """Return a transmit PDO; `read` returns a sub-index of its communication record."""
+    return Sent(can_id, read(2), read(3) * 1e-4, read(5) * 1e-3, addresses)
