@@ -9,9 +9,10 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from motionlang.views.highlight import pieces
+
 from motionlang.lang.dialect import dialect
 from motionlang.mint.syntax.tables import TABLES
-from motionlang.views.highlight import pieces
 
 FILE = Path(__file__).parent.parent / "playground" / "keywords.json"
 

@@ -15,8 +15,10 @@ from motionlang.cli.options import Options
 from motionlang.cli.output_queue import never_waiting
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.serve_board import serve_board
+from motionlang.cli.serve_can import serve_can
 from motionlang.cli.serve_line import serve_line
 from motionlang.cli.serve_modbus import serve_modbus
+from motionlang.errors import Diagnostic, MissingExtra
 from motionlang.execution import machine_of
 from motionlang.serve.address import BadAddress, parse
 
@@ -31,6 +33,9 @@ and HCP frames. With --dialect mint and no FILE the controller has no program ye
 machine time follows real time. With --clock lockstep, machine time passes only while a host waits for an answer, so the
 same lines always get the same answers; a line takes --step seconds, or as long as it waits.
 
+With --can, simulated drives (CiA 402) are nodes of a CAN bus; --set axis.1.travel=[-9000,9000] and the like place the
+switches of drive 1, in counts.
+
 With --modbus, FILE is a Mint program, and Modbus TCP clients read and write its comms array or NetData: element n is
 holding registers 2n (low half) and 2n + 1. In lock step, machine time advances by --step for each request.
 
@@ -39,11 +44,12 @@ examples:
   motionlang serve macros.mcl --tcp 5010 --pty --log
   motionlang serve packer.mnt --tcp 127.0.0.1:5300
   motionlang serve packer.mnt --modbus 127.0.0.1:5020 --unit 1
+  motionlang serve --can socketcan:vcan0 --drives 2 --eds drive.eds
   motionlang serve --tcp 0 --clock lockstep --set controller.model=dcx-pci300
 """
 
 GROUPS = {
-    "addresses": "tcp mcapi modbus unit pty max-hosts",
+    "addresses": "tcp mcapi modbus unit pty can drives eds max-hosts",
     "time": "clock factor step",
     "lines": "echo log",
 }
@@ -73,6 +79,14 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="HOST:PORT",
         help="listen on this address for hosts that call PMC's library MCAPI (see `motionlang mcapi`)",
     )
+    add(
+        "--can",
+        type=_bus,
+        metavar="INTERFACE:CHANNEL",
+        help="put simulated CANopen drives on a bus of python-can (needs the extra can)",
+    )
+    add("--drives", type=_drives, metavar="N", help="the number of drives on the bus, nodes 1 to N (1)")
+    add("--eds", metavar="FILE", help="write the EDS file of the drives")
     add_board(parser)
     arrange(parser, GROUPS)
 
@@ -150,6 +164,12 @@ def serve_command(args: argparse.Namespace) -> int:
     if status:
         return status
     settings, overrides = options.settings, options.overrides
+    if args.can is not None:
+        with never_waiting() as queues:
+            try:
+                return serve_can(args, settings, queues)
+            except MissingExtra as lacking:
+                return refuse(options, [Diagnostic("extra", lacking.message, hint=lacking.hint)], None, 1)
     if _speaks_mint(args) and (args.tcp or args.pty):
         with never_waiting() as queues:
             return serve_line(args, source, settings, overrides, queues)
@@ -183,15 +203,32 @@ def check_time(args: argparse.Namespace) -> None:
 def _check(args: argparse.Namespace) -> None:
     """End the command if options conflict."""
     error = args.parser.error
-    if not args.tcp and not args.pty and args.mcapi is None and args.modbus is None:
-        error("no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, or --pty")
+    if not args.tcp and not args.pty and args.mcapi is None and args.modbus is None and args.can is None:
+        error(
+            "no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL"
+        )
     check_time(args)
+    if args.can is None and (args.drives is not None or args.eds is not None):
+        error("--drives and --eds need --can INTERFACE:CHANNEL")
+    if args.can is not None:
+        _check_can(args)
     if args.unit is not None and args.modbus is None:
         error("--unit needs --modbus HOST:PORT")
     if args.mcapi is not None and _speaks_mint(args):
         error("--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus")
     if args.modbus is not None:
         _check_modbus(args)
+
+
+def _check_can(args: argparse.Namespace) -> None:
+    error = args.parser.error
+    if args.file is not None or args.tcp or args.pty or args.modbus is not None or args.mcapi is not None:
+        error("--can serves drives, which run no program: leave out FILE, --tcp, --pty, --mcapi and --modbus")
+    if args.clock != "real":
+        error("--can needs --clock real: masters have their own time")
+    if args.echo is not None or args.log:
+        error("--echo and --log have no effect with --can")
+    args.drives = args.drives or 1
 
 
 def _check_modbus(args: argparse.Namespace) -> None:
@@ -224,6 +261,19 @@ def _address(text: str) -> tuple[str, int]:
 def _count(text: str) -> int:
     if not text.isdecimal() or not 1 <= int(text) <= 1000:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number of connections from 1 to 1000")
+    return int(text)
+
+
+def _bus(text: str) -> tuple[str, str]:
+    interface, colon, channel = text.partition(":")
+    if not (interface and colon and channel):
+        raise argparse.ArgumentTypeError(f"{text!r} is not INTERFACE:CHANNEL, such as socketcan:vcan0")
+    return interface, channel
+
+
+def _drives(text: str) -> int:
+    if not text.isdecimal() or not 1 <= int(text) <= 127:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of drives from 1 to 127")
     return int(text)
 
 

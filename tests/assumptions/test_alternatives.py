@@ -16,12 +16,12 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.switch import switch
 from motionlang.source import Source
 
-# Assumptions about the line between a Mint controller and its host, which no program on the controller can settle.
-ON_THE_LINE = 11
+# Assumptions about the line or bus of a host, which no program on a controller can settle.
+ON_THE_LINE = 20
 # Open assumptions about a controller without an alternative, and those without a probe.
 WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 184 + ON_THE_LINE
 # The number of assumptions that no controller can confirm, because they are choices of this program.
-OWN = 60
+OWN = 61
 NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
 DISTANCE = 100.0
 

@@ -68,9 +68,8 @@ class Wire:
 class Board:
     """A served board, in a thread of its own."""
 
-    def __init__(self, server: Server) -> None:
-        assert isinstance(server.console, Console)
-        self.server, self.console = server, server.console
+    def __init__(self, server: Server, console: Console) -> None:
+        self.server, self.console = server, console
         self.address = server.listen("127.0.0.1", 0)
         self.complaints: list[str] = []
         self.wires: list[Wire] = []
@@ -107,7 +106,7 @@ def serve() -> Iterator[Serve]:
         console = Console(Machine({"controller.model": model}, first_axis=1))
         pace: Pace = LockStep(console) if clock == "lockstep" else RealTime(console, factor)
         complaints: list[str] = []
-        board = Board(Server(console, pace, limits=limits, complain=complaints.append))
+        board = Board(Server(console, pace, limits=limits, complain=complaints.append), console)
         board.complaints = complaints
         boards.append(board)
         return board

@@ -1,0 +1,156 @@
+"""Simulated drives on a CAN bus in real time, for any CANopen master.
+
+One thread receives frames, lets the drives move up to the present time, and sends what is due. So a frame finds each
+drive at the time at which it came, and nothing needs a lock. The thread sleeps until the next frame, the end of a
+motion or a timer. After a frame, and while a drive moves, it wakes every `CYCLE` and sends the PDOs that have changed.
+
+Some interfaces give a node its own frames. The server filters them out, by bit 7 of the identifier.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Self
+
+import can
+import canopen
+from can.typechecking import CanFilter
+
+from motionlang.copley.bus import BusError, open_bus
+from motionlang.copley.drive import Drive
+from motionlang.copley.node import DriveNode
+from motionlang.copley.switches import Switches
+
+# Seconds of real time between two updates of a drive, and between two checks of an idle one for the end of the server.
+CYCLE, PATIENCE = 0.001, 0.1
+# Frames of masters: bit 7 is clear, but for SYNC.
+FROM_MASTERS: list[CanFilter] = [
+    {"can_id": 0x000, "can_mask": 0x080, "extended": False},
+    {"can_id": 0x080, "can_mask": 0x7FF, "extended": False},
+]
+# The number of profiles that a drive stores, and how often older ones are dropped.
+MEMORY, SELDOM = 100, 1000
+MAX_DRIVES = 127
+
+
+class DriveServer:
+    """Drives with the node numbers 1, 2 and so on at `interface` and `channel`.
+
+    `factor` is machine seconds per second of real time. `switches` are those of each drive. `complain` is
+    called once with each problem of the bus. Raises BusError if the bus cannot be opened.
+    """
+
+    def __init__(
+        self,
+        interface: str,
+        channel: str,
+        drives: int = 1,
+        *,
+        factor: float = 1.0,
+        switches: Sequence[Switches] = (),
+        complain: Callable[[str], None] = lambda text: None,
+        wall: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._bus = open_bus(interface, channel)
+        self._bus.set_filters(FROM_MASTERS)
+        self.network = canopen.Network(self._bus)
+        self.frames = 0
+        self._factor, self._wall, self._complain = factor, wall, complain
+        self._known: set[str] = set()
+        self._over = False
+        # When the drives were last updated, and true if a frame has come since.
+        self._updated, self._news = wall(), False
+        self._passes = 0
+        self.nodes: list[DriveNode] = []
+        for number in range(1, drives + 1):
+            at = switches[number - 1] if number <= len(switches) else None
+            node = DriveNode(number, Drive(), at)
+            self.network.add_node(node)
+            self.nodes.append(node)
+        self._began = wall()
+        for node in self.nodes:
+            self._guard(node.boot)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def now(self) -> float:
+        """The machine time that corresponds to the present real time, seconds."""
+        return (self._wall() - self._began) * self._factor
+
+    def run(self) -> None:
+        """Serve until `stop`."""
+        while not self._over:
+            self.turn(self._timeout())
+
+    def stop(self) -> None:
+        """End `run` soon; may be called from a signal handler or another thread."""
+        self._over = True
+
+    def turn(self, timeout: float = 0.0) -> None:
+        """Wait at most `timeout` seconds for a frame, and do what is due."""
+        try:
+            message = self._bus.recv(timeout)
+        except (can.CanError, OSError) as problem:
+            self._report(f"the CAN bus: {problem}")
+            return
+        wall = self._wall()
+        if message is None or wall >= self._updated + CYCLE:
+            self._updated, self._news = wall, False
+        now = round(self.now * 1e6)
+        for node in self.nodes:
+            self._guard(partial(_advance, node, now, self._updated == wall))
+        if message is not None and _is_for_drives(message):
+            self.frames += 1
+            self._guard(lambda: self.network.notify(message.arbitration_id, message.data, message.timestamp))
+            self._news = True
+        self._passes += 1
+        if self._passes % SELDOM == 0:
+            for node in self.nodes:
+                node.drive.forget(MEMORY)
+
+    def close(self) -> None:
+        """Disconnect from the bus."""
+        self._bus.shutdown()
+
+    def _timeout(self) -> float:
+        if self._news or any(node.objects.is_moving for node in self.nodes):
+            return CYCLE
+        left = (min(node.next_time() for node in self.nodes) - self.now) / self._factor
+        return max(0.0, min(left, PATIENCE))
+
+    def _guard(self, work: Callable[[], None]) -> None:
+        """Do `work`; no problem of the bus and no bad frame ends the server."""
+        try:
+            work()
+        except (can.CanError, OSError) as problem:
+            self._report(f"the CAN bus: {problem}")
+        except Exception as error:  # the library raises several kinds for frames that are too short
+            self._report(f"a frame was dropped: {type(error).__name__}: {error}")
+
+    def _report(self, text: str) -> None:
+        if text not in self._known and len(self._known) < 100:
+            self._known.add(text)
+            self._complain(text)
+
+
+def _is_for_drives(message: can.Message) -> bool:
+    """True for a data frame with an identifier of 11 bits: all that CANopen uses."""
+    return not (message.is_error_frame or message.is_remote_frame or message.is_extended_id)
+
+
+def _advance(node: DriveNode, microseconds: int, update: bool) -> None:
+    """Let a drive move up to a time, and send what is due."""
+    drive = node.drive
+    drive.run_until(microseconds)
+    if update:
+        node.update()
+
+
+__all__ = ["MAX_DRIVES", "BusError", "DriveServer"]

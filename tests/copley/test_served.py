@@ -1,0 +1,322 @@
+"""Drives on a bus, with a foreign master: canopen's BaseNode402, and frames.
+
+Time is that of the test: a clock that it sets itself, except in the tests of `BaseNode402`, which has its own.
+"""
+
+from __future__ import annotations
+
+import json
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import can
+import canopen
+import pytest
+
+from motionlang.copley.bus import BusError
+from motionlang.copley.eds import eds
+from motionlang.copley.served import DriveServer
+from motionlang.copley.switches import Switches
+
+PATIENCE = 30.0
+_CHANNELS = count(1)
+# Frames of drives, for interfaces that give a master its own frames back.
+FROM_DRIVES: Any = [{"can_id": 0x080, "can_mask": 0x080}, {"can_id": 0x700, "can_mask": 0x780}]
+
+
+class Bus:
+    """Two drives and the other end of their bus; `time` is that of the drives."""
+
+    def __init__(self) -> None:
+        self.time = 0.0
+        channel = f"served-{next(_CHANNELS)}"
+        self.master = can.Bus(interface="virtual", channel=channel)
+        self.complaints: list[str] = []
+        self.server = DriveServer(
+            "virtual", channel, 2, complain=self.complaints.append, wall=lambda: self.time
+        )
+        self.found: list[tuple[int, bytes]] = []
+
+    def send(self, can_id: int, *data: int) -> None:
+        self.master.send(can.Message(arbitration_id=can_id, data=data, is_extended_id=False))
+        self.server.turn()
+
+    def until(self, seconds: float) -> list[tuple[int, bytes]]:
+        """Let time pass in steps of a millisecond; return the frames of the drives."""
+        while self.time < seconds - 1e-9:
+            self.time = min(self.time + 1e-3, seconds)
+            self.server.turn()
+        return self.frames()
+
+    def frames(self) -> list[tuple[int, bytes]]:
+        found = []
+        while (message := self.master.recv(0.0)) is not None:
+            found.append((message.arbitration_id, bytes(message.data)))
+        return found
+
+    def ask(self, node: int, *request: int) -> bytes:
+        """Return the answer to an SDO request."""
+        self.frames()
+        self.send(0x600 + node, *request, *bytes(8 - len(request)))
+        (answer,) = [data for can_id, data in self.frames() if can_id == 0x580 + node]
+        return answer
+
+
+@pytest.fixture
+def bus() -> Iterator[Bus]:
+    made = Bus()
+    yield made
+    made.server.close()
+    made.master.shutdown()
+
+
+def test_boot_up_and_reset(bus: Bus) -> None:
+    assert bus.frames() == [(0x701, b"\0"), (0x702, b"\0")]
+    bus.send(0, 130, 2)
+    assert bus.until(0.05) == [(0x702, b"\0")]
+
+
+def test_the_heartbeat_has_its_period_and_the_state(bus: Bus) -> None:
+    """50 ms from the write on: pre-operational is 127, operational 5."""
+    bus.until(0.01)
+    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
+    assert bus.until(0.111) == [(0x701, b"\x7f")] * 2
+    bus.send(0, 1, 1)
+    assert (0x701, b"\5") in bus.until(0.161)
+
+
+def test_the_objects_of_cia_301(bus: Bus) -> None:
+    assert bus.ask(1, 0x40, 0x00, 0x10)[4:] == bytes([0x92, 0x01, 0x02, 0x00])
+    assert bus.ask(1, 0x40, 0x01, 0x10)[4] == 0
+    assert bus.ask(2, 0x40, 0x18, 0x10, 4)[4:] == bytes([2, 0, 0, 0])
+    assert bus.ask(2, 0x40, 0x14, 0x10)[4:] == bytes([0x82, 0, 0, 0])
+    assert bus.ask(1, 0x40, 0x02, 0x65)[4:] == bytes([0x65, 0, 0, 0])
+    # 0x80 rejects: no such object 0x06020000, and a mode that is not simulated 0x06090030.
+    assert bus.ask(1, 0x40, 0x99, 0x20) == bytes([0x80, 0x99, 0x20, 0, 0, 0, 0x02, 0x06])
+    assert bus.ask(1, 0x2F, 0x60, 0x60, 0, 4) == bytes([0x80, 0x60, 0x60, 0, 0x30, 0, 0x09, 0x06])
+
+
+def test_the_default_pdos_carry_the_control_and_the_status_word(bus: Bus) -> None:
+    bus.until(0.01)
+    bus.send(0, 1, 1)
+    assert bus.until(0.02) == [(0x181, b"\x50\x06")]
+    bus.send(0x201, 6, 0)
+    assert bus.until(0.03) == [(0x181, b"\x31\x06")]
+    assert bus.until(0.23) == [(0x181, b"\x31\x06")] * 2  # every 100 ms, for a master that listens late
+
+
+def test_pdos_wait_for_operational(bus: Bus) -> None:
+    bus.send(0x201, 6, 0)
+    assert bus.until(0.3)[2:] == []
+    assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
+
+
+def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
+    """Error 8210, and bits 0 and 4 of the error register."""
+    bus.send(0, 1, 1)
+    bus.frames()
+    bus.send(0x201, 6)
+    assert (0x81, b"\x10\x82\x11" + bytes(5)) in bus.frames()
+    assert bus.ask(1, 0x40, 0x01, 0x10)[4] == 0x11
+
+
+def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
+    """Object 0x1016:1: the heartbeat of node 0x7F, at least every 100 ms."""
+    bus.send(0, 1, 1)
+    bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
+    assert bus.until(0.3) != []
+    bus.send(0x77F, 5)
+    bus.until(0.39)
+    bus.send(0x77F, 5)
+    assert 0x81 not in dict(bus.until(0.48))
+    assert dict(bus.until(0.6))[0x81] == b"\x30\x81\x11" + bytes(5)
+    assert bus.ask(1, 0x40, 0x41, 0x60)[4] & 0x4F == 0x08
+    bus.send(0x201, 0x80, 0)
+    assert dict(bus.until(0.7))[0x81] == bytes(8)
+
+
+def test_the_mapping_of_a_pdo_is_checked(bus: Bus) -> None:
+    not_mappable, too_long = bytes([0x41, 0, 0x04, 0x06]), bytes([0x42, 0, 0x04, 0x06])
+    assert bus.ask(1, 0x23, 0x01, 0x1A, 1, 0x20, 0, 0x99, 0x60)[4:] == not_mappable  # no such object
+    assert bus.ask(1, 0x23, 0x01, 0x1A, 1, 0x10, 0, 0x64, 0x60)[4:] == not_mappable  # it has 32 bits
+    assert bus.ask(1, 0x23, 0x01, 0x16, 1, 0x20, 0, 0x64, 0x60)[4:] == not_mappable  # it is read only
+    for sub in (1, 2, 3):
+        assert bus.ask(1, 0x23, 0x02, 0x1A, sub, 0x20, 0, 0x64, 0x60)[0] == 0x60
+    assert bus.ask(1, 0x2F, 0x02, 0x1A, 0, 3)[4:] == too_long
+
+
+def test_a_synchronous_pdo_shows_the_position_at_the_sync(bus: Bus) -> None:
+    """PDO 3: status word and position, on every SYNC, while the axis runs at 10 000/s."""
+    bus.ask(1, 0x2F, 0x02, 0x18, 2, 1)
+    bus.ask(1, 0x23, 0x02, 0x18, 1, 0x81, 0x03, 0, 0)
+    bus.send(0, 1, 1)
+    bus.ask(1, 0x2F, 0x60, 0x60, 0, 3)
+    for control in (6, 7, 15):
+        bus.send(0x201, control, 0)
+    bus.ask(1, 0x23, 0xFF, 0x60, 0, *(100_000).to_bytes(4, "little"))
+    places = []
+    for k in range(1, 4):
+        bus.until(k * 0.1)
+        bus.send(0x80)
+        ((_, data),) = [each for each in bus.frames() if each[0] == 0x381]
+        places.append(int.from_bytes(data[2:], "little"))
+    assert places == [500, 1500, 2500]
+
+
+def test_frames_without_sense_change_nothing(bus: Bus) -> None:
+    bus.send(0)
+    bus.send(0, 1)
+    bus.send(0x601, 0xFF)
+    bus.send(0x601)
+    bus.master.send(can.Message(arbitration_id=0x201, data=[6, 0], is_extended_id=True))
+    bus.master.send(can.Message(arbitration_id=0x201, is_remote_frame=True, is_extended_id=False))
+    bus.until(0.05)
+    assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
+    assert all(text.startswith("a frame was dropped: ") for text in bus.complaints)
+
+
+# ---------------------------------------------------------------------------------------------------- BaseNode402
+
+
+def channel_of(interface: str, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Return a channel that no other test uses."""
+    if interface == "virtual":
+        return f"served-{next(_CHANNELS)}"
+    pytest.importorskip("msgpack")
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+        free.bind(("", 0))
+        monkeypatch.setenv("CAN_CONFIG", json.dumps({"port": free.getsockname()[1]}))
+    return "239.74.163.2"
+
+
+@pytest.fixture(params=["virtual", "udp_multicast"])
+def node(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
+    """A foreign master of drive 1, with the EDS file, in operation enabled."""
+    interface, channel = request.param, channel_of(request.param, monkeypatch)
+    machine = [Switches(negative=-2000.0, positive=1e6, home=800.0, index=300.0)]
+    try:
+        server = DriveServer(interface, channel, 2, switches=machine)
+    except BusError as error:
+        pytest.skip(f"no multicast here: {error}")
+    thread = threading.Thread(target=server.run, daemon=True)
+    network = canopen.Network()
+    network.connect(interface=interface, channel=channel, can_filters=FROM_DRIVES)
+    path = tmp_path / "drive.eds"
+    path.write_text(eds())
+    made: Any = canopen.BaseNode402(1, str(path))  # type: ignore[no-untyped-call]
+    made.sdo.RESPONSE_TIMEOUT = PATIENCE
+    network.add_node(made)
+    thread.start()
+    try:
+        made.nmt.state = "RESET COMMUNICATION"
+        made.nmt.wait_for_bootup(PATIENCE)
+        made.setup_402_state_machine()
+        made.nmt.state = "OPERATIONAL"
+        made.TIMEOUT_SWITCH_STATE_FINAL = made.TIMEOUT_SWITCH_STATE_SINGLE = made.TIMEOUT_SWITCH_OP_MODE = (
+            PATIENCE
+        )
+        made.state = "OPERATION ENABLED"
+        yield made
+    finally:
+        network.disconnect()
+        server.stop()
+        thread.join(PATIENCE)
+        server.close()
+
+
+def wait(condition: Callable[[], bool]) -> None:
+    """Poll the drive, which answers each time."""
+    while not condition():
+        pass
+
+
+def status(node: Any, bit: int) -> Callable[[], bool]:
+    return lambda: bool(node.sdo[0x6041].raw & bit)
+
+
+def test_a_foreign_master_does_profile_position(node: Any) -> None:
+    node.op_mode = "PROFILED POSITION"
+    assert node.op_mode == "PROFILED POSITION"
+    for target in (3000, -1000):
+        node.sdo[0x607A].raw = target
+        node.controlword = 0x1F
+        wait(status(node, 0x1000))
+        node.controlword = 0x0F
+        wait(status(node, 0x0400))
+        assert node.sdo[0x6064].raw == target
+
+
+def test_the_program_of_the_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The first program of docs/hosts-can.md, on a virtual bus."""
+    page = (Path(__file__).parents[2] / "docs" / "hosts-can.md").read_text(encoding="utf-8")
+    program = page.split("```py\n")[1].split("```")[0]
+    channel, file = f"served-{next(_CHANNELS)}", tmp_path / "drive.eds"
+    for shown, used in (("socketcan", "virtual"), ("vcan0", channel), ("drive.eds", str(file))):
+        assert program.count(shown) == 1
+        program = program.replace(shown, used)
+    file.write_text(eds())
+    server = DriveServer("virtual", channel, 2)
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    names: dict[str, Any] = {}
+    try:
+        exec(program, names)
+    finally:
+        names["network"].disconnect()
+        server.stop()
+        thread.join(PATIENCE)
+        server.close()
+    assert capsys.readouterr().out == "5000\n"
+
+
+def test_a_foreign_master_does_profile_velocity(node: Any) -> None:
+    node.op_mode = "PROFILED VELOCITY"
+    node.sdo[0x60FF].raw = 20_000
+    wait(status(node, 0x0400))
+    assert node.sdo[0x606C].raw == 20_000
+    first = node.sdo[0x6064].raw
+    wait(lambda: node.sdo[0x6064].raw > first + 100)
+    node.sdo[0x60FF].raw = 0
+    wait(status(node, 0x1000))
+    assert node.sdo[0x606C].raw == 0
+
+
+def test_a_foreign_master_homes(node: Any) -> None:
+    node.sdo[0x6098].raw = 19
+    assert node.homing(timeout=PATIENCE, restore_op_mode=False)
+    assert node.sdo[0x6064].raw == 0
+    assert node.is_homed()
+
+
+def test_a_foreign_master_interpolates(node: Any) -> None:
+    """Sub-mode -2: 500 and 1000 counts after 50 ms each."""
+    node.op_mode = "INTERPOLATED POSITION"
+    node.sdo[0x60C0].raw = -2
+    for place, milliseconds in ((0, 50), (500, 50), (1000, 0)):
+        node.sdo[0x60C1][1].raw = place
+        node.sdo[0x60C1][2].raw = milliseconds
+    node.controlword = 0x1F
+    wait(lambda: node.sdo[0x6064].raw == 1000)
+
+
+def test_what_the_drive_does_not_do_is_refused(node: Any) -> None:
+    with pytest.raises(TypeError, match="VELOCITY not suppported"):
+        node.op_mode = "VELOCITY"
+    with pytest.raises(canopen.SdoAbortedError) as refused:
+        node.sdo[0x6060].raw = 8
+    assert refused.value.code == 0x06090030
+
+
+def test_the_eds_has_what_the_drive_has(node: Any) -> None:
+    """Each readable object has the size of the drive's answer."""
+    for entry in node.object_dictionary.values():
+        is_variable = isinstance(entry, canopen.objectdictionary.ODVariable)
+        for variable in [entry] if is_variable else list(entry.values()):
+            if variable.readable and variable.data_type in canopen.objectdictionary.NUMBER_TYPES:
+                assert 8 * len(node.sdo.upload(variable.index, variable.subindex)) == len(variable)
+    assert node.object_dictionary[0x1800][1].default == 0x181
+    assert eds() == eds()
