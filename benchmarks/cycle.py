@@ -61,7 +61,7 @@ def whole() -> dict[str, float]:
         with open(f"{folder}/shift.mnt", "w", encoding="utf-8") as file:
             file.write(PROGRAM)
         plain = [*command(), "run", f"{folder}/shift.mnt"]
-        written = [*plain, "--report", "json"]
+        written = [*plain, "--format", "json"]
         cases = {
             "cycle_command": (plain, [*plain, "--profile"]),
             "cycle_command_json": (written, [*written, "--profile-to", f"{folder}/cycle.json"]),

@@ -71,7 +71,7 @@ def main() -> None:
         script.write_text(SCRIPT)
         text, texts = Path(PROGRAM).read_text(), 0
         run = [sys.executable, str(script), "run"]
-        silent = ["--report", "none"]
+        silent = ["--format", "none"]
         cases = {
             "pass": [sys.executable, "-c", "pass"],
             "re": [sys.executable, "-c", "import re"],

@@ -66,7 +66,7 @@ def thousand() -> None:
     with TemporaryDirectory() as folder:
         program = Path(folder) / "sweep.mnt"
         program.write_text(PROGRAM)
-        command = [sys.executable, "-m", "motionlang", "run", str(program), "--report", "json", "--set"]
+        command = [sys.executable, "-m", "motionlang", "run", str(program), "--format", "json", "--set"]
         began = perf_counter()
         for n in range(LOOPS):
             subprocess.run([*command, f"rate={500 + n}"], check=True, capture_output=True)

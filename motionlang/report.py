@@ -1,4 +1,4 @@
-"""A run as data, schema `motionlang.report/2`: the output of `--report json`.
+"""A run as data, schema `motionlang.report/2`: the output of `--format json`.
 
 Lengths are user units, times seconds, speeds user units per second, all in full precision. The figures of a
 move are those in force when it started. Only axes that the program touched are listed: the others are as at

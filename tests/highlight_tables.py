@@ -1,7 +1,7 @@
 """Writer of `playground/keywords.json`: `python -m tests.highlight_tables`.
 
 It has the keywords of both languages by their kind, for the editor of the playground. The kinds are those of
-`motionlang.views.highlight`.
+`motionlang.lang.highlight`.
 """
 
 from __future__ import annotations
@@ -9,9 +9,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from motionlang.views.highlight import pieces
-
 from motionlang.lang.dialect import dialect
+from motionlang.lang.highlight import pieces
 from motionlang.mint.syntax.tables import TABLES
 
 FILE = Path(__file__).parent.parent / "playground" / "keywords.json"

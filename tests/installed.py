@@ -36,7 +36,7 @@ HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export", "str
 # Real uses of every command, and in brackets the extra that each needs.
 USES = """\
 run move.mnt
-run move.mnt --report json --prove
+run move.mnt --format json --prove
 run move.mnt --trace move.csv --rate 100
 run move.mnt --trace move.npz
 run move.mnt --trace move.parquet [parquet]
@@ -61,8 +61,8 @@ servo step
 servo step --plot step.svg [plot]
 servo figure 12.1 --plot figure.svg [plot]
 diff move.mnt move.mnt
-sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --out rows.csv
-sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --out rows.parquet [parquet]
+sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.csv
+sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.parquet [parquet]
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --plot sweep.svg [plot]
 compare move.mnt recorded.csv
 probe mint

@@ -245,7 +245,7 @@ def test_a_change_in_the_data_of_the_compiler_makes_an_entry_void(tmp_path: Path
 def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path) -> None:
     installed(tmp_path)
     (tmp_path / "hello.mnt").write_text(HELLO.text)
-    command = [sys.executable, "-m", "motionlang", "run", "hello.mnt", "--report", "none"]
+    command = [sys.executable, "-m", "motionlang", "run", "hello.mnt", "--format", "none"]
 
     def ran() -> str:
         return subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path).stdout
@@ -262,7 +262,7 @@ def test_without_files_to_look_at_nothing_is_cached(tmp_path: Path, folder: Path
     program = tmp_path / "hello.mnt"
     program.write_text(HELLO.text)
     ran = subprocess.run(
-        [sys.executable, "-c", "from motionlang.cli import main; main()", "run", program, "--report", "none"],
+        [sys.executable, "-c", "from motionlang.cli import main; main()", "run", program, "--format", "none"],
         capture_output=True,
         text=True,
         check=True,

@@ -89,7 +89,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 )
 def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown: str) -> None:
     (copy / name).write_text(text, encoding="utf-8")
-    assert python(copy, "-m", "motionlang", "run", name, "--report", "none").split() == [shown]
+    assert python(copy, "-m", "motionlang", "run", name, "--format", "none").split() == [shown]
 
 
 @pytest.mark.parametrize("word", ["HALFWAY", "HY"])

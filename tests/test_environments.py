@@ -167,7 +167,7 @@ def test_the_c_locale(install: Install) -> None:
     """For a file name and a text outside ASCII, missing letters are shown by number."""
     (install.folder / "größe.mnt").write_text('PRINT "5 µm"\n', encoding="utf-8")
     install.environment |= {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
-    assert result(install, "run größe.mnt --report none") == (0, "5 \\xb5m\n", "")
+    assert result(install, "run größe.mnt --format none") == (0, "5 \\xb5m\n", "")
     works_too = result(install, "run move.mnt")
     assert works_too[0] == 0
     assert works_too[1].isascii()

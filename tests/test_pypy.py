@@ -50,7 +50,7 @@ def test_what_is_left_when_a_command_ends_is_not_looked_through(
     """
     program = tmp_path / "a.mnt"
     program.write_text("PRINT 1\n")
-    line = ["run", str(program), "--report", "none"]
+    line = ["run", str(program), "--format", "none"]
     before = gc.get_freeze_count()
     assert main(line) == 0
     assert gc.get_freeze_count() == before

@@ -50,7 +50,7 @@ def memory(program: Path, until: float) -> int:
         program.name,
         "--until",
         str(until),
-        "--report",
+        "--format",
         "json",
     ]
     with open(program.parent / "out.txt", "wb") as out:

@@ -44,7 +44,7 @@ def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Pat
 
 # Uses that need numpy among those that need no extra, and some more: by the option or command in the message.
 WITHOUT_NUMPY = {
-    "run move.mnt --report json --prove": "--prove",
+    "run move.mnt --format json --prove": "--prove",
     "run move.mnt --certify": "--certify",
     "run move.mnt --paths": "--paths",
     "run move.mnt --trace move.csv --rate 100": "--trace",

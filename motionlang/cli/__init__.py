@@ -1,6 +1,6 @@
 """The command line: selection of the command, closed pipes and Ctrl-C.
 
-The most frequent lines, `run FILE` with at most a report, a dialect, `--profile` and `--no-cache`, are parsed
+The most frequent lines, `run FILE` with at most a format, a dialect, `--profile` and `--no-cache`, are parsed
 here without argparse, whose import alone takes as long as such a run. A test holds both parsers equal.
 """
 
@@ -93,7 +93,7 @@ def quick_options(given: Sequence[str]) -> Options | None:
             options.cache = False
         elif word == "--profile":
             options.profile = True
-        elif word == "--report":
+        elif word == "--format":
             options.report = next(rest, "")
             if options.report not in REPORTS:
                 return None
@@ -105,7 +105,7 @@ def quick_options(given: Sequence[str]) -> Options | None:
             return None
         else:
             options.file = word
-    if options.profile and options.report != "table":
+    if options.profile and options.report == "none":
         return None
     return options if options.file else None
 

@@ -14,7 +14,7 @@ from motionlang.cli.fix import Fixed, fix
 from motionlang.cli.input_files import read_source
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
@@ -36,6 +36,11 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
 
 SCHEMA = "motionlang.check/2"
+GROUPS = {
+    "program": "dialect machine model",
+    "checks": "strict fix evidence literals",
+    "report": "format quiet output jobs",
+}
 EPILOG = """\
 Warnings point out code that compiles but is probably a mistake: a move that no GO starts, a wait that nothing can
 end. docs/lint.md explains each warning. A comment with `lint: ignore CODE` silences a warning on its line.
@@ -52,11 +57,13 @@ class CheckOptions:
     """The options of a check.
 
     `strict` counts warnings as errors, `evidence` lists open assumptions. `literals` lists the numbers of each
-    program by address. `fix` writes unambiguous fixes. `form` is one of `views.findings.FORMATS`, `jobs` the
-    number of processes, 0 for the number of cores.
+    program by address. `fix` writes unambiguous fixes. `quiet` prints the diagnostics only. `form` is one of
+    `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
     """
 
-    __slots__ = ("dialect", "evidence", "fix", "form", "jobs", "literals", "machine", "model", "strict")
+    __slots__ = (
+        "dialect", "evidence", "fix", "form", "jobs", "literals", "machine", "model", "quiet", "strict",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -70,8 +77,9 @@ class CheckOptions:
         evidence: bool = False,
         fix: bool = False,
         literals: bool = False,
+        quiet: bool = False,
     ) -> None:
-        self.literals = literals
+        self.literals, self.quiet = literals, quiet
         self.dialect, self.form, self.jobs, self.machine = dialect, form, jobs, machine
         self.model, self.strict, self.evidence, self.fix = model, strict, evidence, fix
 
@@ -80,7 +88,11 @@ def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang check` and its options."""
     parser = add_command(commands, "check", summary, _check_files, EPILOG)
     parser.add_argument(
-        "files", metavar="FILE", nargs="+", help="programs, or folders of programs; - reads standard input"
+        "files",
+        metavar="FILE",
+        nargs="*",
+        default=["."],
+        help="programs, or folders of programs; default: this folder; - reads standard input",
     )
     add_dialect(parser)
     parser.add_argument(
@@ -113,8 +125,9 @@ def add_parser(commands: Commands, summary: str) -> None:
         action="store_true",
         help="fix what has only one possible fix, in the files, then report the rest",
     )
-    add_form(parser)
+    add_form(parser, "print the diagnostics only")
     add_jobs(parser)
+    arrange(parser, GROUPS)
 
 
 def _model(text: str) -> str:
@@ -135,6 +148,7 @@ def _check_files(arguments: argparse.Namespace) -> int:
         evidence=arguments.evidence,
         literals=arguments.literals,
         fix=arguments.fix,
+        quiet=arguments.quiet,
     )
     return check_command(arguments.files, options)
 
@@ -142,7 +156,7 @@ def _check_files(arguments: argparse.Namespace) -> int:
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
     """Check files and the programs of folders; 1 if any has an error.
 
-    Diagnostics go to standard error, one line per file to standard output.
+    Diagnostics and one line per file go to standard output.
     """
     rows: list[dict[str, object]] = []
     wrong = False
@@ -162,16 +176,17 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
             document.append(Found(name, diagnostics, source, place, options.strict))
             continue
         if fixed and options.form == "text":
-            sys.stderr.write("".join(f"{printable(f'{name}:{each}')}\n" for each in fixed))
-        complain(diagnostics, source, place)
+            sys.stdout.write("".join(f"{printable(f'{name}:{each}')}\n" for each in fixed))
+        if options.form == "text":
+            complain(diagnostics, source, place, sys.stdout)
         found = [each.as_dict() for each in diagnostics]
         rows.append({"program": name, "dialect": language, "diagnostics": found})
         if options.fix:
             rows[-1]["fixed"] = [each._asdict() for each in fixed]
-        if options.form == "text":
-            mended = f"{len(fixed)} fixed, " if fixed else ""
+        if options.form == "text" and not options.quiet:
+            fixes = f"{len(fixed)} fixed, " if fixed else ""
             fixable = "" if options.fix or file == STDIN else _fixable(diagnostics)
-            sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no problems'}{fixable}\n")
+            sys.stdout.write(f"{name}: {fixes}{tally(diagnostics) or 'no problems'}{fixable}\n")
         if options.literals and source is not None and language:
             _list_literals(language, source, rows[-1], options.form == "json")
         if options.evidence and settings is not None and source is not None:

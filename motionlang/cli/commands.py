@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang import __version__
 from motionlang.cli.complaints import complain
+from motionlang.cli.format_options import into
 from motionlang.cli.parser import Parser
 from motionlang.cli.welcome import welcome
 from motionlang.errors import ProgramError
@@ -60,7 +61,7 @@ EPILOG = """\
 examples:
   motionlang run pick.mnt                        print its output, then a table of its moves
   motionlang run pick.mnt --plot pick.png        draw position, velocity and acceleration
-  motionlang run pick.mnt --report json          write the same figures as JSON
+  motionlang run pick.mnt --format json          write the same figures as JSON
   motionlang check *.mnt                         check without running
   motionlang plan --distance 20 --time 0.6 --rule third
                                                  work out speed and rates, write a program
@@ -81,8 +82,10 @@ def parse(given: Sequence[str]) -> int:
     if unknown:
         whose = getattr(arguments, "parser", parser)
         whose.error(f"unrecognized arguments: {' '.join(unknown)}")
+    command: Callable[[argparse.Namespace], int] = arguments.command
     try:
-        command: Callable[[argparse.Namespace], int] = arguments.command
+        if getattr(arguments, "into", None) is not None:
+            return into(arguments.into, lambda: command(arguments))
         return command(arguments)
     except ProgramError as error:  # for a machine that cannot be built from the command line
         complain(error.diagnostics, None, "")
@@ -116,7 +119,7 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
         description="Run motion-controller programs offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
         epilog=EPILOG,
     )
-    parser.add_argument("--version", action="version", version=f"{PROGRAM} {__version__}")
+    parser.add_argument("-V", "--version", action="version", version=f"{PROGRAM} {__version__}")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for name, (module, summary) in COMMANDS.items():
         if command in (name, "*"):

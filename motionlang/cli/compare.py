@@ -9,11 +9,12 @@ from math import isfinite, nan
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.format_options import add_format
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
 from motionlang.cli.output_files import written
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.run_options import machine_time
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
@@ -23,6 +24,12 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.result import Run
 
+GROUPS = {
+    "program": "dialect machine set until",
+    "recording": "map delay",
+    "report": "format output all tolerance",
+    "pictures": "plot",
+}
 EPILOG = """\
 Use --map to assign the columns of the recording: one to time, the others to a quantity and an axis. *FACTOR converts a
 column to seconds or user units. Columns with the names of --trace need no --map. The delay is fitted by least squares;
@@ -31,7 +38,7 @@ scale, offset and lag are reported but not removed.
 exit status: 0 within the tolerance; 1 tolerance exceeded, or nothing to compare; 2 the command line is invalid
 
 examples:
-  motionlang compare pick.mnt drive.csv --map time=t*0.001 --map position.0=PosAct --tolerance 0.05
+  motionlang compare pick.mnt drive.csv --map time=t*0.001 --map position.0=PosAct --tolerance position=0.05uu
   motionlang compare pick.mnt scope.txt --map position.0=3 --map velocity.0=4 --plot both.html
 """
 
@@ -48,10 +55,10 @@ def add_parser(commands: Commands, summary: str) -> None:
         action="append",
         default=[],
         type=_tolerance,
-        metavar="[WHAT=]X",
+        metavar="WHAT=SIZE",
         help=(
-            "the largest residual allowed, in user units, for every position or for one such as "
-            "position.0; may be repeated"
+            "the largest residual allowed: position=0.05uu for every axis, position.0=0.05uu for one; may "
+            "be repeated"
         ),
     )
     parser.add_argument(
@@ -59,7 +66,8 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page")
     parser.add_argument("--all", action="store_true", help="list every move with its phases")
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    add_format(parser)
+    arrange(parser, GROUPS)
 
 
 def add_mapping(parser: argparse.ArgumentParser) -> None:
@@ -106,13 +114,13 @@ def _seconds(text: str) -> float:
 
 
 def _tolerance(text: str) -> tuple[str, float]:
-    what, equals, number = text.rpartition("=")
+    what, equals, size = text.rpartition("=")
     try:
-        value = float(number)
+        value = float(size.removesuffix("/s").removesuffix("uu"))
     except ValueError:
         value = -1.0
     if not 0.0 <= value < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a tolerance: a number of 0 or more, such as 0.05")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a tolerance such as position=0.05uu")
     return (what.strip() if equals else "position"), value
 
 
@@ -174,7 +182,7 @@ def _ran(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Run 
 
 
 def _show(made: Comparison, arguments: argparse.Namespace) -> None:
-    if arguments.json:
+    if arguments.format == "json":
         sys.stdout.write(json.dumps(made.report(), indent=1) + "\n")
         return
     from motionlang.views.comparison import render_comparison

@@ -10,6 +10,7 @@ from motionlang.source import STDIN, STDIN_NAME, name_of
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import TextIO
 
     from motionlang.cli.options import Options
     from motionlang.errors import Diagnostic
@@ -45,8 +46,10 @@ def no_dialect(file: str) -> Diagnostic:
     return Diagnostic("file", f"unknown language of {name}: {what}", hint=hint)
 
 
-def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str) -> None:
-    """Show diagnostics on standard error, after all present output."""
+def complain(
+    diagnostics: Sequence[Diagnostic], source: Source | None, file: str, out: TextIO | None = None
+) -> None:
+    """Show diagnostics after all present output, by default on standard error."""
     if not diagnostics:
         return
     from motionlang.views.diagnostics import render_all
@@ -54,9 +57,10 @@ def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str
 
     sys.stdout.flush()
     name = STDIN_NAME if file == STDIN else file
-    colour, width = wants_colour(sys.stderr), width_of(sys.stderr)
-    sys.stderr.write(render_all(diagnostics, source, name=name, colour=colour, width=width))
-    sys.stderr.flush()
+    out = out or sys.stderr
+    colour, width = wants_colour(out), width_of(out)
+    out.write(render_all(diagnostics, source, name=name, colour=colour, width=width))
+    out.flush()
 
 
 def refuse(

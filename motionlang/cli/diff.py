@@ -15,6 +15,7 @@ from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.cli.compare import add_mapping, hold_against
 from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.format_options import add_format
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.cli.output_files import written
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 EPILOG = """\
-A and B are programs, or reports written by `run --report json`. B may also be a recording from a real controller, in
+A and B are programs, or reports written by `run --format json`. B may also be a recording from a real controller, in
 columns; it is compared with the run of A as in `compare`. Without B, A is compared with its golden files, or with
 itself under --set-b, --machine-b or --variant-b. Moves, prints and events are aligned by content, so an inserted
 program line is no difference.
@@ -56,9 +57,11 @@ examples:
 RECORDED = (".csv", ".tsv", ".dat")
 
 GROUPS = {
+    "program": "dialect",
     "two sides": "machine-a set-a variant-a machine-b set-b variant-b until",
     "recording": "map delay",
-    "output": "all json plot",
+    "report": "format output all tolerance",
+    "pictures": "plot",
 }
 
 
@@ -97,7 +100,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     add("--until", type=machine_time, metavar="S", help="end the runs after S seconds of machine time")
     add("--plot", metavar="PAGE", help="draw both runs into an .html page")
     add("--all", action="store_true", help="list every difference, not only the first ones of each kind")
-    add("--json", action="store_true", help="print one JSON document and nothing else")
+    add_format(parser)
     arrange(parser, GROUPS)
 
 
@@ -138,7 +141,7 @@ def diff_command(arguments: argparse.Namespace) -> int:
 
         parted = parting(old_run, new_run, tolerance.size("position"))
         charges = charged(old_run, new_run) if found.time is not None else []
-    if arguments.json:
+    if arguments.format == "json":
         sys.stdout.write(json.dumps(_data(found, parted, charges), default=vars) + "\n")
     else:
         _print(found, parted, charges, arguments.all)

@@ -4,23 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.cli.format_options import add_format
 from motionlang.views.findings import FORMATS
 
 if TYPE_CHECKING:
     import argparse
 
 
-def add_form(parser: argparse.ArgumentParser) -> None:
-    """Add --format and --json."""
-    parser.add_argument(
-        "--format",
-        choices=FORMATS,
-        default="text",
-        help=(
-            "the output format: text; one document of JSON, SARIF or JUnit XML; or GitHub workflow "
-            "commands, which annotate the lines"
-        ),
-    )
-    parser.add_argument(
-        "--json", action="store_const", dest="format", const="json", help="same as --format json"
-    )
+def add_form(parser: argparse.ArgumentParser, quiet: str) -> None:
+    """Add --format, -o and -q; `quiet` is the help of -q."""
+    add_format(parser, FORMATS)
+    parser.add_argument("-q", "--quiet", action="store_true", help=quiet)

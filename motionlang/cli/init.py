@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from motionlang.analysis.guesses import Guesses, answer_entry, guessed
 from motionlang.analysis.guesses.file import inline, machine_text
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.options import REPORTS, Options
 from motionlang.cli.parser import add_command
@@ -39,7 +40,7 @@ exit status: 0 the file is written and the program ran; 1 it is there already, o
 
 examples:
   motionlang init packer.prg
-  motionlang init old --report none        every program of the folder old
+  motionlang init old --format none        every program of the folder old
 """
 
 
@@ -55,9 +56,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="S",
         help=f"the time limit of the machine file, in seconds of machine time ({UNTIL:g})",
     )
-    parser.add_argument(
-        "--report", choices=REPORTS, default="table", help="what follows the program's own output, as in run"
-    )
+    add_format(parser, REPORTS, "what follows the program's own output, as in run")
 
 
 def init_command(arguments: argparse.Namespace) -> int:
@@ -119,7 +118,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         return 1
     sys.stdout.write(f"{path}: written, {_count(guesses)}\n")
     options = Options(file)
-    options.dialect, options.report, options.machine = arguments.dialect, arguments.report, path
+    options.dialect, options.report, options.machine = arguments.dialect, arguments.format, path
     options.given = arguments.given
     return run_command(options)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.assumptions.facts import of_word as of_word_facts
 from motionlang.assumptions.questions import of_word
 from motionlang.assumptions.reading import SETTLED
+from motionlang.cli.format_options import add_format
 from motionlang.cli.keyword_search import search
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command
@@ -45,11 +46,11 @@ def add_parser(commands: Commands, summary: str) -> None:
         help="the keyword, by its name or short form, a group of keywords, or words of its description",
     )
     add_dialect(parser, "the language; default: both")
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    add_format(parser)
 
 
 def _keywords(arguments: argparse.Namespace) -> int:
-    return keywords_command(" ".join(arguments.name) or None, arguments.dialect, arguments.json)
+    return keywords_command(" ".join(arguments.name) or None, arguments.dialect, arguments.format == "json")
 
 
 def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:

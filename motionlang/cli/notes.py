@@ -23,6 +23,8 @@ NOTES = {
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang notes` and a command for each note."""
     parser = add_command(commands, "notes", summary, _notes)
+    assert isinstance(parser, Parser)
+    parser.noun = "note"
     found: Commands = parser.add_subparsers(metavar=" | ".join(NOTES), parser_class=Parser)
     profiles.add_options(found, "tn1069", NOTES["tn1069"])
     add_command(found, "an00115", NOTES["an00115"], _an00115)

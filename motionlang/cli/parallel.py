@@ -41,6 +41,7 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
 def add_jobs(parser: ArgumentParser) -> None:
     """Add the option of commands that take many files."""
     parser.add_argument(
+        "-j",
         "--jobs",
         metavar="N",
         type=_jobs,

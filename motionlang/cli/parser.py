@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import textwrap
 from typing import TYPE_CHECKING, NoReturn
 
 from motionlang.errors import nearest, renamed
@@ -26,18 +27,65 @@ OLD_OPTIONS = {
     "--by": "--transfer",
     "--by-times": "--use-times",
     "--hosts": "--max-hosts",
+    "--json": "--format=json",
     "--look": "--poll-interval",
+    "--out": "--rows-to",
+    "--report": "--format",
     "--rest": "--settle-time",
     "--share": "--fraction",
     "--without": "--skip",
 }
 
 
+class Formatter(argparse.RawDescriptionHelpFormatter):
+    """Help whose paragraphs fill the width, and whose indented lines stay lines."""
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        lines: list[str] = []
+        for block in text.split("\n\n"):
+            paragraph: list[str] = []
+            for line in block.split("\n"):
+                if line.startswith(" "):
+                    lines += _filled(paragraph, width)
+                    lines += _example(line, width)
+                    paragraph = []
+                else:
+                    paragraph.append(line)
+            lines += [*_filled(paragraph, width), ""]
+        return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def _filled(paragraph: list[str], width: int) -> list[str]:
+    return textwrap.wrap(" ".join(paragraph), width, break_on_hyphens=False) if paragraph else []
+
+
+def _example(line: str, width: int) -> list[str]:
+    """Return an indented line; if it is too long, its remark is on another line."""
+    if len(line) <= width:
+        return [line]
+    command, gap, remark = re.fullmatch(r"( +\S+(?: \S+)*)(  +|$)(.*)", line).groups()  # type: ignore[union-attr]
+    deeper = " " * (len(line) - len(line.lstrip()) + 4)
+    if gap and command.strip().startswith("motionlang"):
+        return [*_example(command, width), f"{deeper}{remark}"]
+    begin = f"{command}{gap}"
+    if gap:
+        return textwrap.wrap(
+            remark, width, initial_indent=begin, subsequent_indent=" " * len(begin), break_on_hyphens=False
+        )
+    found = textwrap.wrap(
+        line, width - 2, subsequent_indent=deeper, break_on_hyphens=False, drop_whitespace=True
+    )
+    return [*(f"{each} \\" for each in found[:-1]), found[-1]]
+
+
 class Parser(argparse.ArgumentParser):
     """argparse with complete words only and with help texts that keep their lines."""
 
+    # What a wrong name in place of a command is not.
+    noun = "command"
+
     def __init__(self, **options: object) -> None:
-        options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
+        options.setdefault("formatter_class", Formatter)
         super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
         self._negative_number_matcher = _NEGATIVE
 
@@ -52,14 +100,17 @@ class Parser(argparse.ArgumentParser):
         """Return a word of the command line with the present spelling of its option."""
         old, equals, value = word.partition("=")
         new = OLD_OPTIONS.get(old, old)
-        if new == old or new not in self._option_string_actions or old in self._option_string_actions:
+        known = self._option_string_actions
+        if new == old or new.partition("=")[0] not in known or old in known:
             return word
-        renamed(old, new, self.prog)
+        renamed(old, new.replace("=", " "), self.prog)
         return f"{new}{equals}{value}"
 
     def error(self, message: str) -> NoReturn:
         """Report an error in two lines and exit with 2; --help has the usage line."""
-        self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
+        self.exit(
+            2, f"{self.prog}: error: {_in_our_words(message, self.noun)}\n  hint: {self._hint(message)}\n"
+        )
 
     def _print_message(self, message: str, file: SupportsWrite[str] | None = None) -> None:
         """Write a help text; argparse itself ignores a failed write."""
@@ -79,7 +130,7 @@ class Parser(argparse.ArgumentParser):
         return f"{self.prog} --help lists the options"
 
     def _options(self) -> dict[str, str]:
-        """Every option, and every choice as if it were one: --report json for --json."""
+        """Every option, and every choice as if it were one: --format json for --json."""
         said: dict[str, str] = {}
         for action in self._actions:
             for choice in action.choices or ():
@@ -96,13 +147,15 @@ class Parser(argparse.ArgumentParser):
         return words
 
 
-def _in_our_words(message: str) -> str:
+def _in_our_words(message: str, noun: str) -> str:
     """A wrong choice in our wording, however this Python's argparse quotes it."""
     wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
     if wrong is None:
         return message
-    if wrong[1] == "COMMAND" or " | " in wrong[1]:
+    if wrong[1] == "COMMAND":
         return f"there is no command {wrong[2]}"
+    if " | " in wrong[1]:
+        return f"there is no {noun} {wrong[2]}; choose {either(wrong[1].split(' | '))}"
     choices = wrong[3].replace("'", "")
     return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
 

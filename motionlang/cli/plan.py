@@ -11,6 +11,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.planning import WRITERS, number, solve_plan
+from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
@@ -66,7 +67,8 @@ GROUPS = {
     "move": "distance time speed accel decel accel-time slew-time decel-time rule",
     "scale": "scale encoder-lines quadrature gear pitch degrees resolution",
     "program": "dialect axis use-times",
-    "output": "plot",
+    "report": "format output",
+    "pictures": "plot",
 }
 
 
@@ -85,7 +87,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     parser.add_argument("--dialect", choices=dialects(), help="the language of the program; default: both")
     parser.add_argument("--plot", metavar="FILE", help="draw the move into a .png or .svg file")
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    add_format(parser)
     parser.epilog = EPILOG
     arrange(parser, GROUPS)
 
@@ -123,7 +125,7 @@ def plan_command(arguments: argparse.Namespace) -> int:
     }
     notes = [f"scale: {how} = {number(scale)} counts/uu"] if how else []
     notes += _unreached(move, wanted)
-    if arguments.json:
+    if arguments.format == "json":
         document = {
             "schema": SCHEMA,
             "move": move,

@@ -10,6 +10,7 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
+from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command
 from motionlang.notes.tn1069 import ERRATA, Demand, comparison
@@ -67,7 +68,7 @@ def add_options(commands: Commands, name: str, summary: str) -> None:
         help="show the published figures next to the exact ones, and list the errata",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the four profiles into a .png or .svg file")
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    add_format(parser)
 
 
 def profiles_command(arguments: argparse.Namespace) -> int:
@@ -88,7 +89,7 @@ def profiles_command(arguments: argparse.Namespace) -> int:
         status = _draw(demand, arguments.plot)
         if status:
             return status
-    if arguments.json:
+    if arguments.format == "json":
         sys.stdout.write(json.dumps(_data(demand, rows), indent=1) + "\n")
         return 0
     text = "\n".join(_lines(demand, rows, arguments.published, wants_colour(sys.stdout))) + "\n"

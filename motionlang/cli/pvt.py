@@ -65,9 +65,9 @@ def plot(args: argparse.Namespace) -> int:
 
     move = _checked(args, strict=False)
     profile = _planned(move.points, args.start)
-    if args.report == "json":
+    if args.format == "json":
         _print_json({"move": move.name, **_motion_json(move.points, args.start)})
-    elif args.report == "table":
+    elif args.format == "table":
         _print(segment_lines(profile))
     if args.plot:
         _draw([profile], [move.name], args.plot)
@@ -86,10 +86,10 @@ def refine(args: argparse.Namespace) -> int:
         rows = compare_velocities(positions, spans, args.compare)
     except (ValueError, OverflowError) as problem:
         raise ProgramError([Diagnostic("range", str(problem))]) from None
-    if args.report == "json":
+    if args.format == "json":
         table = [{"velocities": name, "largest_jump": jump, "values": v} for name, v, jump in rows]
         _print_json({"move": move.name, "methods": table})
-    elif args.report == "table":
+    elif args.format == "table":
         sides = knot_accelerations(positions, rows[0][1], spans)
         _print(comparison_lines(rows, [a for pair in sides for a in pair]))
     if args.output:

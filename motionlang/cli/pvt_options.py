@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.cli.format_options import add_format
+from motionlang.cli.options import REPORTS
 from motionlang.planners.pvt.velocities import METHODS
 
 if TYPE_CHECKING:
@@ -66,7 +68,7 @@ def _add_plot(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_refine(parser: argparse.ArgumentParser) -> None:
-    _add_report(parser)
+    add_format(parser, REPORTS, has_output=True)
     parser.add_argument(
         "--compare",
         type=_counts,
@@ -110,12 +112,7 @@ def _add_stream(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_report(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--report",
-        choices=["table", "json", "none"],
-        default="table",
-        help="the report: table (the default), one JSON document, or none",
-    )
+    add_format(parser, REPORTS)
 
 
 OPTIONS: dict[str, Callable[[argparse.ArgumentParser], None]] = {

@@ -80,7 +80,7 @@ def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
     except StreamError as error:
         sys.stderr.write(render(Diagnostic("never", f"the stream failed: {error}")))
         return 1
-    if args.report != "none":
+    if args.format != "none":
         print(f"{done.sent} points sent, {done.resent} of them resent")
     return 0
 
@@ -102,7 +102,7 @@ def _report(
     frames: int,
 ) -> None:
     error = None if args.transfer == "0" else _departure(args, drive, wire)
-    if args.report == "json":
+    if args.format == "json":
         content = {
             "schema": SCHEMA,
             "move": move.name,
@@ -118,7 +118,7 @@ def _report(
             "log": [{"time": time, "what": what} for time, what in drive.log],
         }
         print(json.dumps(content, indent=2))
-    elif args.report == "table":
+    elif args.format == "table":
         sys.stdout.write("\n".join(_lines(args, move, drive, len(wire), done, frames, error)) + "\n")
 
 

@@ -124,9 +124,9 @@ def _tell(result: Run, options: Options) -> int:
 
         result.certificate = certify(result, options.machine)
     _report(result, options)
-    if proof is not None and options.report == "table":
-        sys.stdout.write("\n")
-        if result.certificate:
+    if proof is not None and options.report != "json":
+        sys.stdout.write("\n" if options.report == "table" else "")
+        if result.certificate and options.report == "table":
             from motionlang.cli.certify import print_certificate
 
             print_certificate(result, result.certificate, proof, options.machine)
@@ -283,6 +283,12 @@ def pacer(factor: float) -> Callable[[float], None]:
 
 
 def _report(result: Run, options: Options) -> None:
+    if options.report == "json" and options.profile:
+        from motionlang.analysis.cycle.export import json_pieces
+        from motionlang.analysis.cycle.profile import TimeProfile
+
+        sys.stdout.writelines(json_pieces(TimeProfile(result)))
+        return
     if options.report == "json":
         from motionlang.report import pieces
 

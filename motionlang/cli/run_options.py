@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from motionlang.cli.certify import certify_folder
 from motionlang.cli.complaints import refuse
 from motionlang.cli.event_status import ALLOWED
+from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
@@ -38,15 +39,16 @@ examples:
   motionlang run pick.mcl --trace pick.csv --trajectory-points
   motionlang run pick.mnt --set controller.axes=2 --set pitch=5
   motionlang run pick.mnt --show-code
-  generate-program | motionlang run - --dialect mint --report json
+  generate-program | motionlang run - --dialect mint --format json
 """
 
 GROUPS = {
-    "report": "report all paths profile profile-to",
+    "program": "dialect machine set",
+    "report": "format quiet output all paths profile profile-to",
     "time": "until realtime",
     "checks": "prove certify allow",
     "trace": "trace rate columns trajectory-points trajectory-rate",
-    "picture": "plot from to axes path",
+    "pictures": "plot from to axes path",
     "code and files": "show-code show-tree no-cache nv log-size",
 }
 
@@ -86,15 +88,7 @@ def add_run(
 
 def _add_report(parser: argparse.ArgumentParser) -> None:
     """Add the options of the report and of the time that a run takes."""
-    parser.add_argument(
-        "--report",
-        choices=REPORTS,
-        default="table",
-        help=(
-            "the report after the program's output: table (the default), none, or json for one JSON "
-            "document and nothing else"
-        ),
-    )
+    add_format(parser, REPORTS, "the report after the program's output, which json replaces")
     parser.add_argument("--all", action="store_true", help="list every move, phase and line in the table")
     parser.add_argument(
         "--until",
@@ -251,7 +245,6 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     for name in (
         "dialect",
         "machine",
-        "report",
         "until",
         "realtime",
         "trace",
@@ -273,6 +266,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     options.rate = arguments.rate or (SERVO_RATE if arguments.trajectory_points else RATE)
     options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
     options.columns, options.everything = arguments.columns, arguments.all
+    options.report = arguments.format
     options.cache = not arguments.no_cache
     options.world = world_of(arguments)
     set_values(arguments.set, options.settings, options.overrides, parser)
@@ -318,11 +312,10 @@ def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser
                 parser.error(f"--{option} needs --plot OUT")
     elif arguments.end is not None and arguments.end <= (arguments.begin or 0.0):
         parser.error("--to must be after --from")
-    if arguments.report != "table":
+    if arguments.format != "table":
         for name in ("all", "paths", "profile"):
-            if getattr(arguments, name):
-                instead = ": --profile-to FILE writes the profile" if name == "profile" else ""
-                parser.error(f"--{name} needs the table, which --report {arguments.report} omits{instead}")
+            if getattr(arguments, name) and (name, arguments.format) != ("profile", "json"):
+                parser.error(f"--{name} needs the table, which --format {arguments.format} omits")
     if arguments.trajectory_rate and not arguments.trajectory_points:
         parser.error("--trajectory-rate needs --trajectory-points")
 

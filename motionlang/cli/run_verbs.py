@@ -40,11 +40,11 @@ def plot(commands: Commands, summary: str) -> None:
         "examples:\n  motionlang plot pick.mnt pick.html\n  motionlang plot pick.mnt path.svg --path 0,1\n"
     )
     out = ("plot", f"the file to draw: {either(PLOTS)}")
-    add_run(commands, "plot", summary, epilog, out=out).set_defaults(report="none")
+    add_run(commands, "plot", summary, epilog, out=out).set_defaults(format="none")
 
 
 def trace(commands: Commands, summary: str) -> None:
     """Add `motionlang trace`, whose second argument is the file to write."""
     epilog = "examples:\n  motionlang trace pick.mnt pick.csv --rate 500 --columns position,velocity.0\n"
     out = ("trace", f"the file to write: {either(TRACES)}")
-    add_run(commands, "trace", summary, epilog, out=out).set_defaults(report="none")
+    add_run(commands, "trace", summary, epilog, out=out).set_defaults(format="none")

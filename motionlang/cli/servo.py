@@ -10,6 +10,8 @@ import sys
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from motionlang.cli.format_options import add_format
+from motionlang.cli.options import REPORTS
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import arrange, sentence
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
@@ -41,7 +43,8 @@ PLOTS = (".png", ".svg")
 
 GROUPS = {
     "motor and servo loop": "machine axis plant loop mint mccl model bandwidth",
-    "output": "report plot",
+    "report": "format quiet output",
+    "pictures": "plot",
 }
 
 
@@ -58,12 +61,7 @@ def add_one(commands: Commands, name: str, called: str, summary: str = "") -> No
     what, handler, options = _COMMANDS[name]
     parser = commands.add_parser(called, help=summary or what, description=sentence(summary or what))
     options(parser)
-    parser.add_argument(
-        "--report",
-        choices=["table", "json", "none"],
-        default="table",
-        help="the report: table (the default), one JSON document, or none",
-    )
+    add_format(parser, REPORTS)
     parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
     arrange(parser, GROUPS)
     parser.set_defaults(command=_guarded(name, handler))
@@ -86,9 +84,9 @@ def slip(args: argparse.Namespace) -> int:
         "fastest_time": dissect.fastest_time(per_second, limit),
     }
     checked = _moves_to_check(args)
-    if args.report == "json":
+    if args.format == "json":
         _print_json({**figures, "moves": [{"move": name, **_slip_json(found)} for name, found in checked]})
-    elif args.report == "table":
+    elif args.format == "table":
         _print(view.slip_lines(args, figures))
         for name, found in checked:
             _print(["", *view.slip_check_lines(name, found, args.unit)])
@@ -108,7 +106,7 @@ def dac(args: argparse.Namespace) -> int:
     speed = args.speed / SECONDS[args.per]
     timings = [dissect.dac_timing(speed, limit, bits) for bits in args.bits or (12, 16)]
     runs = demonstrate(speed, limit, args.friction, args.gravity, args.fraction, args.gain)
-    if args.report == "json":
+    if args.format == "json":
         _print_json(
             {
                 "limit": limit,
@@ -116,7 +114,7 @@ def dac(args: argparse.Namespace) -> int:
                 "runs": [_plain(r, "trace") for r in runs],
             }
         )
-    elif args.report == "table":
+    elif args.format == "table":
         _print(view.dac_lines(timings, args))
         _print(["", *view.override_lines(runs, args.unit)])
     if args.plot:
@@ -139,10 +137,10 @@ def compare(args: argparse.Namespace) -> int:
         basis: compared(loop, plant, args.distance, args.speed, args.accel, basis, args.window, args.ramp)
         for basis in bases
     }
-    if args.report == "json":
+    if args.format == "json":
         made = {basis: [_plain(row, "trace") for row in rows] for basis, rows in tables.items()}
         _print_json({"plant": _plain(plant), **made})
-    elif args.report == "table":
+    elif args.format == "table":
         for i, (basis, rows) in enumerate(tables.items()):
             _print([*([""] if i else []), *view.compare_lines(basis, rows, args.window)])
         _print(["", view.plant_line(plant)])
@@ -165,10 +163,10 @@ def step(args: argparse.Namespace) -> int:
     linear = None
     if loop.is_linear and plant.is_linear and loop.derivative_every == 1:
         linear = loop_figures(loop, plant)
-    if args.report == "json":
+    if args.format == "json":
         found = {**_plain(figures), "linear": None if linear is None else _plain(linear)}
         _print_json({"plant": _plain(plant), **found})
-    elif args.report == "table":
+    elif args.format == "table":
         _print([*view.step_lines(figures, linear), "", view.plant_line(plant)])
     if args.plot:
         from motionlang.views.servo_plot import plot_trace
@@ -193,11 +191,11 @@ def tune(args: argparse.Namespace) -> int:
     figures = step_figures(trace, args.size)
     mint = spoken(gains_of("mint"), mint_values(made.loop))
     mccl = spoken(gains_of("mccl"), mccl_values(made.loop, args.scale))
-    if args.report == "json":
+    if args.format == "json":
         gains = {"loop": _plain(made.loop), "mint": mint, "mccl": mccl, "warnings": list(made.warnings)}
         of = {"linear": _plain(made.figures), "step": _plain(figures)}
         _print_json({"plant": _plain(plant), **gains, **of})
-    elif args.report == "table":
+    elif args.format == "table":
         _print([*view.tune_lines(made, figures, mint, mccl), "", view.plant_line(plant)])
     if args.plot:
         from motionlang.views.servo_plot import plot_trace
@@ -210,11 +208,11 @@ def figure(args: argparse.Namespace) -> int:
     """Print the figures of chapter 12 in numbers, and draw them."""
     from motionlang.views.chapter12 import FIGURES, figure_lines
 
-    if args.report == "json":
+    if args.format == "json":
         _print_json(
             {"figure": args.number, "title": FIGURES[args.number].title, "lines": figure_lines(args.number)}
         )
-    elif args.report == "table":
+    elif args.format == "table":
         _print(figure_lines(args.number))
     if args.plot:
         from motionlang.views.chapter12_plot import draw_figure
@@ -240,12 +238,12 @@ def listing(args: argparse.Namespace) -> int:
         bits=args.bits,
     )
     made = run_listing(settings, args.full_speed, args.time_constant, args.updates)
-    if args.report == "json":
+    if args.format == "json":
         columns = {name: list(getattr(made, name)) for name in ("demand", "position", "velocity", "dac")}
         _print_json(
             {"peak_onset": made.peak_onset, "peak_mean": made.peak_mean, **columns, "notes": list(NOTES)}
         )
-    elif args.report == "table":
+    elif args.format == "table":
         _print(view.listing_lines(settings, made))
     if args.plot:
         from motionlang.views.servo_plot import plot_listing
@@ -278,10 +276,10 @@ def run(args: argparse.Namespace) -> int:
                 plant = plants[args.axis] = plant_of(args)
                 trace = simulate(WholeTrack(axis), loop_of(args, plant, axis.scale.counts), plant, until=end)
             rows.append((args.axis, trace, trace.settled_at(args.window, axis.end_of_motion())))
-    if args.report == "json":
+    if args.format == "json":
         figures = {"axes": [view.run_figures(*row) for row in rows], "time": result.time}
         _print_json({**figures, "plants": {str(axis): _plain(plant) for axis, plant in plants.items()}})
-    elif args.report == "table":
+    elif args.format == "table":
         lines = view.run_lines(rows, args.window) if rows else ["no axis was moved"]
         _print([*lines, *view.plant_lines(plants)])
     if args.plot and rows:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
-# The suffix of --out for the rows of an incomplete sweep.
+# The suffix of --rows-to for the rows of an incomplete sweep.
 PART = ".part"
 
 
@@ -71,7 +71,7 @@ def sweep_command(arguments: argparse.Namespace) -> int:
 
 def _wrong_files(arguments: argparse.Namespace) -> str | None:
     """Return the error of the output files, as far as it is known beforehand."""
-    for option, path, suffixes in (("--out", arguments.out, OUT), ("--plot", arguments.plot, PLOT)):
+    for option, path, suffixes in (("--rows-to", arguments.out, OUT), ("--plot", arguments.plot, PLOT)):
         if path is None:
             continue
         suffix = os.path.splitext(path)[1].lower()
@@ -82,7 +82,7 @@ def _wrong_files(arguments: argparse.Namespace) -> str | None:
         if problem is not None:
             return problem
     if arguments.resume and arguments.out is None:
-        return "--resume needs --out, next to which the unfinished rows are stored"
+        return "--resume needs --rows-to, next to which the unfinished rows are stored"
     return None
 
 
@@ -218,7 +218,7 @@ def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict
 def _finish(
     arguments: argparse.Namespace, sweep: Sweep, report: Report, rows: dict[int, Result], journal: Journal
 ) -> int:
-    """Write --out completely, and delete the journal if nothing remains to be done."""
+    """Write --rows-to completely, and delete the journal if nothing remains."""
     from motionlang.views.sweep_files import write_rows
 
     try:

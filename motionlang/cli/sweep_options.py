@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 
 from motionlang.analysis.sweeps.quantities import ROWS
+from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.parser import arrange
 from motionlang.cli.run_options import machine_time
 from motionlang.cli.world_options import add_world
 
-REPORTS = ("table", "csv", "none")
+FORMATS = ("table", "csv", "json", "none")
 # Rows of the table without --rows.
 MAX_ROWS = 20
 EPILOG = f"""\
@@ -25,15 +26,17 @@ exit status: 0 all variants succeeded; 1 some failed; 2 the command line is inva
 examples:
   motionlang sweep pick.mnt --vary rate=500:5000:10 --vary gain=1,2,4 --keep time,peak.0
   motionlang sweep pick.mnt --vary rate=500:5000 --latin 200 --minimise time --where "peak.0 < 400"
-  motionlang sweep pick.mnt --scenarios pick.scenarios --keep time,status,prints --out worlds.csv
+  motionlang sweep pick.mnt --scenarios pick.scenarios --keep time,status,prints --rows-to worlds.csv
   motionlang sweep pick.mnt --vary axis.0.plant.load_inertia=1e-5:1e-4:50 --keep time,torque.0 --plot load.png
 """
 
 GROUPS = {
+    "program": "dialect machine set",
     "variants": "vary machines scenarios random latin seed",
     "runs": "keep until prove certify jobs",
     "selection": "minimise maximise where pareto",
-    "output": "report rows out resume plot",
+    "report": "format quiet output rows rows-to resume",
+    "pictures": "plot",
 }
 
 
@@ -101,7 +104,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
     add("--maximise", metavar="EXPR", help="find the variant with the largest value")
     add("--where", metavar="EXPR", help="consider only variants for which this is true")
     add("--pareto", metavar="A,B", help="find the Pareto front of these quantities")
-    add("--out", metavar="ROWS", help="write every row into a file: .csv or .parquet")
+    add("--rows-to", dest="out", metavar="ROWS", help="write every row into a file: .csv or .parquet")
     add("--resume", action="store_true", help="continue an interrupted sweep")
     add(
         "--plot",
@@ -111,12 +114,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
             "the Pareto front"
         ),
     )
-    add(
-        "--report",
-        choices=REPORTS,
-        default="table",
-        help="the printed report: table (the default), csv for all rows, or none",
-    )
+    add_format(parser, FORMATS, "the printed rows (csv and json have all)")
     add(
         "--rows",
         type=_rows,
@@ -125,6 +123,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
         help=f"rows of the table ({MAX_ROWS}); 0 for all",
     )
     add(
+        "-j",
         "--jobs",
         type=_count,
         metavar="N",

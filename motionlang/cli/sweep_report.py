@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import sys
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 # Failed variants that are named for each error.
 MAX_FAILED = 3
+SCHEMA = "motionlang.sweep/1"
 _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
@@ -52,13 +54,16 @@ class Report:
     def tell(self, arguments: argparse.Namespace, sweep: Sweep, rows: dict[int, Result]) -> int:
         """Print and draw the requested output; 1 on a failed variant or picture."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
-        if arguments.report == "csv":
+        if arguments.format == "csv":
             from motionlang.views.sweep_files import write_csv
 
             write_csv(sys.stdout, self.columns, self.cells(sweep, rows))
+        if arguments.format == "json":
+            found = [dict(zip(self.columns, cells, strict=True)) for cells in self.cells(sweep, rows)]
+            sys.stdout.write(json.dumps({"schema": SCHEMA, "rows": found}, indent=1) + "\n")
         good = [index for index in sorted(rows) if index not in bad]
         best, front = self._best(sweep, rows, good), self._front(sweep, rows, good)
-        if arguments.report == "table" and rows:
+        if arguments.format == "table" and rows:
             self._print(arguments, sweep, rows, good, best, front)
         sys.stdout.flush()
         if bad:
@@ -139,7 +144,7 @@ class Report:
         if cells:
             lines += sweep_table(names, units, cells, width=width, colour=colour, best=marked)
         if len(shown) > most:
-            lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --out FILE writes all")
+            lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
         if wanted is not None:
             lines += ["", self._told_best(sweep, rows, best, wanted)]
         text = "\n".join(lines) + "\n"

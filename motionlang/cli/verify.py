@@ -14,7 +14,7 @@ from motionlang.cli.crash import crash
 from motionlang.cli.findings_options import add_form
 from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.review import NoAnswer, Quit, ask, review
 from motionlang.cli.verdict import Verdict
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 SCHEMA = "motionlang.verify/1"
 KINDS = ("program", "scenario", "sweep", "log")
 LOG_SUFFIX = ".mcapi-log"
+GROUPS = {"checks": "update review", "report": "format quiet output jobs"}
 NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
 accept all changes with --update. The golden files of this program are unchanged.
@@ -47,33 +48,45 @@ def add_parser(commands: Commands, summary: str) -> None:
         "paths",
         metavar="PATH",
         nargs="*",
-        default=["scripts"],
+        default=["."],
         help=(
-            "programs, or folders of programs (scripts); the golden files of pick.mnt are "
+            "programs, or folders of programs; default: this folder; the golden files of pick.mnt are "
             "pick.golden.json, with its report, and pick.golden.txt, with its output; a log of calls, "
             "host.mcapi-log, must replay without a difference"
         ),
     )
     parser.add_argument("--update", action="store_true", help="rewrite the golden files that differ")
     parser.add_argument("--review", action="store_true", help="ask whether to accept each change")
-    add_form(parser)
+    add_form(parser, "print only what differs")
     add_jobs(parser)
+    arrange(parser, GROUPS)
 
 
 def _verify_all(arguments: argparse.Namespace) -> int:
     if arguments.review and (arguments.update or arguments.format != "text"):
         arguments.parser.error("--review cannot be combined with --update or --format")
     return verify_command(
-        arguments.paths, arguments.update, arguments.format, arguments.jobs, arguments.review
+        arguments.paths,
+        arguments.update,
+        arguments.format,
+        arguments.jobs,
+        arguments.review,
+        quiet=arguments.quiet,
     )
 
 
 def verify_command(
-    paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0, asks: bool = False
+    paths: Sequence[str],
+    rewrite: bool,
+    form: str = "text",
+    jobs: int = 0,
+    asks: bool = False,
+    *,
+    quiet: bool = False,
 ) -> int:
     """Verify programs, or rewrite their golden files; 1 on a difference or an error.
 
-    A missing golden file is an error.
+    A missing golden file is an error. `quiet` omits the count at the end.
     """
     found = programs(paths, LOG_SUFFIX)
     if not found:
@@ -96,14 +109,14 @@ def verify_command(
                 except NoAnswer:
                     sys.stderr.write(NO_ANSWER)
                     return 2
-    if form == "text":
+    if form == "text" and not quiet:
         good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
         sys.stdout.write(f"{good} {'have current golden files' if rewrite else 'match their golden files'}\n")
     elif form == "json":
         sys.stdout.write(
             json.dumps({"schema": SCHEMA, "programs": list(map(_row, verdicts))}, indent=1) + "\n"
         )
-    else:
+    elif form != "text":
         document = [Found(each.name, each.findings(), each.source, each.place) for each in verdicts]
         sys.stdout.write(written(document, form, "verify"))
     return 1 if any(each.failed for each in verdicts) else 0

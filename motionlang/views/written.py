@@ -25,7 +25,7 @@ def written(rows: Sequence[Row], width: int, colour: bool) -> list[str]:
     texts = [[_device(row), _place(row), _value(row["value"])] for row in rows[:MAX_ROWS]]
     lines = grid(_COLUMNS, texts, width=width, colour=colour)
     if len(rows) > MAX_ROWS:
-        lines.append(styled(f"… and {len(rows) - MAX_ROWS} more: --report json has all", "dim", colour))
+        lines.append(styled(f"… and {len(rows) - MAX_ROWS} more: --format json has all", "dim", colour))
     return lines
 
 

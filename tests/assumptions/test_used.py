@@ -70,7 +70,7 @@ def test_check_lists_them_with_their_strength(tmp_path: Path, capsys: pytest.Cap
     shown = capsys.readouterr().out
     assert "mint.homespeed-default  choice\n" in shown
     assert "What HOMESPEED is until a program writes it: 4000" in shown
-    assert main(["check", "--evidence", "--json", str(path)]) == 0
+    assert main(["check", "--evidence", "--format", "json", str(path)]) == 0
     (row,) = json.loads(capsys.readouterr().out)["files"]
     assert [each["name"] for each in row["assumptions"]] == used("PRINT HOMESPEED(0)")
     assert {each["strength"] for each in row["assumptions"]} >= {"choice", "memory medium"}

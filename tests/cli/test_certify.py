@@ -25,7 +25,7 @@ def test_limits_that_are_kept_and_passed(cell: Cell) -> None:
     assert (ran.status, ran.err) == (0, "")
     for line in ("2 of 2 limits met", "   0  speed         uu/s       250      200", "checked by ____"):
         assert line in ran.out
-    ran = cell("run", "stroke.mnt", "--certify", "--set", "rate=1600", "--report", "none")
+    ran = cell("run", "stroke.mnt", "--certify", "--set", "rate=1600", "--format", "none")
     assert ran.status == 1
     assert "the acceleration of axis 0 reaches 1600 uu/s² at" in ran.err
     assert "stroke.mnt:3" in ran.err
@@ -33,7 +33,7 @@ def test_limits_that_are_kept_and_passed(cell: Cell) -> None:
 
 def test_what_has_no_bound_is_infinite_and_where_limits_would_stand_is_named(cell: Cell) -> None:
     cell.write("stroke.mnt", STROKE)
-    ran = cell("run", "stroke.mnt", "--certify", "--report", "none")
+    ran = cell("run", "stroke.mnt", "--certify", "--format", "none")
     assert ran.status == 1
     assert "hint: add a section such as [axis.0.limits]" in ran.err
     cell.write("stroke.machine.toml", "[axis.0.limits]\njerk = 1e6\n")
@@ -48,7 +48,7 @@ def test_the_report_has_the_lines(cell: Cell) -> None:
     jsonschema = pytest.importorskip("jsonschema")
     cell.write("stroke.mnt", STROKE)
     cell.write("stroke.machine.toml", f"{LIMITS}jerk = 1e6\ntorque = 1\n")
-    report = json.loads(cell("run", "stroke.mnt", "--certify", "--report", "json").out)
+    report = json.loads(cell("run", "stroke.mnt", "--certify", "--format", "json").out)
     jsonschema.validate(report, json.loads(SCHEMA.read_text()))
     assert [(line["name"], line["reached"], line["verdict"]) for line in report["certificate"]] == [
         ("speed", 200.0, "within"),

@@ -24,7 +24,7 @@ def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) ->
     assert cell("diff", "pick.mnt", "--set-b", "rate=2000").out == ran.out
     cell.write("pick.mnt", PICK.replace("= 1000", "= 2000"))
     assert cell("diff", "pick.mnt").out.startswith("time: 0.700050 → 0.600050 s")  # the old one comes first
-    document = json.loads(cell("diff", "pick.mnt", "--json").out)
+    document = json.loads(cell("diff", "pick.mnt", "--format", "json").out)
     assert (document["schema"], document["same"]) == ("motionlang.diff/1", False)
     assert document["lines"][0]["command"] == "MOVEA"
     assert cell("diff", "pick.mnt", "--tolerance", "time=1s", "--tolerance", "speed=50%").status == 1
@@ -74,7 +74,7 @@ def test_a_run_against_a_recording(cell: Cell) -> None:
         "pick.mnt",
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n",
     )
-    assert cell("run", "pick.mnt", "--report", "none", "--trace", "drive.csv").status == 0
+    assert cell("run", "pick.mnt", "--format", "none", "--trace", "drive.csv").status == 0
     ran = cell("diff", "pick.mnt", "drive.csv", "--tolerance", "position=0.01uu")
     assert (ran.status, ran.out.splitlines()[-1]) == (0, "every residual is within its tolerance")
     ran = cell(

@@ -108,7 +108,7 @@ def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
         ("MOVER(0) = -20 : GO(0)", "reverse limit, abort", 1),
     ):
         cell.write("home.mnt", f"{SETTINGS}{word}\nPAUSE IDLE(0)\n")
-        ran = cell("run", "home.mnt", "--report", "json", "--no-cache")
+        ran = cell("run", "home.mnt", "--format", "json", "--no-cache")
         limits = [each for each in json.loads(ran.out)["events"] if each["kind"] == "limit"]
         assert [(each["text"], round(each["value"], 9), each["limit"]) for each in limits] == [
             (text, -10.0, -10.0)
@@ -119,11 +119,11 @@ def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
 def test_the_exit_status_is_that_of_the_events_and_allow_takes_them_off(cell: Cell) -> None:
     cell.write("a.mnt", CASES["a limit switch"][0])
     cell.write("a.machine.toml", "[axis.0]\ntravel = [-100.0, 100.0]\n")
-    ran = cell("run", "a.mnt", "--report", "none", "--no-cache")
+    ran = cell("run", "a.mnt", "--format", "none", "--no-cache")
     assert (ran.status, ran.out) == (1, "")
     assert "a.mnt:2: limit on axis 0 at 2.05005 s (forward limit, abort); --allow limit accepts it" in ran.err
     for allowed, status in (("limit", 0), ("all", 0), ("soft-limit,fault", 1), ("fault, limit", 0)):
-        assert cell("run", "a.mnt", "--report", "none", "--allow", allowed).status == status, allowed
+        assert cell("run", "a.mnt", "--format", "none", "--allow", allowed).status == status, allowed
     wrong = cell("run", "a.mnt", "--allow", "limits")
     assert (wrong.status, "--allow cannot accept 'limits': choose from limit, soft-limit" in wrong.err) == (
         2,
@@ -136,7 +136,7 @@ def test_a_fault_that_is_handled_is_no_matter(cell: Cell) -> None:
     program = CASES["a fault and its handler"][0]
     for text, status in ((program, 0), (program.partition("Event")[0], 1)):
         cell.write("a.mnt", text)
-        assert cell("run", "a.mnt", "--report", "none", "--no-cache").status == status, text
+        assert cell("run", "a.mnt", "--format", "none", "--no-cache").status == status, text
 
 
 def test_the_table_has_them_and_the_speed_asked_for(cell: Cell) -> None:
@@ -163,7 +163,7 @@ def test_every_kind_has_its_row_on_the_page() -> None:
 
 def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
     cell.write("a.mnt", CASES["a stop in no time"][0])
-    assert cell("run", "a.mnt", "--report", "none", "--trace", "a.vcd", "--rate", "10").status == 0
+    assert cell("run", "a.mnt", "--format", "none", "--trace", "a.vcd", "--rate", "10").status == 0
     written = Path("a.vcd").read_text(encoding="ascii")
     (name,) = re.findall(r"\$var string 1 (\S+) event \$end", written)
     assert f"\nscancel_axis0_50,velocity_jump_axis0_50 {name}\n" in written
@@ -174,7 +174,7 @@ def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: py
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     cell.write("a.mnt", "Loop\nOUT(0) = 1 - OUT(0)\nEnd Loop\n")
-    ran = cell("run", "a.mnt", "--report", "json", "--log-size", "1e-5", "--no-cache")
+    ran = cell("run", "a.mnt", "--format", "json", "--log-size", "1e-5", "--no-cache")
     report = json.loads(ran.out)
     assert (ran.status, report["status"], report["diagnostics"][0]["code"]) == (1, "fault", "limit")
     assert "the log of the run has reached 1e-05 GB" in ran.err
@@ -184,6 +184,6 @@ def test_an_event_before_the_first_statement_has_no_line(cell: Cell) -> None:
     """The enable input is off at power-up, when no statement has run."""
     cell.write("a.machine.toml", "[axis.0]\nenable_input = 2\n[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n")
     cell.write("a.mnt", "PAUSE INX(2)\nDRIVEENABLE(0) = 1\nMOVER(0) = 5 : GO(0)\n")
-    ran = cell("run", "a.mnt", "--report", "none")
+    ran = cell("run", "a.mnt", "--format", "none")
     assert ran.status == 1
     assert ran.err == "a.mnt: e-stop on axis 0 at 0 s (input 2 is off); --allow fault accepts it\n"

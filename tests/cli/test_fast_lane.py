@@ -18,8 +18,8 @@ PARTS = (
     ("pick.mnt",),
     ("--no-cache",),
     ("--profile",),
-    ("--report", "json"),
-    ("--report", "none"),
+    ("--format", "json"),
+    ("--format", "none"),
     ("--dialect", "mccl"),
     ("-",),
 )
@@ -51,11 +51,11 @@ def test_both_ways_to_read_a_line_agree(line: list[str]) -> None:
         ["check", "x.mnt"],
         ["run", "--help"],
         ["run", "x.mnt", "--until", "3"],
-        ["run", "x.mnt", "--report"],
-        ["run", "x.mnt", "--report", "yaml"],
+        ["run", "x.mnt", "--format"],
+        ["run", "x.mnt", "--format", "yaml"],
         ["run", "x.mnt", "--dialect", "basic"],
         ["run", "x.mnt", "y.mnt"],
-        ["run", "x.mnt", "--report=json"],
+        ["run", "x.mnt", "--format=json"],
         ["run", "--", "x.mnt"],
     ],
     ids=" ".join,
@@ -71,11 +71,11 @@ CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egA
 @pytest.mark.parametrize(
     ("name", "text", "options", "needed"),
     [
-        ("hello.mnt", "PRINT 1\n", ("--report", "none"), []),
-        ("hello.mcl", "1MN,1TP\n", ("--report", "none"), ["re"]),
+        ("hello.mnt", "PRINT 1\n", ("--format", "none"), []),
+        ("hello.mcl", "1MN,1TP\n", ("--format", "none"), ["re"]),
         ("hello.mnt", "MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n", ("--profile",), []),
-        ("wired.mnt", "PAUSE INX(5)\nPRINT POS(0)\n", ("--report", "none"), []),
-        ("caught.mnt", CAUGHT, ("--report", "none"), []),
+        ("wired.mnt", "PAUSE INX(5)\nPRINT POS(0)\n", ("--format", "none"), []),
+        ("caught.mnt", CAUGHT, ("--format", "none"), []),
     ],
 )
 def test_a_plain_run_imports_nothing_slow(

@@ -15,7 +15,7 @@ from tests.cli.programs import Cell
 def guesses(cell: Cell, text: str, name: str = "old.prg") -> dict[str, object]:
     """The settings of the machine file that init writes for a program."""
     cell.write(name, text)
-    assert cell("init", name, "--report", "none").status == 0
+    assert cell("init", name, "--format", "none").status == 0
     return read_machine(Source.read(str(cell.folder / "old.machine.toml")))
 
 
@@ -102,13 +102,13 @@ def test_a_home_switch_lies_a_second_ahead(cell: Cell) -> None:
 
 def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
     cell.write("old.prg", 'INPUT "Way ", s\nPAUSE INX.2\nMOVER.0 = s : GO.0 : PAUSE IDLE.0\n? POS.0\n')
-    ran = cell("init", "old.prg", "--report", "none")
+    ran = cell("init", "old.prg", "--format", "none")
     assert ran.out == "old.machine.toml: written, 2 guesses\nWay 10\n10.0000\n"
     depends = "warning[guess]: this result depends on 2 guesses of the machine file: input 2; 1 answer"
     assert ran.err.splitlines()[0] == depends
     text = (cell.folder / "old.machine.toml").read_text()
     (cell.folder / "old.machine.toml").write_text(text.replace(", guess = true", ""))
-    assert cell("run", "old.prg", "--report", "none").err == ""
+    assert cell("run", "old.prg", "--format", "none").err == ""
 
 
 def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
@@ -120,7 +120,7 @@ def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
         in file.read_text()
     )
     file.write_text(file.read_text().replace("# limits", "limits"))
-    ran = cell("run", "old.prg", "--certify", "--report", "none")
+    ran = cell("run", "old.prg", "--certify", "--format", "none")
     assert (ran.status, ran.err) == (0, "")
 
 
@@ -166,7 +166,7 @@ def test_a_folder(cell: Cell) -> None:
     (cell.folder / "old").mkdir()
     for name in ("a.prg", "b.mccl"):
         cell.write(f"old/{name}", "PAUSE INX.1\n" if name == "a.prg" else "WN1\n")
-    ran = cell("init", "old", "--report", "none")
+    ran = cell("init", "old", "--format", "none")
     assert [line.split(":")[0] for line in ran.out.splitlines()] == [
         "old/a.machine.toml",
         "old/b.machine.toml",
@@ -186,7 +186,7 @@ def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     cell.write("old.prg", 'PAUSE INX.1\nPAUSE INX.2\nINPUT "Way ", s\nINPUT "Speed ", v\nPRINT TIME\n')
     monkeypatch.setattr(sys, "stdin", Terminal("\nsoon\n1@2\n7\n"))
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-    ran = cell("init", "old.prg", "--report", "none")
+    ran = cell("init", "old.prg", "--format", "none")
     assert "input 2: { channel = 2, at = 0.6 }, or type 1@0.5 or out4+0.3: " in ran.out
     found = read_machine(Source.read(str(cell.folder / "old.machine.toml")))
     assert found["input"] == [

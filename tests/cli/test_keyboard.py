@@ -29,7 +29,7 @@ def played(tmp_path: Path, program: str, *turns: tuple[str, str]) -> tuple[int, 
     file = tmp_path / "asks.mnt"
     file.write_text(program)
     ours, theirs = pty.openpty()
-    command = [sys.executable, "-m", "motionlang", "run", str(file), "--realtime", "10", "--report", "none"]
+    command = [sys.executable, "-m", "motionlang", "run", str(file), "--realtime", "10", "--format", "none"]
     with subprocess.Popen(
         command, stdin=theirs, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:

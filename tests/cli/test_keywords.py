@@ -79,7 +79,7 @@ def test_every_word_has_its_page_and_its_line(cell: Cell) -> None:
 
 
 def test_json_has_every_field_of_the_table(cell: Cell) -> None:
-    document = json.loads(cell("keywords", "SV", "--dialect", "mccl", "--json").out)
+    document = json.loads(cell("keywords", "SV", "--dialect", "mccl", "--format", "json").out)
     (row,) = document["keywords"]
     assert (row["dialect"], row["name"], row["unit"], row["simulated"]) == ("mccl", "SV", "uu/s", True)
     assert row["trust"] in STRENGTHS
@@ -97,13 +97,17 @@ def test_a_group_can_be_named(cell: Cell) -> None:
     assert "\nhoming\n" in ran.out
     assert "HOMETYPE" in ran.out
     assert "\n  SPEED " not in ran.out
-    groups = {row["group"] for row in json.loads(cell("keywords", "Homing", "--json").out)["keywords"]}
+    groups = {
+        row["group"] for row in json.loads(cell("keywords", "Homing", "--format", "json").out)["keywords"]
+    }
     assert groups == {"homing"}
     assert "did you mean homing?" in cell("keywords", "homming").err
 
 
 def test_nothing_is_cut_where_nobody_looks(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    longest = max((row["help"] for row in json.loads(cell("keywords", "--json").out)["keywords"]), key=len)
+    longest = max(
+        (row["help"] for row in json.loads(cell("keywords", "--format", "json").out)["keywords"]), key=len
+    )
     assert len(longest) > 160
     assert longest in cell("keywords").out
     monkeypatch.setenv("COLUMNS", "80")
@@ -155,7 +159,7 @@ def test_what_no_program_tells_names_its_alternatives(capsys: pytest.CaptureFixt
 
 
 def test_the_document_of_a_word_has_its_open_questions(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["keywords", "HOMESPEED", "--json"]) == 0
+    assert main(["keywords", "HOMESPEED", "--format", "json"]) == 0
     (row,) = json.loads(capsys.readouterr().out)["keywords"]
     found = {each["name"]: each for each in row["open"]}
     assert found["mint.homespeed-default"]["alternatives"] == ["any other number"]

@@ -20,15 +20,15 @@ PULSE = "[[input]]\nchannel = 3\nat = 0.25\nfor = 0.1\n"
 def test_run_takes_it(cell: Cell) -> None:
     cell.write("pick.mnt", WAITS)
     cell.write("pick.machine.toml", PULSE)
-    assert cell("run", "pick.mnt", "--report", "none").out == "250\n"
-    assert cell("run", "pick.mnt", "--report", "none").out == "250\n"  # from the cache, too
+    assert cell("run", "pick.mnt", "--format", "none").out == "250\n"
+    assert cell("run", "pick.mnt", "--format", "none").out == "250\n"  # from the cache, too
 
 
 def test_a_machine_that_is_given_takes_its_place(cell: Cell) -> None:
     cell.write("pick.mnt", WAITS)
     cell.write("pick.machine.toml", PULSE)
     cell.write("late.toml", PULSE.replace("0.25", "0.5"))
-    assert cell("run", "pick.mnt", "--machine", "late.toml", "--report", "none").out == "500\n"
+    assert cell("run", "pick.mnt", "--machine", "late.toml", "--format", "none").out == "500\n"
 
 
 def test_python_takes_it(tmp_path: Path) -> None:
@@ -53,7 +53,7 @@ def test_the_scenario_has_an_end(cell: Cell) -> None:
     """Waiting for the next order at the end of the scenario is no error."""
     cell.write("orders.mnt", ORDERS)
     cell.write("orders.machine.toml", PULSE)
-    ran = cell("run", "orders.mnt", "--report", "none")
+    ran = cell("run", "orders.mnt", "--format", "none")
     assert (ran.status, ran.out) == (1, "250\n")
     assert "error[never]: the program waits until INX(3), which can never happen" in ran.err
     cell.write("orders.machine.toml", f"run.until = 2.0\n{PULSE}")
@@ -83,11 +83,11 @@ def test_an_axis_that_there_is_not_is_no_machine(cell: Cell) -> None:
     assert cell("check", "pick.mnt", "--machine", "far.toml").status == 1
     ran = cell("repl", "--machine", "far.toml")
     assert (ran.status, ran.err) == (1, FAR_TOLD.replace(" --> far.toml\n", ""))
-    given = ("--set", "controller.axes=64", "--report", "none")
+    given = ("--set", "controller.axes=64", "--format", "none")
     assert cell("run", "pick.mnt", "--machine", "far.toml", *given).out == "1\n"
 
 
 def test_mccl_counts_its_axes_from_one(cell: Cell) -> None:
-    assert cell("run", "ballscrew.mcl", "--set", "axis.8.start=1", "--report", "none").status == 0
+    assert cell("run", "ballscrew.mcl", "--set", "axis.8.start=1", "--format", "none").status == 0
     ran = cell("run", "ballscrew.mcl", "--set", "axis.0.start=1")
     assert (ran.status, ran.err.splitlines()[0]) == (1, "error[machine-file]: axis.0: there is no axis 0")

@@ -132,7 +132,7 @@ CASES = {
 def test_it_runs_from_nothing(cell: Cell, name: str) -> None:
     edits, found, seconds = CASES[name]
     program = cell.write(name, (OLD / name).read_bytes())
-    assert cell("init", name, "--report", "none").out.startswith(f"{program.stem}.machine.toml: written, ")
+    assert cell("init", name, "--format", "none").out.startswith(f"{program.stem}.machine.toml: written, ")
     machine = program.with_suffix(".machine.toml")
     text = machine.read_text(encoding="utf-8")
     assert len(edits) <= MAX_EDITS

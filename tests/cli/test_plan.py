@@ -55,7 +55,7 @@ def test_the_third_rule(cell: Cell) -> None:
 def test_the_programs_make_the_move_that_was_planned(
     cell: Cell, line: tuple[str, ...], by_times: bool
 ) -> None:
-    document = json.loads(cell("plan", *line, "--json", *(["--use-times"] if by_times else [])).out)
+    document = json.loads(cell("plan", *line, "--format", "json", *(["--use-times"] if by_times else [])).out)
     plan = document["move"]
     assert document["programs"].keys() == {"mint", "mccl"}
     for name, program in document["programs"].items():
@@ -116,7 +116,7 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
     300 needs 300^2/2000 = 45.
     """
     document = json.loads(
-        cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--json"]).out
+        cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--format", "json"]).out
     )
     assert document["move"]["speed"] == pytest.approx(141.4213562)
     assert document["move"]["time"] == pytest.approx(0.1414213562)
@@ -133,15 +133,15 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
         assert move["peak_speed"] == pytest.approx(141.4213562)
         assert move["duration"] == pytest.approx(0.1414213562)
     assert (
-        json.loads(cell("plan", *["--distance", "45", "--speed", "300", "--accel", "2000", "--json"]).out)[
-            "notes"
-        ]
+        json.loads(
+            cell("plan", *["--distance", "45", "--speed", "300", "--accel", "2000", "--format", "json"]).out
+        )["notes"]
         == []
     )
 
 
 def test_ramp_times_of_a_move_too_short_are_those_to_the_speed_asked_for(cell: Cell) -> None:
-    line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --dialect mint --json"
+    line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --dialect mint --format json"
     document = json.loads(cell("plan", *line.split()).out)
     assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
     ran = run(Source("plan.mnt", document["programs"]["mint"]), cache=False)
@@ -163,7 +163,7 @@ def test_counts_per_unit_from_what_the_machine_is_built_of(
     cell: Cell, machine: str, scale: float, how: str
 ) -> None:
     line = ("plan", *machine.split(), "--distance", "200", "--time", "1", "--rule", "third")
-    document = json.loads(cell(*line, "--json").out)
+    document = json.loads(cell(*line, "--format", "json").out)
     assert document["scale"] == pytest.approx(scale, rel=1e-12)
     assert document["notes"] == [f"scale: {how}"]
     assert f"SCALE(0) = {scale:.10g}\n" in cell(*line).out

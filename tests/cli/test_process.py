@@ -32,19 +32,19 @@ WRITERS = """\
 --version
 run --help
 run loud.mnt
-run loud.mnt --report none
-run loud.mnt --report none --prove
-run loud.mnt --report none --realtime 1000
-run loud.mnt --report json
+run loud.mnt --format none
+run loud.mnt --format none --prove
+run loud.mnt --format none --realtime 1000
+run loud.mnt --format json
 run moves.mnt
 run moves.mnt --profile --all
 run moves.mnt --paths
 run moves.mnt --prove
 run moves.mnt --certify
-run wrong.mnt --report json
+run wrong.mnt --format json
 repl loud.mnt
 check moves.mnt
-check moves.mnt --json
+check moves.mnt --format json
 keywords SPEED
 plan --distance 10 --time 1 --rule third
 profiles
@@ -52,7 +52,7 @@ diff moves.mnt loud.mnt
 diff moves.mnt moves.mnt
 sweep moves.mnt --vary controller.axes=1,2
 verify moves.mnt
-verify moves.mnt --json
+verify moves.mnt --format json
 pvt --help
 servo slip --help
 """
@@ -110,7 +110,7 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
     program = tmp_path / "shuttle.mcl"
     program.write_text("1MN,1PM,1SV1000,1SA10000,1DS10000\n1MR10,1WS,1MR-10,1WS,RP\n")
     main, terminal = pty.openpty()
-    command = [*COMMAND, "run", str(program), "--report", "none"]
+    command = [*COMMAND, "run", str(program), "--format", "none"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal) as process:
         os.close(terminal)
         shown = b""
@@ -176,6 +176,6 @@ def test_standard_output_may_be_closed(tmp_path: Path) -> None:
 
 
 def test_standard_input_may_be_closed() -> None:
-    line = f"{' '.join(COMMAND)} run - --dialect mint --report none <&-"
+    line = f"{' '.join(COMMAND)} run - --dialect mint --format none <&-"
     ran = subprocess.run(line, shell=True, capture_output=True, text=True, check=False)
     assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")

@@ -50,7 +50,7 @@ def test_as_printed_beside_it_with_every_erratum(cell: Cell) -> None:
 
 
 def test_json_has_full_precision(cell: Cell) -> None:
-    document = json.loads(cell("profiles", "--json").out)
+    document = json.loads(cell("profiles", "--format", "json").out)
     rows = {row["name"]: row for row in document["rows"]}
     assert rows["T_A"]["exact"][1] == pytest.approx(628.3185307179587, rel=1e-12)
     assert rows["S_V"]["exact"][3] is None
@@ -64,7 +64,7 @@ def test_a_move_of_ones_own(cell: Cell) -> None:
     assert "A = 200 counts/s², D = 100 counts/s², V = 50 counts/s, S = 1000 counts;" in out
     assert "trapezoidal 0.25" in out
     assert [line.split()[0] for line in out.splitlines()[5:9]] == ["T_A", "S_A", "T_D", "S_D"]
-    document = json.loads(cell(*line.split(), "--json").out)
+    document = json.loads(cell(*line.split(), "--format", "json").out)
     assert document["given"]["ramp"] == 0.25
     assert document["errata"] == []
     assert document["rows"][2]["exact"][0] == pytest.approx(500.0)

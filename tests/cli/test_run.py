@@ -61,11 +61,11 @@ def test_output_then_the_table(cell: Cell) -> None:
 
 
 def test_only_the_programs_own_output(cell: Cell) -> None:
-    assert cell("run", "ballscrew.mcl", "--report", "none").out == "01 200.000000\n"
+    assert cell("run", "ballscrew.mcl", "--format", "none").out == "01 200.000000\n"
 
 
 def test_json_is_one_document_and_nothing_else(cell: Cell) -> None:
-    ran = cell("run", "ballscrew.mcl", "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, ran.err) == (0, "")
     assert report["output"] == ["01 200.000000"]
@@ -77,12 +77,12 @@ def test_json_is_one_document_and_nothing_else(cell: Cell) -> None:
 
 
 def test_mistakes_go_to_standard_error(cell: Cell) -> None:
-    ran = cell("run", "wrong.mcl", "--report", "none")
+    ran = cell("run", "wrong.mcl", "--format", "none")
     assert (ran.status, ran.out, without_hints(ran.err)) == (1, "?1\n", WRONG)
 
 
 def test_json_has_the_mistakes_too(cell: Cell) -> None:
-    ran = cell("run", "wrong.mcl", "--report", "json")
+    ran = cell("run", "wrong.mcl", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, without_hints(ran.err)) == (1, WRONG)
     assert [(d["code"], d["line"], d["column"]) for d in report["diagnostics"]] == [
@@ -93,7 +93,7 @@ def test_json_has_the_mistakes_too(cell: Cell) -> None:
 
 @pytest.mark.parametrize("report", ["json", "table"])
 def test_a_file_that_cannot_be_read(cell: Cell, report: str) -> None:
-    ran = cell("run", "none.mcl", "--report", report)
+    ran = cell("run", "none.mcl", "--format", report)
     assert ran.status == 1
     assert ran.err == "error[file]: none.mcl cannot be read: no such file or directory\n"
     assert report == "table" or json.loads(ran.out)["diagnostics"][0]["code"] == "file"
@@ -111,12 +111,12 @@ def test_a_suffix_that_no_dialect_owns(cell: Cell) -> None:
         "error[file]: unknown language of pick.txt: no language has the extension .txt\n"
         "  hint: add --dialect mint or --dialect mccl; .mnt, .mntx and .prg are Mint, .mcl and .mccl are MCCL\n"
     )
-    assert cell("run", "pick.txt", "--dialect", "mccl", "--report", "none").status == 0
+    assert cell("run", "pick.txt", "--dialect", "mccl", "--format", "none").status == 0
 
 
 def test_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"1MN,1TP\r1XX\r")))
-    ran = cell("run", "-", "--dialect", "mccl", "--report", "none")
+    ran = cell("run", "-", "--dialect", "mccl", "--format", "none")
     assert ran.status == 1
     assert " --> <stdin>:2:1\n" in ran.err
     assert "unknown language of standard input: it has no name" in cell("run", "-").err
@@ -125,33 +125,33 @@ def test_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("content", [b"", b"\0\xff\xfe\x00" * 50, b"\xef\xbb\xbf1MN\r\n", bytes(range(256))])
 def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
     cell.write("bytes.mcl", content)
-    ran = cell("run", "bytes.mcl", "--report", "json", "--until", "10")
+    ran = cell("run", "bytes.mcl", "--format", "json", "--until", "10")
     assert ran.status in (0, 1)
     assert json.loads(ran.out)["schema"] == "motionlang.report/2"
 
 
 def test_until_ends_what_would_go_on(cell: Cell) -> None:
-    report = json.loads(cell("run", "jog.mcl", "--until", "2.5", "--report", "json").out)
+    report = json.loads(cell("run", "jog.mcl", "--until", "2.5", "--format", "json").out)
     assert (report["time"], report["moves"][0]["ended"]) == (2.5, "end-of-run")
 
 
 def test_set_gives_machine_keys_their_kind(cell: Cell) -> None:
-    ran = cell("run", "ballscrew.mcl", "--set", "controller.instruction_time=1e-3", "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--set", "controller.instruction_time=1e-3", "--format", "json")
     assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
 
 
 def test_the_machine_file_and_what_overrides_it(cell: Cell) -> None:
     cell.write("cell.toml", "[controller]\ninstruction_time = 1e-3\naxes = 2\n")
-    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--format", "json")
     assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
     override = ("--set", "controller.instruction_time=1e-6")
-    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", *override, "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", *override, "--format", "json")
     assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-6)
 
 
 def test_a_mistake_in_the_machine_file_has_its_line(cell: Cell) -> None:
     cell.write("cell.toml", "[controller]\naxs = 2\n")
-    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--format", "json")
     assert ran.status == 1
     assert " --> cell.toml:2:1\n" in ran.err
     assert "did you mean" in ran.err
@@ -164,7 +164,7 @@ def test_a_mistake_in_the_machine_file_has_its_line(cell: Cell) -> None:
 def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
     pytest.importorskip("matplotlib")
     ran = cell(
-        "run", "ballscrew.mcl", "--trace", "x.npz", "--plot", "x.svg", "--rate", "200", "--report", "none"
+        "run", "ballscrew.mcl", "--trace", "x.npz", "--plot", "x.svg", "--rate", "200", "--format", "none"
     )
     assert (ran.status, ran.err) == (0, "")
     with np.load(cell.folder / "x.npz") as archive:
@@ -174,7 +174,7 @@ def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
 
 
 def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
-    trace = ("run", "ballscrew.mcl", "--report", "none", "--rate", "10", "--trace", "x.csv", "--columns")
+    trace = ("run", "ballscrew.mcl", "--format", "none", "--rate", "10", "--trace", "x.csv", "--columns")
     assert cell(*trace, "jerk.1,position").status == 0
     rows = (cell.folder / "x.csv").read_text().splitlines()
     assert rows[0] == "time_s,axis1_jerk_uu_per_s3,axis1_position_uu"
@@ -189,7 +189,7 @@ def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
 
 def test_a_picture_shows_the_part_that_was_asked_for(cell: Cell) -> None:
     pytest.importorskip("matplotlib")
-    plot = ("run", "ballscrew.mcl", "--report", "none", "--plot", "x.svg")
+    plot = ("run", "ballscrew.mcl", "--format", "none", "--plot", "x.svg")
     assert cell(*plot, "--from", "0.2", "--to", "0.5", "--axes", "1").err == ""
     assert "the run ended after 1.0" in cell(*plot, "--from", "7").err
     assert "axis 3 did not move in this run: 1 did" in cell(*plot, "--axes", "3").err
@@ -199,7 +199,7 @@ def test_a_picture_shows_the_part_that_was_asked_for(cell: Cell) -> None:
 def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("matplotlib", "pyarrow"):
         monkeypatch.setitem(sys.modules, name, None)
-    assert cell("run", "ballscrew.mcl", "--plot", "x.html", "--report", "none").err == ""
+    assert cell("run", "ballscrew.mcl", "--plot", "x.html", "--format", "none").err == ""
     assert "MR" in (cell.folder / "x.html").read_text(encoding="utf-8")
     for option, file, extra in (("--plot", "x.svg", "plot"), ("--trace", "x.parquet", "parquet")):
         ran = cell("run", "ballscrew.mcl", option, file)
@@ -208,7 +208,7 @@ def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.Monkey
 
 
 def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
-    run = ("run", "ballscrew.mcl", "--report", "none", "--trace", "x.csv", "--trajectory-points")
+    run = ("run", "ballscrew.mcl", "--format", "none", "--trace", "x.csv", "--trajectory-points")
     assert cell(*run).status == 0
     rows = (cell.folder / "x.csv").read_text().splitlines()
     assert rows[5:10] == [
@@ -232,11 +232,8 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
             ("--trace", "x.csv", "--trajectory-rate", "5"),
             "--trajectory-rate needs --trajectory-points",
         ),
-        (
-            ("--report", "json", "--profile"),
-            "--profile needs the table, which --report json omits: --profile-to FILE writes the profile",
-        ),
-        (("--report", "none", "--paths"), "--paths needs the table, which --report none omits"),
+        (("--format", "json", "--all"), "--all needs the table, which --format json omits"),
+        (("--format", "none", "--paths"), "--paths needs the table, which --format none omits"),
         (("--columns", "jerk"), "--columns needs --trace OUT"),
         (("--from", "1"), "--from needs --plot OUT"),
         (
@@ -275,12 +272,15 @@ def test_a_wrong_command_line_is_2(cell: Cell, arguments: tuple[str, ...], messa
 def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
     assert cell("rnu", "x").err == "motionlang: error: there is no command rnu\n  hint: did you mean run?\n"
     assert cell("pick.mnt").err.splitlines()[-1] == "  hint: motionlang run pick.mnt runs a program"
-    report = cell("run", "x", "--report", "jsn").err
+    report = cell("run", "x", "--format", "jsn").err
     assert report == (
-        "motionlang run: error: argument --report: 'jsn' is not one of table, json, none\n"
+        "motionlang run: error: argument --format: 'jsn' is not one of table, json, none\n"
         "  hint: did you mean json?\n"
     )
-    for option, meant in (("--tarce", "--trace"), ("--json", "--report json"), ("--table", "--report table")):
+    for option, meant in (
+        ("--tarce", "--trace"),
+        ("--table", "--format table"),
+    ):
         assert cell("run", "x", option).err.splitlines()[-1] == f"  hint: did you mean {meant}?"
     set_key = cell("run", "ballscrew.mcl", "--set", "controller.axs=4").err
     assert "there is no key controller.axs; did you mean controller.axes?" in set_key
@@ -294,7 +294,7 @@ def test_a_place_that_cannot_be_written_is_known_before_the_run(cell: Cell) -> N
 
 def test_a_full_disk_ends_in_a_diagnostic(cell: Cell) -> None:
     (cell.folder / "full.csv").symlink_to("/dev/full")
-    ran = cell("run", "ballscrew.mcl", "--trace", "full.csv", "--report", "none")
+    ran = cell("run", "ballscrew.mcl", "--trace", "full.csv", "--format", "none")
     assert ran.status == 1
     assert ran.err == "error[file]: full.csv cannot be written: no space left on device\n"
 
@@ -306,7 +306,7 @@ def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: py
     clock = [100.0]
     monkeypatch.setattr(time, "monotonic", lambda: clock[0])
     monkeypatch.setattr(time, "sleep", lambda seconds: clock.__setitem__(0, clock[0] + seconds))
-    ran = cell("run", "ballscrew.mcl", "--realtime", "2", "--report", "none")
+    ran = cell("run", "ballscrew.mcl", "--realtime", "2", "--format", "none")
     assert (ran.status, ran.out) == (0, "01 200.000000\n")
     assert clock[0] - 100.0 == pytest.approx(0.5, abs=1e-3)
 
@@ -324,7 +324,7 @@ def test_realtime_needs_no_factor(cell: Cell, monkeypatch: pytest.MonkeyPatch) -
         ("ballscrew.mcl", "--realtime"),
         ("--realtime", "3", "jog.mcl"),
     ):
-        cell("run", *arguments, "--report", "none", "--until", "2")
+        cell("run", *arguments, "--format", "none", "--until", "2")
     assert factors == [1.0, 1.0, 3.0]
 
 
@@ -337,7 +337,7 @@ def test_ctrl_c_reports_what_ran_so_far(cell: Cell, monkeypatch: pytest.MonkeyPa
         return pace
 
     monkeypatch.setattr(run, "pacer", pacer)
-    ran = cell("run", "ballscrew.mcl", "--realtime", "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--realtime", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["status"]) == (130, "interrupted")
     assert report["moves"][0]["ended"] == "end-of-run"
@@ -418,7 +418,7 @@ def test_a_setting_of_any_length_is_told(cell: Cell, value: str) -> None:
 
 def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
     cell.write("forgotten.mnt", "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\n  MOVER(0) = -10\nMOVER(1) = 3\n")
-    ran = cell("run", "forgotten.mnt", "--report", "none")
+    ran = cell("run", "forgotten.mnt", "--format", "none")
     assert ran.status == 0
     assert ran.err.count("warning[never-started]") == 2
     assert "forgotten.mnt:4:3" in ran.err
@@ -433,7 +433,7 @@ def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pyte
     assert "a.html was not written: the run has 2 records, but a page holds at most 1; " in ran.err
     assert not (cell.folder / "a.html").exists()
     monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", 0)
-    ran = cell("run", "ballscrew.mcl", "--prove", "--report", "json")
+    ran = cell("run", "ballscrew.mcl", "--prove", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)
     (told,) = report["diagnostics"]

@@ -76,12 +76,12 @@ def test_mistakes_are_those_of_check(cell: Cell, file: str) -> None:
     cell.write("wrong.mnt", "SPEED(0) = 1\nMOVR(0) = 1\nPRINT TIEM\n")
     shown, checked = cell("run", file, "--show-code"), cell("check", file)
     assert (shown.status, shown.out) == (1, "")
-    errors = re.findall(r"error\[.*", checked.err)
+    errors = re.findall(r"error\[.*", checked.out)
     assert errors
     assert re.findall(r"error\[.*", shown.err) == errors
 
 
-@cases("option", ["--until=3", "--plot=a.png", "--report=none", "--prove", "--trace=a.csv"])
+@cases("option", ["--until=3", "--plot=a.png", "--format=none", "--prove", "--trace=a.csv"])
 def test_options_of_a_run_are_refused(cell: Cell, option: str) -> None:
     ran = cell("run", "ballscrew.mcl", "--show-code", option)
     name = option.partition("=")[0]

@@ -71,7 +71,7 @@ def test_a_signal_at_any_stage(
         place = sys.modules[place]
     monkeypatch.setattr(place, name, sending(number, getattr(place, name)))
     cell.write("a.mnt", MOVE)
-    ran = cell("run", "a.mnt", "--report", "json", "--no-cache")
+    ran = cell("run", "a.mnt", "--format", "json", "--no-cache")
     report = json.loads(ran.out)
     assert (ran.status, report["status"]) == (status, outcome)
     told = [each["message"] for each in report["diagnostics"]]
@@ -94,7 +94,7 @@ def test_an_ended_run_is_proved_where_that_takes_no_time(
     monkeypatch.setattr(run, "pacer", pacer)
     monkeypatch.setattr(run, "PROVED_IN_TIME", most)
     cell.write("a.mnt", "SPEED(0) = 5\n" + MOVE)
-    ran = cell("run", "a.mnt", "--report", "json", "--prove", "--realtime")
+    ran = cell("run", "a.mnt", "--format", "json", "--prove", "--realtime")
     codes = [each["code"] for each in json.loads(ran.out)["diagnostics"]]
     assert (ran.status, codes) == (130, ["interrupted"] if most else ["interrupted", "proof"])
 
@@ -104,7 +104,7 @@ def test_a_signal_while_the_file_is_read(cell: Cell, monkeypatch: pytest.MonkeyP
 
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr(run, "read_source", sending(signal.SIGTERM, input_files.read_source))
-    ran = cell("run", "a.mnt", "--report", "json")
+    ran = cell("run", "a.mnt", "--format", "json")
     assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
 
 
@@ -114,7 +114,7 @@ def test_a_signal_during_a_trace_leaves_the_report_and_no_half_of_a_file(
     cell.write("a.mnt", MOVE)
     before = cell.write("a.csv", "old")
     monkeypatch.setitem(export._WRITERS, ".csv", sending(signal.SIGTERM, export._write_csv))
-    ran = cell("run", "a.mnt", "--report", "json", "--trace", "a.csv")
+    ran = cell("run", "a.mnt", "--format", "json", "--trace", "a.csv")
     assert (ran.status, json.loads(ran.out)["status"], before.read_text()) == (143, "ended", "old")
     assert "a.csv was not written: the command was ended by SIGTERM" in ran.err
     assert not [each for each in os.listdir() if each.startswith(".a.csv")]
@@ -131,7 +131,7 @@ def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.Monke
 
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr("motionlang.report.pieces", write)
-    ran = cell("run", "a.mnt", "--report", "json")
+    ran = cell("run", "a.mnt", "--format", "json")
     assert (ran.status, "never" in ran.out) == (130, False)
 
 
@@ -140,7 +140,7 @@ def test_what_is_switched_off_stays_off(cell: Cell, monkeypatch: pytest.MonkeyPa
     signal.signal(signal.SIGHUP, signal.SIG_IGN)
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr(Scheduler, "run", sending(signal.SIGHUP, Scheduler.run))
-    assert cell("run", "a.mnt", "--report", "none").status == 0
+    assert cell("run", "a.mnt", "--format", "none").status == 0
 
 
 def test_handlers_are_put_back(cell: Cell) -> None:
@@ -194,7 +194,7 @@ def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: s
     program = tmp_path / "many.mnt"
     text = "Dim i As Integer\nFor i = 1 To 500\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\n"
     program.write_text(text)
-    command = [*COMMAND, "run", str(program), "--report", "json"]
+    command = [*COMMAND, "run", str(program), "--format", "json"]
     given = os.environ | {"PYTHONUNBUFFERED": unbuffered}
     with subprocess.Popen(command, stdout=subprocess.PIPE, env=given, bufsize=0) as process:
         assert process.stdout is not None
@@ -216,7 +216,7 @@ def test_a_signal_while_the_command_line_is_read(cell: Cell, monkeypatch: pytest
 
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr(commands, "build_parser", sending(signal.SIGTERM, commands.build_parser))
-    ran = cell("run", "a.mnt", "--report", "json", "--trace", "a.csv")
+    ran = cell("run", "a.mnt", "--format", "json", "--trace", "a.csv")
     assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
     assert not (cell.folder / "a.csv").exists()
 
@@ -239,7 +239,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
     monkeypatch.setattr(Scheduler, "settle", broken)
     cell.write("a.mnt", MOVE)
     cell.write("a.machine.toml", "[controller]\naxes = 2\n")
-    ran = cell("run", "a.mnt", "--report", "json", "--no-cache")
+    ran = cell("run", "a.mnt", "--format", "json", "--no-cache")
     report = json.loads(ran.out)
     assert (ran.status, report["status"], report["output"], len(report["moves"])) == (
         70,
@@ -254,7 +254,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
     assert (folder / "a.machine.toml").read_text() == "[controller]\naxes = 2\n"
     text = (folder / "crash.txt").read_text()
     assert text.startswith("motionlang 0.1.0, Python ")
-    assert "options: run a.mnt --report json --no-cache\n" in text
+    assert "options: run a.mnt --format json --no-cache\n" in text
     assert "AssertionError: it cannot be" in text
     assert "Traceback" not in ran.out + ran.err
 
@@ -262,8 +262,8 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
 @pytest.mark.parametrize(
     ("place", "arguments"),
     [
-        ("motionlang.cli.run.read_source", ("run", "a.mnt", "--report", "json")),
-        ("motionlang.report.pieces", ("run", "a.mnt", "--report", "json")),
+        ("motionlang.cli.run.read_source", ("run", "a.mnt", "--format", "json")),
+        ("motionlang.report.pieces", ("run", "a.mnt", "--format", "json")),
         ("motionlang.views.table.render", ("run", "a.mnt")),
         ("motionlang.cli.check.check_command", ("check", "a.mnt")),
         ("motionlang.views.export.write_trace", ("run", "a.mnt", "--trace", "a.csv")),

@@ -58,7 +58,7 @@ def test_a_front_and_a_picture(stroke: Cell) -> None:
 
 
 def test_bad_variants_are_told_apart_and_kept(stroke: Cell) -> None:
-    ran = stroke(*VARY[:2], "--vary", "rate=0,500,-1,0", "--keep", "time", "--out", "rows.csv")
+    ran = stroke(*VARY[:2], "--vary", "rate=0,500,-1,0", "--keep", "time", "--rows-to", "rows.csv")
     assert ran.status == 1
     assert [line.split() for line in ran.out.splitlines()[3:]] == [["500", "0.90006"]]
     assert ran.err.startswith("3 of 4 variants failed\n  ")
@@ -70,7 +70,7 @@ def test_bad_variants_are_told_apart_and_kept(stroke: Cell) -> None:
 
 
 def test_a_sweep_that_was_ended_goes_on(stroke: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = stroke(*VARY, "--out", "whole.csv", "--report", "none")
+    whole = stroke(*VARY, "--rows-to", "whole.csv", "--format", "none")
     assert (whole.status, whole.out, whole.err) == (0, "", "")
     ran: list[int] = []
     all_results = Sweep.results
@@ -83,19 +83,19 @@ def test_a_sweep_that_was_ended_goes_on(stroke: Cell, monkeypatch: pytest.Monkey
                 raise KeyboardInterrupt
 
     monkeypatch.setattr(Sweep, "results", ended)
-    first = stroke(*VARY, "--out", "rows.csv")
+    first = stroke(*VARY, "--rows-to", "rows.csv")
     assert (first.status, first.err) == (130, "ended after 3 of 8 variants; --resume continues\n")
     assert len((stroke.folder / "rows.csv").read_text().splitlines()) == 4
     with open(stroke.folder / "rows.csv.part", "a", encoding="ascii") as file:
         file.write("[7, [0.")  # a truncated line
-    other = stroke(*VARY, "--keep", "peak.0", "--out", "rows.csv", "--resume")
+    other = stroke(*VARY, "--keep", "peak.0", "--rows-to", "rows.csv", "--resume")
     assert other.status == 2
     assert "has the rows of another sweep" in other.err
-    second = stroke(*VARY, "--out", "rows.csv", "--resume", "--report", "none")
+    second = stroke(*VARY, "--rows-to", "rows.csv", "--resume", "--format", "none")
     assert (second.status, second.err) == (0, "")
     assert sorted(ran) == list(range(8))
     assert (stroke.folder / "rows.csv").read_text() == (stroke.folder / "whole.csv").read_text()
-    again = stroke(*VARY, "--out", "rows.csv", "--resume", "--report", "none")
+    again = stroke(*VARY, "--rows-to", "rows.csv", "--resume", "--format", "none")
     assert again.err == "rows.csv.part does not exist: nothing to resume, so all 8 variants run\n"
 
 
@@ -103,7 +103,7 @@ def test_machines_of_a_folder(stroke: Cell) -> None:
     (stroke.folder / "machines").mkdir()
     stroke.write("machines/long.machine.toml", "[axis.0]\ntravel = [-5, 500]\n")
     stroke.write("machines/short.toml", "[axis.0]\ntravel = [-5, 50]\n")
-    ran = stroke("sweep", "stroke.mnt", "--machines", "machines", "--keep", "position.0", "--report", "csv")
+    ran = stroke("sweep", "stroke.mnt", "--machines", "machines", "--keep", "position.0", "--format", "csv")
     assert ran.out.splitlines()[0] == "variant,machine,position.0,problem"
     assert ran.out.splitlines()[1] == "0,long,100.0,"
     stroke.write("machines/short.toml", "[axis.0]\ntravell = [-5, 50]\n")
@@ -115,7 +115,7 @@ def test_machines_of_a_folder(stroke: Cell) -> None:
 def test_parquet_has_the_rows_of_the_csv(stroke: Cell) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     for out in ("rows.csv", "rows.parquet"):
-        assert stroke(*VARY, "--keep", "time,prints", "--out", out, "--report", "none").status == 0
+        assert stroke(*VARY, "--keep", "time,prints", "--rows-to", out, "--format", "none").status == 0
     table = parquet.read_table(stroke.folder / "rows.parquet").to_pydict()
     with open(stroke.folder / "rows.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
@@ -161,9 +161,9 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
         ),
         (("--vary", "rate=1", "--pareto", "time"), "a Pareto front needs two"),
         (("--vary", "rate=1", "--random", "4", "--latin", "4"), "not both"),
-        (("--vary", "rate=1", "--out", "rows.xls"), "--out writes .csv and .parquet files, not .xls"),
-        (("--vary", "rate=1", "--out", "no/rows.csv"), "there is no folder no"),
-        (("--vary", "rate=1", "--resume"), "--resume needs --out"),
+        (("--vary", "rate=1", "--rows-to", "rows.xls"), "--rows-to writes .csv and .parquet files, not .xls"),
+        (("--vary", "rate=1", "--rows-to", "no/rows.csv"), "there is no folder no"),
+        (("--vary", "rate=1", "--resume"), "--resume needs --rows-to"),
         (("--vary", "rate=1", "--jobs", "0"), "is not a whole number above 0"),
     ],
 )

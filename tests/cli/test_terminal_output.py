@@ -17,13 +17,13 @@ def test_escape_sequences_are_shown_as_pictures_on_a_terminal(
 ) -> None:
     cell.write("a.mnt", NASTY)
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-    ran = cell("run", "a.mnt", "--report", "none")
+    ran = cell("run", "a.mnt", "--format", "none")
     assert ran.out == "␛]0;owned\a\n\ufffd2J\na\tb\n"
 
 
 def test_a_pipe_gets_what_was_printed(cell: Cell) -> None:
     cell.write("a.mnt", NASTY)
-    assert cell("run", "a.mnt", "--report", "none").out == "\x1b]0;owned\a\n\x9b2J\na\tb\n"
+    assert cell("run", "a.mnt", "--format", "none").out == "\x1b]0;owned\a\n\x9b2J\na\tb\n"
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ def test_a_verb_is_run_with_its_option(pick: Cell, verb: str) -> None:
 def test_a_verb_with_a_file_is_run_with_its_option(pick: Cell, verb: str, out: str) -> None:
     assert pick(verb, "pick.mnt", out).status == 0
     written = (pick.folder / out).read_bytes()
-    assert pick("run", "pick.mnt", f"--{verb}", "again" + out, "--report", "none").status == 0
+    assert pick("run", "pick.mnt", f"--{verb}", "again" + out, "--format", "none").status == 0
     assert (pick.folder / ("again" + out)).read_bytes() == written
 
 

@@ -173,7 +173,7 @@ def test_a_golden_file_that_is_no_json(cell: Cell) -> None:
 
 
 def test_a_folder_that_is_not_there(cell: Cell) -> None:
-    ran = cell("verify")
+    ran = cell("verify", "scripts")
     assert (ran.status, ran.err) == (1, "error[file]: scripts cannot be read: no such file or directory\n")
 
 

@@ -31,7 +31,7 @@ SHOWN = "Turns 200\n200.0000 at 800\nR at 2000, force 25.0000\n"
 
 def test_a_run(cell: Cell) -> None:
     cell.write("spool.mnt", SPOOL)
-    ran = cell("run", "spool.mnt", *WORLD, "--answer", "turns=200", "--report", "none")
+    ran = cell("run", "spool.mnt", *WORLD, "--answer", "turns=200", "--format", "none")
     assert (ran.status, ran.out, ran.err) == (0, SHOWN, "")
 
 
@@ -42,14 +42,14 @@ def test_they_are_laid_over_the_machine_file(cell: Cell) -> None:
         'input = [{ channel = 2, name = "start", at = 9.0 }, { channel = 3, at = 1.0 }]\n'
         'answer = [{ text = "100" }]\nkey = [{ text = "R", at = 2.0 }]\n',
     )
-    ran = cell("run", "spool.mnt", "--input", "start=1@0.5", "--answer", "7", "--report", "none")
+    ran = cell("run", "spool.mnt", "--input", "start=1@0.5", "--answer", "7", "--format", "none")
     assert ran.out == "Turns 7\n7.0000 at 1000\nR at 2000, force 0.0000\n"
 
 
 def test_a_question_takes_a_line_of_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     cell.write("spool.mnt", SPOOL)
     monkeypatch.setattr(sys, "stdin", io.StringIO("200\r\n300\n"))
-    assert cell("run", "spool.mnt", *WORLD, "--report", "none").out == SHOWN
+    assert cell("run", "spool.mnt", *WORLD, "--format", "none").out == SHOWN
     assert sys.stdin.read() == "300\n"
 
 
@@ -58,7 +58,7 @@ def test_a_question_at_the_end_of_standard_input_is_an_error(
 ) -> None:
     cell.write("spool.mnt", SPOOL)
     monkeypatch.setattr(sys, "stdin", io.StringIO(""))
-    ran = cell("run", "spool.mnt", "--report", "none")
+    ran = cell("run", "spool.mnt", "--format", "none")
     assert ran.status == 1
     assert ran.err.endswith('hint: --answer "Turns=1" ends it, as does [[answer]] of the machine file\n')
 
@@ -77,7 +77,7 @@ def test_a_wait_that_never_ends_names_the_option_that_ends_it(
     cell: Cell, program: str, given: str, hint: str
 ) -> None:
     cell.write(program, given)
-    ran = cell("run", program, "--input", "2", "--report", "none")
+    ran = cell("run", program, "--input", "2", "--format", "none")
     assert f"hint: {hint}" in ran.err
 
 
@@ -103,7 +103,7 @@ def test_what_is_wrong_takes_two_lines(
 
 def test_a_sweep_runs_every_variant_in_this_world(cell: Cell) -> None:
     cell.write("spool.mnt", SPOOL)
-    vary = ("--vary", "controller.axes=2,4", "--keep", "time", "--report", "csv", "--jobs", "1")
+    vary = ("--vary", "controller.axes=2,4", "--keep", "time", "--format", "csv", "--jobs", "1")
     ran = cell("sweep", "spool.mnt", *WORLD, "--answer", "200", *vary)
     assert [line.split(",")[2][:5] for line in ran.out.splitlines()[1:]] == ["2.000", "2.000"]
 
@@ -133,7 +133,7 @@ def test_a_person_is_asked_at_once(tmp_path: Path) -> None:
     program = tmp_path / "asks.mnt"
     program.write_text('INPUT "Turns ", n\nINPUT m\nPRINT "sum "; n + m\n')
     ours, theirs = pty.openpty()
-    command = [sys.executable, "-m", "motionlang", "run", str(program), "--report", "none"]
+    command = [sys.executable, "-m", "motionlang", "run", str(program), "--format", "none"]
     shown = b""
     with subprocess.Popen(command, stdin=theirs, stdout=theirs, stderr=theirs) as process:
         os.close(theirs)

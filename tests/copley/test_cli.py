@@ -148,7 +148,7 @@ def test_refined_points_are_written_and_read(tmp_path: Path) -> None:
     assert pvt("refine", *words, "-o", str(out)).status == 0
     points = read_points(Source.read(out)).points
     assert [p.velocity for p in points] == [0, 750_000, 750_000, 0]
-    assert pvt("plot", str(out), "--report", "none").out == ""
+    assert pvt("plot", str(out), "--format", "none").out == ""
 
 
 def test_a_file_of_positions_gets_times_and_velocities(tmp_path: Path) -> None:
@@ -177,10 +177,10 @@ def test_linear_and_relative_exports() -> None:
 
 
 def test_reports_as_json() -> None:
-    plot = json.loads(pvt("plot", "--scurve", "1000", "--time", "100", "--report", "json").out)
+    plot = json.loads(pvt("plot", "--scurve", "1000", "--time", "100", "--format", "json").out)
     assert plot["schema"] == "motionlang.pvt/1"
     assert [round(s["jerk"]) for s in plot["segments"]] == [500_000, -500_000, -500_000, 500_000]
-    words = ["--positions", "0,5000,15000,20000", "--time", "10", "--report", "json"]
+    words = ["--positions", "0,5000,15000,20000", "--time", "10", "--format", "json"]
     refined = json.loads(pvt("refine", *words).out)
     assert [m["velocities"] for m in refined["methods"]] == [
         "zero",
@@ -189,7 +189,7 @@ def test_reports_as_json() -> None:
         "2 sweeps",
         "exact",
     ]
-    streamed = json.loads(pvt("stream", "--scurve", "1000", "--time", "100", "--report", "json").out)
+    streamed = json.loads(pvt("stream", "--scurve", "1000", "--time", "100", "--format", "json").out)
     assert (streamed["sent"], streamed["position"]) == (5, 1000.0)
     assert streamed["error"] < 1e-9
 
@@ -251,7 +251,7 @@ def test_the_tolerance_counts() -> None:
 
 def test_a_program_is_streamed() -> None:
     file = str(SCRIPTS / "mint" / "shuttle.mnt")
-    report = json.loads(pvt("stream", file, "--tolerance", "2", "--report", "json").out)
+    report = json.loads(pvt("stream", file, "--tolerance", "2", "--format", "json").out)
     assert report["error"] < 1e-6
     assert report["log"][-1]["what"] == "move ended at 0"
 

@@ -13,7 +13,7 @@ EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5, "resistance": 1.0}
 
 
 def plant(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, object]:
-    assert main(["servo", *words, "--report", "json"]) == 0
+    assert main(["servo", *words, "--format", "json"]) == 0
     found: dict[str, object] = json.loads(capsys.readouterr().out)["plant"]
     return found
 
@@ -43,7 +43,7 @@ def test_a_bandwidth_leaves_the_motor_of_the_file_beside_the_program(
     (tmp_path / "slide.mnt").write_text("MOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n")
     (tmp_path / "slide.machine.toml").write_text("[axis.0.plant]\nresistance = 3.0\n")
     program = str(tmp_path / "slide.mnt")
-    assert main(["servo", "run", program, "--bandwidth", "40", "--report", "json"]) == 0
+    assert main(["servo", "run", program, "--bandwidth", "40", "--format", "json"]) == 0
     motor = json.loads(capsys.readouterr().out)["plants"]["0"]
     assert (motor["resistance"], motor["load_inertia"]) == (3.0, 0.0)
     assert main(["servo", "run", program, "--bandwidth", "40"]) == 0

@@ -39,17 +39,17 @@ def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str
     ids=" ".join,
 )
 def test_every_command_speaks_json(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
-    status, out, err = said(capsys, *words, "--report", "json")
+    status, out, err = said(capsys, *words, "--format", "json")
     assert (status, err) == (0, "")
     assert json.loads(out)["schema"] == SCHEMA
 
 
 def test_figures_in_full(capsys: pytest.CaptureFixture[str]) -> None:
-    _, out, _ = said(capsys, "slip", "--report", "json")
+    _, out, _ = said(capsys, "slip", "--format", "json")
     found = json.loads(out)
     assert found["limit"] == pytest.approx(3.22)
     assert found["fastest_time"] == pytest.approx(0.5175983, abs=5e-8)
-    _, out, _ = said(capsys, "dac", "--bits", "12", "--report", "json")
+    _, out, _ = said(capsys, "dac", "--bits", "12", "--format", "json")
     (timing,) = json.loads(out)["timings"]
     assert timing["step_time"] == pytest.approx(252.7336e-6, abs=5e-11)
 
@@ -60,7 +60,7 @@ def test_a_slipping_load_is_an_exit_status(capsys: pytest.CaptureFixture[str]) -
 
 
 def test_infinite_jerk_is_null(capsys: pytest.CaptureFixture[str]) -> None:
-    _, out, _ = said(capsys, "compare", "--equal", "acceleration", "--report", "json")
+    _, out, _ = said(capsys, "compare", "--equal", "acceleration", "--format", "json")
     jerks = {row["shape"]: row["jerk"] for row in json.loads(out)["acceleration"]}
     assert jerks["trapezoid"] is None
     assert jerks["sinusoidal"] == pytest.approx(5e5)
@@ -79,7 +79,7 @@ def program(tmp_path: Path) -> Path:
 
 
 def test_a_program_runs_through_the_servo(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    status, out, err = said(capsys, "run", str(program), "--window", "2", "--report", "json")
+    status, out, err = said(capsys, "run", str(program), "--window", "2", "--format", "json")
     assert (status, err) == (0, "")
     (axis,) = json.loads(out)["axes"]
     assert axis["axis"] == 0
@@ -91,7 +91,7 @@ def test_a_program_that_ran_through_the_servo_is_drawn(
     program: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "move.svg"
-    assert said(capsys, "run", str(program), "--report", "none", "--plot", str(file)) == (0, "", "")
+    assert said(capsys, "run", str(program), "--format", "none", "--plot", str(file)) == (0, "", "")
     assert file.read_bytes().startswith(b"<?xml")
 
 
@@ -111,12 +111,12 @@ def test_every_picture_is_drawn(
     words: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "out.svg"
-    status, out, err = said(capsys, *words, "--report", "none", "--plot", str(path))
+    status, out, err = said(capsys, *words, "--format", "none", "--plot", str(path))
     assert (status, out, err) == (0, "", "")
     drawn = path.read_bytes()
     assert drawn.startswith(b"<?xml")
     assert len(drawn) > 4000
-    said(capsys, *words, "--report", "none", "--plot", str(path))
+    said(capsys, *words, "--format", "none", "--plot", str(path))
     assert path.read_bytes() == drawn, "the same picture has the same bytes"
 
 

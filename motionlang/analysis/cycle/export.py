@@ -36,12 +36,12 @@ def write_profile(made: TimeProfile, path: str) -> None:
     elif lower.endswith(".trace.json"):
         pieces = _trace(made)
     else:
-        pieces = _report(made)
+        pieces = json_pieces(made)
     with replacing(path) as file:
         file.writelines(piece.encode() for piece in pieces)
 
 
-def _report(made: TimeProfile) -> Iterator[str]:
+def json_pieces(made: TimeProfile) -> Iterator[str]:
     """`TimeProfile.report` as JSON with an indent of 1, ten times as fast as json.
 
     Of links that differ in their times alone one is written out; the end of one is the begin of the next.

@@ -227,7 +227,20 @@ def test_the_command_and_its_status(folder: Path, arguments: tuple[str, ...], st
 
 def test_json_and_a_page_with_both(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert (
-        main(["compare", "two.mnt", "real.csv", "--map", "position.0=2", "--json", "--plot", "x.html"]) == 0
+        main(
+            [
+                "compare",
+                "two.mnt",
+                "real.csv",
+                "--map",
+                "position.0=2",
+                "--format",
+                "json",
+                "--plot",
+                "x.html",
+            ]
+        )
+        == 0
     )
     report = json.loads(capsys.readouterr().out)
     assert report["schema"] == "motionlang.compare/1"

@@ -249,7 +249,7 @@ def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert main(["run", "cycle.mnt", "--profile", "--profile-to", "x.speedscope.json"]) == 0
     assert "time profile of 3.0" in capsys.readouterr().out
     assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
-    assert main(["run", "cycle.mnt", "--report", "json", "--profile-to", "x.json"]) == 0
+    assert main(["run", "cycle.mnt", "--format", "json", "--profile-to", "x.json"]) == 0
     assert json.loads(capsys.readouterr().out)["status"] == "ended"
     assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang.cycle/1"
 
@@ -257,7 +257,7 @@ def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> N
 def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with (folder / "cycle.machine.toml").open("a") as file:
         file.write("[budget]\ntime = 2.9\nmotion = 2\ndwell = 0.2\n")
-    assert main(["run", "cycle.mnt", "--report", "none"]) == 1
+    assert main(["run", "cycle.mnt", "--format", "none"]) == 1
     told = capsys.readouterr().err
     assert "the run took 3.0" in told
     assert "dwell took 0.25" in told

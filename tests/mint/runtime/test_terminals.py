@@ -127,7 +127,7 @@ REMOTEESTOP(2, 7) = 1
 def test_very_many_values_are_counted() -> None:
     text = "For i = 1 To 99\n  REMOTECOMMS(1, 2, i) = i\nNext\n"
     table = render(run(Source("a.mnt", text), cache=False))
-    assert "… and 59 more: --report json has all" in table
+    assert "… and 59 more: --format json has all" in table
     assert "element 41" not in table
 
 

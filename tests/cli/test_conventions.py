@@ -1,0 +1,134 @@
+"""One convention for all commands: --format, -o, -q, -j, -V, help in 80 columns."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from motionlang import __version__
+from tests.cli.programs import Cell
+from tests.cli.test_old_names import ALL
+
+MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
+# Commands that print data, with what they need.
+PRINTING = {
+    "run": ("a.mnt",),
+    "profile": ("a.mnt",),
+    "prove": ("a.mnt",),
+    "check": ("a.mnt",),
+    "verify": ("a.mnt",),
+    "diff": ("a.mnt", "a.mnt"),
+    "sweep": ("a.mnt", "--vary", "rate=1,2", "--keep", "time"),
+    "plan": ("--distance", "20", "--time", "0.6", "--rule", "third"),
+    "keywords": ("SPEED",),
+    "notes": ("tn1069",),
+    "servo": ("slip", "--speed", "10", "--weight", "5"),
+}
+
+
+@pytest.fixture
+def program(cell: Cell) -> Cell:
+    cell.write("a.mnt", "Dim rate = 1\nSPEED(0) = rate\n" + MOVE)
+    return cell
+
+
+@pytest.mark.parametrize("parser", ALL, ids=lambda each: each.prog)
+def test_help_fits_80_columns(parser: object, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    text = parser.format_help()  # type: ignore[attr-defined]
+    assert [line for line in text.splitlines() if len(line) > 80] == []
+
+
+@pytest.mark.parametrize("verb", PRINTING)
+def test_o_writes_what_is_printed_into_a_file(verb: str, program: Cell) -> None:
+    line = (verb, *PRINTING[verb], "--format", "json")
+    printed = program(*line)
+    written = program(*line, "-o", "out.json")
+    assert (written.status, written.out, written.err) == (printed.status, "", printed.err)
+    text = (program.folder / "out.json").read_text(encoding="utf-8")
+    assert text == printed.out
+    assert json.loads(text)["schema"].startswith("motionlang.")
+
+
+def test_a_file_that_cannot_be_written_is_one_message(program: Cell) -> None:
+    ran = program("run", "a.mnt", "-o", "missing/out.txt")
+    assert (ran.status, ran.out) == (1, "")
+    assert "error[file]: missing/out.txt cannot be written: no such file or directory" in ran.err
+
+
+def test_a_wrong_command_line_leaves_the_old_file(program: Cell) -> None:
+    path = program.write("out.json", "old")
+    assert program("plan", "--distance", "20", "-o", "out.json").status == 2
+    assert path.read_text() == "old"
+
+
+@pytest.mark.parametrize(("old", "new"), [("--report", "--format"), ("--json", "--format json")])
+def test_old_spellings_work_with_a_note(old: str, new: str, program: Cell) -> None:
+    given = (
+        ("run", "a.mnt", "--report", "json") if old == "--report" else ("plan", *PRINTING["plan"], "--json")
+    )
+    ran = program(*given)
+    assert ran.status == 0
+    assert json.loads(ran.out)["schema"]
+    assert ran.err == f"note: motionlang {given[0]}: {old} is now {new}\n"
+
+
+def test_q_prints_no_report(program: Cell) -> None:
+    assert program("run", "a.mnt", "-q").out == "5.0000\n"
+    assert program("check", "a.mnt", "-q").out == ""
+    assert program("check", "a.mnt").out == "a.mnt: no problems\n"
+
+
+def test_a_proof_without_a_report_still_has_its_verdict(program: Cell) -> None:
+    proof = program("prove", "a.mnt", "-q").out
+    assert proof.startswith("5.0000\nproof: moves 1, profiles 1, joins 2, paths 0; no violations\n")
+
+
+def test_j_is_the_number_of_processes(program: Cell) -> None:
+    for verb in ("check", "verify", "sweep"):
+        ran = program(verb, "-j", "0", "a.mnt")
+        assert ran.status == 2
+        assert "argument -j/--jobs" in ran.err
+
+
+def test_capital_v_is_the_version(cell: Cell) -> None:
+    assert cell("-V").out == cell("--version").out == f"motionlang {__version__}\n"
+
+
+def test_check_writes_diagnostics_to_standard_output(cell: Cell) -> None:
+    cell.write("a.mnt", "SPED(0) = 5\n")
+    ran = cell("check", "a.mnt")
+    assert (ran.status, ran.err) == (1, "")
+    assert ran.out.startswith("error[unknown-word]: SPED is unknown")
+    assert ran.out.endswith("a.mnt: 1 error\n")
+    assert "SPED" not in cell("check", "a.mnt", "--format", "json").err
+
+
+@pytest.mark.parametrize("verb", ["check", "verify"])
+def test_without_a_path_this_folder_is_meant(
+    verb: str, tmp_path: object, program: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = program.folder / "cell"
+    folder.mkdir()
+    (folder / "b.mnt").write_text(MOVE)
+    monkeypatch.chdir(folder)
+    assert program(verb).out == program(verb, ".").out
+    assert "b.mnt" in program(verb).out
+
+
+def test_rows_of_a_sweep_as_json(program: Cell) -> None:
+    """A move of 5 at 1 and 2 uu/s takes 5 s and 2.5 s, and the ramps add v/a."""
+    ran = program("sweep", *PRINTING["sweep"], "--format", "json")
+    rows = json.loads(ran.out)["rows"]
+    assert [(row["variant"], row["rate"], row["problem"]) for row in rows] == [(0, 1, None), (1, 2, None)]
+    accel = 40_000.0  # MintMT's default, counts/s²
+    assert [row["time"] for row in rows] == [
+        pytest.approx(5.0 / rate + rate / accel, abs=1e-4) for rate in (1.0, 2.0)
+    ]
+
+
+def test_a_note_that_does_not_exist(cell: Cell) -> None:
+    ran = cell("notes", "x")
+    assert ran.status == 2
+    assert "there is no note x; choose tn1069, an00115 or chapter12" in ran.err
