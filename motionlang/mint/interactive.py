@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import Interactive
 from motionlang.mint.compile.compiler import compile_line
-from motionlang.mint.compile.overrides import override_if_there
+from motionlang.mint.compile.overrides import override, override_if_there
 from motionlang.mint.resolve.symbols import Function, Scope
 from motionlang.mint.runtime.code_units import TIME, bind
 from motionlang.mint.runtime.environment import Environment
@@ -20,6 +20,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
+    from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
 
@@ -56,10 +57,25 @@ class MintInteractive(Interactive):
         """
         module = parse(source)
         override_if_there(module, self.machine.overrides)
+        return self._task_of(module, of_program=False)
+
+    def program(self, source: Source, strict: bool = False) -> Task:
+        """Compile a whole program: faults of the machine file may name its lines.
+
+        Raises ProgramError for errors, and if `strict` for values that `--set` gives to names it has not.
+        """
+        module = parse(source)
+        (override if strict else override_if_there)(module, self.machine.overrides)
+        self.environment.timer = [self.environment.clock.now]
+        return self._task_of(module, of_program=True)
+
+    def _task_of(self, module: Module, of_program: bool) -> Task:
         before = dict(self._scope.names)
         file = f"<mint {self._inputs}>"
         try:
-            compiled = compile_line(module, self.machine.settings, self._scope, f"_{self._inputs}", file)
+            compiled = compile_line(
+                module, self.machine.settings, self._scope, f"_{self._inputs}", file, of_program
+            )
         except ProgramError:
             self._scope.names = before  # a line with errors declares nothing
             raise

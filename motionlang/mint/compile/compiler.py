@@ -67,10 +67,7 @@ def compile_module(
     With `debug` it counts its statements, and a debugger may stop it.
     """
     problems = Problems(module)
-    if settings and "fault" in settings:
-        from motionlang.mint.compile.line_triggers import mark
-
-        mark(module, settings, problems)
+    _mark_faults(module, settings, problems)
     whole = _declared(module, settings, problems, None, "")
     whole.ranges, whole.debugging = ranges, Debugging() if debug else None
     bodies = {function: _function(whole, function) for function in whole.names.functions}
@@ -81,19 +78,35 @@ def compile_module(
 
 
 def compile_line(
-    module: Module, settings: dict[str, object] | None, scope: Scope, suffix: str, file: str
+    module: Module,
+    settings: dict[str, object] | None,
+    scope: Scope,
+    suffix: str,
+    file: str,
+    of_program: bool = False,
 ) -> TypedLine:
     """Compile a line typed at a prompt, with the names of `scope`.
 
-    Raises ProgramError with all errors.
+    With `of_program` it is a whole program, whose lines may trigger faults of the machine file. Raises
+    ProgramError with all errors.
     """
     known_before = dict(scope.names)
     problems = Problems(module)
+    if of_program:
+        _mark_faults(module, settings, problems)
     with StackSpace():
         whole = _declared(module, settings, problems, scope, suffix)
         bodies = {function: _function(whole, function) for function in whole.names.functions}
         problems.raise_errors()
         return assemble_line(whole, bodies, known_before, file)
+
+
+def _mark_faults(module: Module, settings: Mapping[str, object] | None, problems: Problems) -> None:
+    """Mark the lines at which the machine file has a fault."""
+    if settings and "fault" in settings:
+        from motionlang.mint.compile.line_triggers import mark
+
+        mark(module, settings, problems)
 
 
 def _declared(

@@ -133,7 +133,7 @@ class MintConsole:
         """
         self.texts.set(PROGRAM, source.text)
         self._interactive.forget()
-        self._begin(source, self._interactive.task(source), None, program=True)
+        self._begin(source, self._interactive.program(source, strict=True), None, program=True)
 
     def open(self, echo: bool | None = None) -> MintPort:
         """Open a line for another host; without `echo` nothing that it sends comes back.
@@ -261,7 +261,7 @@ class MintConsole:
     def _start(self, source: Source, port: MintPort | None) -> None:
         """Start a text of the memory; all hosts learn of its errors."""
         try:
-            task = self._interactive.task(source)
+            task = self._interactive.program(source)
         except ProgramError as error:
             self._source, self._is_program, self._by = source, True, port
             self._ended(error.diagnostics)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang.errors import ProgramError
+from motionlang.mint.hosts.console import MintConsole
 from motionlang.mint.hosts.hcp import write_frame
+from motionlang.source import Source
 from tests.mint.hosts.lines import Line
 
 COUNTER = "Dim n As Integer\nLoop\n  n = n + 1\n  Wait = 100\nEnd Loop\n"
@@ -213,3 +215,33 @@ def test_what_is_printed_before_a_host_comes_waits_for_it() -> None:
     line.console.close(line.port)
     line.run(0.1)
     assert [line.console.open(echo=False).take() for _ in range(2)] == [b"ready\r\n", b""]
+
+
+def test_a_program_starts_as_at_power_up_each_time() -> None:
+    """Startup runs, TIME begins at 0, and the tasks of the run before have ended."""
+    tasks = 'Task t\n  Wait = 500\n  Print "task"\nEnd Task\nRun t\nWait = 100'
+    line = Line(f'Startup\n  Print "start ", TIME\nEnd Startup\n{tasks}')
+    line.run(2.0)
+    line.send(b"RUN\n")
+    line.run(2.0)
+    assert line.said() == "start 0\nP>start 0\nP>"
+
+
+def test_a_value_for_a_name_that_the_program_has_not_is_an_error() -> None:
+    source = Source("served.mnt", "Dim width = 3\nPrint width")
+    with pytest.raises(ProgramError, match="no constant or variable depth"):
+        MintConsole(None, {"depth": 4.0}).load(source)
+    console = MintConsole(None, {"width": 4.0})
+    console.load(source)
+    console.run(0.1)
+    assert console.open().take().startswith(b"4.0000\r\n")
+
+
+def test_a_fault_of_the_machine_file_at_a_line() -> None:
+    settings = {"fault": [{"axis": 0, "kind": "following-error", "line": 3}]}
+    console = MintConsole(settings)
+    console.load(Source("served.mnt", "Wait = 100\nPrint AXISERROR(0)\nWait = 100\nPrint AXISERROR(0)"))
+    console.run(1.0)
+    before, after = console.open().take().split(b"\r\n")[:2]
+    assert before == b"0"
+    assert after != b"0"
