@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from motionlang.cli.complaints import complain
 from motionlang.cli.output_queue import dropped
 from motionlang.cli.serve_hosts import cannot, greet, open_lines, remark, say, until_signal, warn
-from motionlang.cli.serve_modbus import modbus_server
+from motionlang.cli.serve_modbus import modbus_server, remark_on_mapping
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import accelerators
@@ -64,6 +64,8 @@ def serve_line(
         try:
             if open_lines(server, args):
                 modbus = _open_modbus(args, server, console, pace, model)
+                if modbus is not None and source is not None:
+                    remark_on_mapping(source, model, say)
                 until_signal(server)
             else:
                 status = 1

@@ -93,13 +93,18 @@ def _outside(args: argparse.Namespace) -> Outside:
 def _greet(server: ModbusServer, source: Source, model: str) -> None:
     where = shown(server.host, server.port)
     _say(f"listening on {where} (Modbus TCP); Ctrl-C ends it\n")
-    if PRODUCTS[product(model)] == "netdata" and "modbusparameter" not in source.text.lower():
-        mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
-        _say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")
+    remark_on_mapping(source, model, _say)
     if not is_loopback(server.host):
         _say(
             f"warning: any computer that can reach this one can write through {where}; there is no password\n"
         )
+
+
+def remark_on_mapping(source: Source, model: str, say: Callable[[str], None]) -> None:
+    """Say which memory clients see, if the program does not choose it."""
+    if PRODUCTS[product(model)] == "netdata" and "modbusparameter" not in source.text.lower():
+        mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
+        say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")
 
 
 def _farewell(result: Run, server: ModbusServer, file: str, queues: list[OutputQueue]) -> int:

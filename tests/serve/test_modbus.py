@@ -29,6 +29,7 @@ from tests.cli.programs import MAX_SECONDS
 
 pytest.importorskip("pymodbus")
 from pymodbus.client import ModbusTcpClient
+from pyModbusTCP.client import ModbusClient
 
 from motionlang.serve.modbus import ModbusServer
 
@@ -126,6 +127,19 @@ def test_what_does_not_exist_is_told_to_the_client(served: Served) -> None:
         (served.client.read_coils(0, count=1), 1),
     ):
         assert (answer.isError(), answer.exception_code) == (True, code)
+
+
+def test_another_client_than_pymodbus(served: Served) -> None:
+    """pyModbusTCP writes and reads registers, and reads the identification."""
+    client = ModbusClient("127.0.0.1", served.server.port, unit_id=5, timeout=10.0)
+    try:
+        assert client.write_multiple_registers(20, [7, 8])
+        assert client.read_holding_registers(20, 2) == [7, 8]
+        found = client.read_device_identification()
+        assert found is not None
+        assert (found.vendor_name, found.product_code) == (b"motionlang", b"Virtual Controller")
+    finally:
+        client.close()
 
 
 def test_the_comms_array_of_an_esb() -> None:
