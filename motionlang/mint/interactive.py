@@ -32,6 +32,8 @@ class MintInteractive(Interactive):
         self.environment = Environment(machine)
         self.environment.prepare()
         self._inputs = 0
+        # The tasks of lines that declared no function, with what is of no use when they have ended.
+        self._passing: list[tuple[MintTask, list[str], str]] = []
         self._scope: Scope
         self._namespace: dict[str, object]
         self.forget()
@@ -69,7 +71,16 @@ class MintInteractive(Interactive):
         self.environment.timer = [self.environment.clock.now]
         return self._task_of(module, of_program=True)
 
+    def _drop_ended(self) -> None:
+        """Drop the operations of lines that have ended, because hosts may type lines for days."""
+        for _, operations, file in [each for each in self._passing if each[0].done]:
+            for name in operations:
+                self._namespace.pop(name, None)
+            self.environment.files.pop(file, None)
+        self._passing = [each for each in self._passing if not each[0].done]
+
     def _task_of(self, module: Module, of_program: bool) -> Task:
+        self._drop_ended()
         before = dict(self._scope.names)
         file = f"<mint {self._inputs}>"
         try:
@@ -92,4 +103,6 @@ class MintInteractive(Interactive):
         task.priority = self.environment.priorities.get(PARENT, 0)
         self.environment.tasks[PARENT] = task
         task.timer = self.environment.timer  # TIME continues from one line to the next
+        if compiled.unit.names == ("main",) and not compiled.blocks:
+            self._passing.append((task, compiled.operations, file))
         return task

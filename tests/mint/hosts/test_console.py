@@ -245,3 +245,15 @@ def test_a_fault_of_the_machine_file_at_a_line() -> None:
     before, after = console.open().take().split(b"\r\n")[:2]
     assert before == b"0"
     assert after != b"0"
+
+
+def test_typed_lines_leave_nothing_but_their_names() -> None:
+    line = Line()
+    line.ask(b"x = 1\r")
+    sizes = []
+    for _ in range(3):
+        for _ in range(20):
+            assert line.ask(b"x = x + 1 : Print POS(0), x\r").endswith("P>")
+        sizes.append(len(line.console._interactive._namespace))
+    assert len(set(sizes)) == 1
+    assert line.ask(b"Print x\r") == "61.0000\nP>"
