@@ -176,7 +176,8 @@ def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
             continue
         before, after = left.at(left.length), right.at(0.0)
         if len(sizes) == 1:
-            sizes += [max(1.0, profile.peak_speed), max(1.0, *(r for r in order.rates if r < inf), 1.0)]
+            rate = _counts(a, order) * max((r for r in order.rates if r < inf), default=0.0)
+            sizes += [max(1.0, profile.peak_speed), max(1.0, rate)]
         late = 4e-16 * (1.0 + a.starts[i] + right.begin)
         slopes = (abs(before[1]), abs(before[2]), max(abs(before[3]), steepest))
         for which, name in enumerate(names):
@@ -185,3 +186,9 @@ def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
                 where = f"axis {a.index} at {a.starts[i] + right.begin:.6f} s"
                 proof.breaks(order.line, f"{where}: the {name} jumps by {gap:g} counts within a profile")
         left, changed = right, [0.0, 0.0, 0.0]
+
+
+def _counts(a: WholeTrack, order: Order) -> float:
+    """Return the counts per unit of an order's rates: those of a path are in user units."""
+    path = order.path
+    return 1.0 if path is None else abs(path.scales[path.members.index(a.index)])
