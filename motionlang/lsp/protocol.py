@@ -29,8 +29,8 @@ REQUEST_FAILED = -32803
 class Malformed:
     """A message whose form is wrong: the `id` to answer, None if it has none."""
 
-    def __init__(self, number: int | str | None, code: int, message: str) -> None:
-        self.id, self.code, self.message = number, code, message
+    def __init__(self, number: int | str | None, code: int, message: str, method: str = "") -> None:
+        self.id, self.code, self.message, self.method = number, code, message, method
 
 
 class Protocol(LanguageServerProtocol):
@@ -50,35 +50,38 @@ class Protocol(LanguageServerProtocol):
             return super().structure_message(data)
         except Exception:
             number = data.get("id")
-            is_request = "method" in data and isinstance(number, int | str) and not isinstance(number, bool)
-            if not is_request:
-                return (
-                    Malformed(None, INVALID_REQUEST, "")
-                    if "id" not in data
-                    else Malformed(None, INVALID_REQUEST, "the message has no valid form")
-                )
-            return Malformed(number, INVALID_PARAMETERS, f"invalid parameters of {data['method']}")
+            if "method" in data and isinstance(number, int | str) and not isinstance(number, bool):
+                method = str(data["method"])
+                return Malformed(number, INVALID_PARAMETERS, f"invalid parameters of {method}", method)
+            # A notification has no answer.
+            return Malformed(None, INVALID_REQUEST, "the message has no valid form" if "id" in data else "")
 
     def handle_message(self, message: Any) -> None:
         """Answer a message, or pass it to its handler."""
+        method, number = getattr(message, "method", None), getattr(message, "id", None)
         if isinstance(message, Malformed):
-            if message.message:
-                self._refuse(message.id, message.code, message.message)
-            return
-        method = getattr(message, "method", None)
-        number = getattr(message, "id", None)
-        if isinstance(message, dict) or getattr(message, "jsonrpc", None) != self.VERSION:
+            refused = self._out_of_order(method) if number is not None else None
+            code, text = refused or (message.code, message.message)
+            if text:
+                self._refuse(number, code, text)
+        elif isinstance(message, dict) or getattr(message, "jsonrpc", None) != self.VERSION:
             self._refuse(None, INVALID_REQUEST, "the message is not JSON-RPC 2.0")
-        elif self._shutdown and method != types.EXIT:
-            if method is not None and number is not None:
-                self._refuse(number, INVALID_REQUEST, "the server is shut down")
-        elif method == types.INITIALIZE and self._is_initialized:
-            self._refuse(number, INVALID_REQUEST, "the server is initialized already")
-        elif method is not None and not self._is_initialized and method not in (types.INITIALIZE, types.EXIT):
-            if number is not None:
-                self._refuse(number, NOT_INITIALIZED, "the server is not initialized")
         else:
-            super().handle_message(message)
+            refused = self._out_of_order(method) if method is not None else None
+            if refused is None:
+                super().handle_message(message)
+            elif number is not None:
+                self._refuse(number, *refused)
+
+    def _out_of_order(self, method: str | None) -> tuple[int, str] | None:
+        """Return code and text of the error of a message at the wrong time, or None."""
+        if method == types.EXIT:
+            return None
+        if self._shutdown:
+            return INVALID_REQUEST, "the server is shut down"
+        if method == types.INITIALIZE:
+            return (INVALID_REQUEST, "the server is initialized already") if self._is_initialized else None
+        return None if self._is_initialized else (NOT_INITIALIZED, "the server is not initialized")
 
     def _refuse(self, number: int | str | None, code: int, text: str) -> None:
         self._send_data({"jsonrpc": self.VERSION, "id": number, "error": {"code": code, "message": text}})

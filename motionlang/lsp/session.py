@@ -15,6 +15,7 @@ from pygls.uris import to_fs_path
 
 from motionlang.editor.diagnostics import settings_of
 from motionlang.editor.page import Page
+from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.names import NO_NAMES
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from typing import Any, Protocol
 
     from motionlang.editor.times import Times
-    from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.names import Names
 
@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 
 # Seconds without a key after which typing has paused.
 PAUSE = 0.2
+# Characters of the largest text that is examined; a program of 10 000 lines has about 300 000.
+MAX_TEXT = 2_000_000
 
 
 class Known:
@@ -120,8 +122,8 @@ class Session:
         return self._known.get(uri)
 
     def page(self, known: Known) -> Page | None:
-        """Return the page of a text, None for a machine file."""
-        if known.language is None:
+        """Return the page of a text, None for a machine file and for a very large text."""
+        if known.language is None or len(known.document.text) > MAX_TEXT:
             return None
         if known.page is None or known.page.source is not known.document.source:
             name, text = self._machine_of(known.document.uri)
@@ -132,8 +134,7 @@ class Session:
     def names(self, known: Known) -> Names:
         """Return the names of the present text."""
         page = self.page(known)
-        if page is not None:
-            known.names = page.names
+        known.names = page.names if page is not None else NO_NAMES
         return known.names
 
     def machine_changed(self) -> None:
@@ -170,14 +171,24 @@ class Session:
 
     async def _check(self, known: Known) -> None:
         source = known.document.source
-        result = await self._do(CHECK, known)
-        if isinstance(result, list) and self._is_current(known, source):
-            known.found, known.checked = result, known.document.version
-            self._publish(known.document, result)
+        result: list[Diagnostic] | Times | None = None
+        if len(source.text) <= MAX_TEXT:
+            # A worker that died has no result; the next one may have.
+            result = await self._do(CHECK, known)
+            if result is None and self._is_current(known, source):
+                result = await self._do(CHECK, known)
+        if not self._is_current(known, source):
+            return
+        if not isinstance(result, list):
+            message = "the text is too large to be checked as you type"
+            hint = f"motionlang check {known.document.name} checks it"
+            result = [Diagnostic("limit", message, 1, 1, hint=hint, severity="warning")]
+        known.found, known.checked = result, known.document.version
+        self._publish(known.document, result)
 
     async def times(self, known: Known) -> Times | None:
         """Return the times of the lines of the present text, None if it has changed."""
-        if known.language is None:
+        if known.language is None or len(known.document.text) > MAX_TEXT:
             return None
         if known.times is None:
             known.times = self._start(self._times(known))
