@@ -34,6 +34,7 @@ FILES = (
     "assumptions/evidence/servo.toml",
     "assumptions/evidence/copley.toml",
     "assumptions/evidence/serving.toml",
+    "assumptions/evidence/mcapi.toml",
     "assumptions/evidence/prompt.toml",
     "assumptions/evidence/report.toml",
 )
