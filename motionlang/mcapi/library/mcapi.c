@@ -33,12 +33,16 @@
 #define close closesocket
 #define MSG_NOSIGNAL 0
 #define MCAPI_EXPORT __declspec(dllexport)
-typedef SRWLOCK lock_type;
-#define LOCK_INIT SRWLOCK_INIT
+static SRWLOCK guard = SRWLOCK_INIT;
 #define lock(l) AcquireSRWLockExclusive(l)
 #define unlock(l) ReleaseSRWLockExclusive(l)
 #define open_library(path) ((void *)LoadLibraryA(path))
 #define find_symbol(library, name) ((void *)(intptr_t)GetProcAddress((HMODULE)(library), name))
+static double seconds(void)
+{
+    LARGE_INTEGER now, rate;
+    return QueryPerformanceCounter(&now) && QueryPerformanceFrequency(&rate) ? (double)now.QuadPart / (double)rate.QuadPart : 0.0;
+}
 #else
 #include <dlfcn.h>
 #include <netdb.h>
@@ -48,12 +52,16 @@ typedef SRWLOCK lock_type;
 #include <sys/socket.h>
 #include <unistd.h>
 #define MCAPI_EXPORT __attribute__((visibility("default")))
-typedef pthread_mutex_t lock_type;
-#define LOCK_INIT PTHREAD_MUTEX_INITIALIZER
+static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
 #define lock(l) pthread_mutex_lock(l)
 #define unlock(l) pthread_mutex_unlock(l)
 #define open_library(path) dlopen(path, RTLD_NOW | RTLD_LOCAL)
 #define find_symbol(library, name) dlsym(library, name)
+static double seconds(void)
+{
+    struct timespec now = {0, 0};
+    return clock_gettime(CLOCK_MONOTONIC, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
 #endif
 
 #include "mcapi.h"
@@ -67,7 +75,6 @@ typedef struct { const char *fields; int older[4]; } structure;
 typedef struct { char *text; size_t length, size; int failed; } buffer;
 typedef struct connection { struct connection *next; int socket, generation; buffer in; } connection;
 
-static lock_type guard = LOCK_INIT;
 static connection *idle;
 static int generation, broken, owner, ready, is_real, no_real, counter;
 static char token[64];
@@ -252,9 +259,8 @@ static void arguments(const function *f, const item *a, buffer *b, char *answer,
             if (answer || results) continue;
             add(b, memory ? " +" : " -", 2);
         }
-        else if (plain) {
-            if (type == 'd') print_real(b, a[n].d); else print(b, " %lld", a[n].i);
-        }
+        else if (plain && type == 'd') print_real(b, a[n].d);
+        else if (plain) print(b, " %lld", a[n].i);
         else if (type == 'm') add(b, memory ? " +" : " -", 2);
         else if (!memory) { if (!out) add(b, " -", 2); }
         else if (type == 't') print_text(b, memory);
@@ -347,13 +353,6 @@ static void give(connection *c, int works)
     else if (!works && (!c || c->generation == generation)) broken = 1;
     unlock(&guard);
     if (c) drop(c);
-}
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static void start(void)
