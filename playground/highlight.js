@@ -5,7 +5,7 @@ import { tags } from "@lezer/highlight";
 import tables from "./keywords.json";
 
 // The kinds of keywords.json, and those of the texts below, as CodeMirror names them.
-const TAGS = {
+export const TAGS = {
   move: tags.function(tags.variableName),
   keyword: tags.propertyName,
   "not-simulated": tags.deleted,
@@ -35,6 +35,7 @@ function mintToken(stream, state) {
   if (begins && stream.match(/rem\b/i)) return stream.skipToEnd(), "comment";
   if (stream.match(/"(?:[^"\\]|\\.)*(?:"|$)/) || stream.match(/`(?:[^`\\]|\\.)`/)) return "string";
   if (stream.match(/0[xX][0-9a-fA-F]+|0[bB][01]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/)) return "number";
+  if (stream.match(/[A-Za-z_]\w*(?:\.\d+)+/)) return "name";
   const word = stream.match(/[A-Za-z_]\w*/);
   if (word) return MINT.get(word[0].toLowerCase()) ?? "name";
   state.begins = stream.next() === ":";

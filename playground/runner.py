@@ -145,7 +145,8 @@ def _results(made: Run, source: Source) -> Message:
         "table": render(made, width=WIDTH) if began and made.crash is None else "",
         "events": [_event(row) for row, _ in zip(events(made), range(MAX_ROWS), strict=False)],
         "event_count": len(made.machine.log.events),
-        "complaints": complaints(made, frozenset()),
+        # Without their hint, an option of the command line.
+        "complaints": [each.partition("; --")[0] for each in complaints(made, frozenset())],
         **_wrong(diagnostics, source, "program"),
     }
 

@@ -21,7 +21,7 @@ from tests.installed import EXTRAS, PROJECT, USED, Install, check, closure, firs
 from tests.lowest import SUPPORTED, lowest
 
 # Extras that the package itself does not import: for developers, and Dask, whose executor users pass in.
-UNUSED = {"dev", "bench", "dask"}
+UNUSED = {"dev", "bench", "dask", "site"}
 links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
 
 

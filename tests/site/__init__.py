@@ -1,4 +1,5 @@
-"""The playground, built and used in browsers: `python -m tests.site`.
+"""The playground and the documentation site, built and used in browsers.
 
-It needs Node and a Chromium or a Firefox; `python -m tests` needs none of them.
+`python -m tests.site` needs Node, a Chromium or a Firefox, and the extra `site`; `python -m tests` needs none of
+them.
 """

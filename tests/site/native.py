@@ -14,10 +14,15 @@ from typing import Any
 
 from motionlang.cli import main
 from motionlang.execution import run
+from motionlang.lang.dialect import dialect
 from motionlang.source import Source
+from motionlang.views.highlight import pieces
 from motionlang.views.table import render
 
 ROOT = Path(__file__).parents[2]
+# The kinds of tokens that have a colour, and those that have another name in the editor.
+COLOURED = ("move", "keyword", "not-simulated", "control", "axis", "register", "number", "string", "comment")
+KINDS = {"text": "string"}
 
 
 def printed(path: Path) -> str:
@@ -27,6 +32,17 @@ def printed(path: Path) -> str:
     with contextlib.redirect_stdout(text), contextlib.redirect_stderr(io.StringIO()):
         main(["run", str(path), "--no-cache"])
     return out.getvalue().decode()
+
+
+def kinds_of(path: Path) -> dict[str, Any]:
+    """Return the text of a program, and offset, kind and text of its coloured tokens."""
+    text = path.read_text(encoding="utf-8")
+    tokens = [
+        (offset, KINDS.get(kind, kind), piece)
+        for offset, kind, piece in pieces(dialect(path.parent.name), text)
+        if kind in KINDS or kind in COLOURED
+    ]
+    return {"text": text, "tokens": tokens}
 
 
 def shift() -> dict[str, Any]:
@@ -47,7 +63,8 @@ def write(file: Path) -> None:
     sys.stdin = io.StringIO("")
     programs = [path for path in sorted(ROOT.glob("scripts/*/*")) if path.suffix in (".mnt", ".mcl")]
     found: dict[str, Any] = {f"{path.parent.name}/{path.name}": printed(path) for path in programs}
-    file.write_text(json.dumps({**found, "shift": shift()}), encoding="utf-8")
+    kinds = {f"{path.parent.name}/{path.name}": kinds_of(path) for path in programs}
+    file.write_text(json.dumps({**found, "shift": shift(), "kinds": kinds}), encoding="utf-8")
 
 
 if __name__ == "__main__":

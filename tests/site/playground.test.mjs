@@ -11,6 +11,12 @@ const native = JSON.parse(readFileSync(NATIVE, "utf-8"));
 const MOVE = "SPEED(0) = 50\nACCEL(0) = 500\nDECEL(0) = 500\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n";
 const LOOP = "Dim n\nWhile 1\nn = n + 1\nIf n > 1000 Then n = 0\nEnd While\n";
 
+test("there is a Chromium", async () => {
+  const browser = await launch("chromium");
+  assert.ok(browser);
+  await browser.close();
+});
+
 for (const name of ["chromium", "firefox"]) {
   const browser = await launch(name);
   describe(name, { skip: browser === null && `no ${name} is installed` }, () => {
