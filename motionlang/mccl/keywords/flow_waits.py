@@ -26,7 +26,10 @@ _REACHED = 1e-6
 
 @pure
 def wait(task: CommandTask, command: Command) -> Wait | None:
-    return _dwell(task, command, task.board.controller.clock.now)
+    found = _dwell(task, command, task.board.controller.clock.now)
+    if found is not None:
+        task.poll.wait(task.board.seconds(float(task.value(command))))
+    return found
 
 
 def wait_stop(task: CommandTask, command: Command) -> Wait | None:

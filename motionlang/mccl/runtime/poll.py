@@ -5,6 +5,9 @@ between only read, the result stays the same until an event. This also holds if 
 provided that an iteration sets it before it uses it, and only compares it after reading what changes by
 itself: then it repeats until one of these comparisons changes. The command that follows is that of the last
 whole iteration before the event.
+
+An iteration that waits for a time (WA) is skipped, too. Its times are sums that round, so they are added up
+one by one.
 """
 
 from __future__ import annotations
@@ -52,6 +55,8 @@ _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 # The largest number of iterations without a check; with it a checked loop costs little more than an unchecked
 # one.
 MAX_BACK_OFF = 1024
+# An iteration with more waits for a time is not skipped.
+MAX_WAITS = 100
 
 
 class Poll:
@@ -68,6 +73,7 @@ class Poll:
         "_left",
         "_rewrites",
         "_task",
+        "_waits",
         "_writes",
         "dependencies",
         "hopeless",
@@ -76,15 +82,18 @@ class Poll:
     def __init__(self, task: CommandTask) -> None:
         self._task = task
         self.dependencies = Dependencies(task.board.controller.clock)
-        # The position with the effects by then, the accumulator, the count of commands, and the next event.
-        # The last item shows whether another task has run since, or this one has waited.
-        self._before: tuple[tuple[object, ...], float | int, int, float, object] = (
+        # The position with the effects by then, the accumulator, the base and the count of commands, and the
+        # next event. The last item shows whether another task has run since.
+        self._before: tuple[tuple[object, ...], float | int, float, int, float, int] = (
             (None, None),
             0,
+            0.0,
             0,
             0.0,
-            None,
+            -1,
         )
+        # The waits for a time since the last jump back: the count of commands from the base, and seconds.
+        self._waits: list[tuple[int, float]] = []
         self.hopeless: float | None = None
         # The effects of tasks and events up to the last hopeless iteration, and the commands of that
         # iteration.
@@ -106,33 +115,42 @@ class Poll:
                 self._alone -= 1
                 return None
         dependencies, clock, board = self.dependencies, self.dependencies.clock, task.board
-        (before, accumulator, count, event, ran), held = self._before, task.registers[0]
-        wait, now, length = None, clock.now, task.count - count
+        (before, accumulator, base, count, event, ran), held = self._before, task.registers[0]
+        wait, now = None, clock.now
         place = task.line, task.pc, board.effects, len(task.calls)
+        waits, self._waits = self._waits, []
+        goes_on = ran == board.turns and after(base, waits, task.cost) == task.base
+        repeats = goes_on and before == place and (task.count == count if waits else task.count > count)
         self._writes, self._rewrites = board.rewrites != self._rewrites, board.rewrites
-        by_itself = board.turns, task.base
         notes, dependencies.notes = dependencies.notes, []
         if before[:2] != place[:2] or now >= event or notes is None:
             self._alone = 0  # after an event, earlier reads are out of date
-        elif ran != by_itself:
+        elif not goes_on:
             self._alone = 0
             if before == place and accumulator == held and dependencies.until(now, notes) == INFINITY:
                 self._give_up()
         else:
             until = now
-            if before == place and length > 0:
+            if repeats:
                 until = dependencies.until(now, notes) if accumulator == held else now
                 if until == INFINITY:
                     self._give_up()
                 elif until <= now:
-                    until = dependencies.until(now - length * task.cost - CLOSE, self._levels(notes, now))
+                    began = base + count * task.cost
+                    until = dependencies.until(began - CLOSE, self._levels(notes, now))
             if until > now:
-                self._left, wait = 0, self._skip(until, length)
+                self._left, wait = 0, self._skip(until, task.count - count, waits)
             else:
                 self._alone, self._left = self._left, min(2 * self._left or 1, MAX_BACK_OFF)
                 dependencies.notes = None if self._alone else []
-        self._before = place, held, task.count, clock.next_time(), by_itself
+        self._before = place, held, task.base, task.count, clock.next_time(), board.turns
         return wait
+
+    def wait(self, seconds: float) -> None:
+        """Record a wait for a time that begins now."""
+        if len(self._waits) >= MAX_WAITS:
+            self._waits.clear()
+        self._waits.append((self._task.count, seconds))
 
     def is_hopeless(self) -> bool:
         """True if only a task or an event can change the loop, and neither has come.
@@ -171,23 +189,41 @@ class Poll:
         commands = task.line.commands[task.pc : max(task.here, task.pc) + 1]
         self._done = task.board.effects, self.dependencies.clock.fired, tuple(commands)
 
-    def _skip(self, until: float, length: int) -> Wait | None:
-        """Skip equal iterations of `length` commands until a time."""
+    def _skip(self, until: float, length: int, waits: list[tuple[int, float]]) -> Wait | None:
+        """Skip equal iterations, of `length` commands or with `waits`, until a time."""
         task, clock = self._task, self.dependencies.clock
         board, now, turns = task.board, clock.now, task.board.turns
         scheduler = board.machine.scheduler
         assert scheduler is not None
         until = min(until, clock.next_time(), board.next_wake(task))
-        if until == INFINITY and self._writes:
+        if until == INFINITY and (self._writes or waits):
             until = scheduler.until
-            if until == INFINITY:
-                return None
+            if until == INFINITY or (waits and len(board.tasks) > 1):
+                return None  # the run may end before, if all tasks are hopeless
         if until == INFINITY:
             why = "in a loop that polls only values that never change"
             return Wait(now, lambda: board.turns != turns, lambda: INFINITY, why)
         until = min(until, max(task.horizon, scheduler.reach()))
+        if waits:
+            self._skip_waits(until, waits)
+            return None
         task.count += length * max(0, int((until - now) / (length * task.cost)) - 1)
         return None
+
+    def _skip_waits(self, until: float, waits: list[tuple[int, float]]) -> None:
+        """Skip iterations that wait for a time, all but the last one before a time."""
+        task = self._task
+        rest = task.count * task.cost
+        before = last = base = task.base
+        if len(waits) == 1:  # as in `after`
+            ((count, seconds),) = waits
+            busy = count * task.cost
+            while base + rest < until:
+                before, last, base = last, base, base + busy + seconds
+        else:
+            while base + rest < until:
+                before, last, base = last, base, after(base, waits, task.cost)
+        task.base = before
 
     def _levels(self, notes: list[Note], now: float) -> list[Note]:
         """Return the dependencies of an iteration on the values that it compares.
@@ -226,3 +262,10 @@ class Poll:
                 elif verbs[k] not in _NEUTRAL:
                     return [(self.dependencies.at_once, ())]
         return found
+
+
+def after(base: float, waits: list[tuple[int, float]], cost: float) -> float:
+    """Return the base of a task's commands after some waits."""
+    for count, seconds in waits:
+        base = base + count * cost + seconds
+    return base
