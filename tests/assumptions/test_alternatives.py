@@ -21,7 +21,7 @@ ON_THE_LINE = 20
 # Open assumptions about a controller without an alternative, and those without a probe.
 WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 184 + ON_THE_LINE
 # The number of assumptions that no controller can confirm, because they are choices of this program.
-OWN = 61
+OWN = 63
 # The assumptions about PMC's library for hosts. A log that it records answers them, not a program on a controller.
 OF_HOSTS = 24
 NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}

@@ -28,7 +28,8 @@ int main(void)
     int stopped = MCIsStopped(h, 1, 10.0), code = MCGetPositionEx(h, 1, &position);
     int words = MCGetStatusEx(h, 1, &status);
     MCTranslateErrorEx(MCGetPositionEx(h, 99, &position), text, sizeof text);
-    printf("%d %d %d %g %d %lu %d %s\\n", h, stopped, code, position, words, status.ModeStatus, (int)sizeof status, text);
+    printf("%d %d %d %g %d %lu %d %s\\n", h, stopped, code, position, words, status.ModeStatus,
+           (int)sizeof status, text);
     return 0;
 }
 """

@@ -12,11 +12,12 @@ import time
 from pathlib import Path
 from typing import Any
 
+from motionlang.views.highlight import pieces
+
 from motionlang.cli import main
 from motionlang.execution import run
 from motionlang.lang.dialect import dialect
 from motionlang.source import Source
-from motionlang.views.highlight import pieces
 from motionlang.views.table import render
 
 ROOT = Path(__file__).parents[2]

@@ -25,8 +25,8 @@ def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found
     assert orders is not None
     i = next(k for k, order in enumerate(orders.of[1]) if order.path is not None)
     order, planned = orders.of[1][i], track.profiles[i]
-    first, (c0, c1, c2, *rest), *others = planned.pieces
-    curve = planned.knots, (first, (c0, c1, c2 + 0.5 * jump, *rest), *others), ()
+    first, (c0, c1, c2, c3, c4, c5, c6), *others = planned.pieces
+    curve = planned.knots, (first, (c0, c1, c2 + 0.5 * jump, c3, c4, c5, c6), *others), ()
     track.profiles = [*track.profiles]
     track.profiles[i] = from_curve(planned.shape, planned.start, planned.end, curve, 0.0, 0.0)
     proof = Proof()
