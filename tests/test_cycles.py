@@ -20,9 +20,12 @@ GROUPS: dict[tuple[str, str], str] = {
         "a controller owns its axes, an axis its move and its motor; each part asks its owner",
     ("controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
     ("controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
+    ("debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
+    ("debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("lang", "dependencies task"): "a task records what it reads; what it read decides when it goes on",
     ("log", "__init__ log moves"): "the folder's `__init__` has the formats that the log and its moves share",
     ("mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
+    ("lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
     ("mccl/runtime", "board loop_log poll task"): "a board runs tasks, and a task commands its board",
     ("mint/compile", "body conversions loop_times operators polling splitting stops"):
         "a body is handed to those who write parts of it",
