@@ -164,6 +164,8 @@ def serve_command(args: argparse.Namespace) -> int:
     if status:
         return status
     settings, overrides = options.settings, options.overrides
+    if args.can is not None and overrides:
+        args.parser.error(f"--set {next(iter(overrides))}: the drives of --can run no program with names")
     if args.can is not None:
         with never_waiting() as queues:
             try:

@@ -47,7 +47,8 @@ DEVICE_TYPE = 0x00020192
 NAME, HARDWARE = "motionlang virtual drive", "virtual"
 # CAN identifiers: SYNC, and those of a node without its number.
 SYNC_ID, EMCY_ID, HEARTBEAT_ID = 0x80, 0x80, 0x700
-RESET_NODE, RESET_COMMUNICATION, PRE_OPERATIONAL, OPERATIONAL = 129, 130, 127, 5
+RESET_NODE, RESET_COMMUNICATION = 129, 130
+STOPPED, OPERATIONAL, PRE_OPERATIONAL = 4, 5, 127
 # Seconds from a reset to the boot-up message; a master needs some to begin to wait for it.
 BOOT_TIME = 0.02
 # The object with the node whose heartbeat the drive waits for, and its longest time, ms.
@@ -125,6 +126,8 @@ class DriveNode(LocalNode):
 
     def boot(self) -> None:
         """Join the bus: send the boot-up message and wait in pre-operational."""
+        self.network.unsubscribe(self.sdo.rx_cobid, self.sdo.on_request)
+        self.network.subscribe(self.sdo.rx_cobid, self._asked)
         self.network.subscribe(0, self._commanded)
         self.network.subscribe(SYNC_ID, self._synchronise)
         self._start()
@@ -230,6 +233,11 @@ class DriveNode(LocalNode):
             if data[0] == RESET_NODE:
                 self.objects.reset()
             self._heartbeat_at, self._boot_at = INFINITY, self.now + BOOT_TIME
+
+    def _asked(self, can_id: int, data: bytearray, timestamp: float) -> None:
+        """Answer an SDO request, unless the node is stopped."""
+        if self.nmt_state != STOPPED:
+            self.sdo.on_request(can_id, data, timestamp)  # type: ignore[no-untyped-call]
 
     @property
     def _heartbeat_period(self) -> float:

@@ -115,6 +115,16 @@ def test_pdos_wait_for_operational(bus: Bus) -> None:
     assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
 
 
+def test_a_stopped_node_answers_nothing(bus: Bus) -> None:
+    bus.send(0, 2, 1)
+    bus.frames()
+    bus.send(0x601, 0x40, 0x41, 0x60, 0, 0, 0, 0, 0)
+    bus.send(0x201, 6, 0)
+    assert bus.until(0.3) == []
+    bus.send(0, 128, 1)
+    assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
+
+
 def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
     """Error 8210, and bits 0 and 4 of the error register."""
     bus.send(0, 1, 1)

@@ -63,6 +63,7 @@ def test_the_switches_are_those_of_the_machine_file() -> None:
         (["--can", "virtual:x", "--tcp", "0"], "--can serves drives, which run no program"),
         (["a.mnt", "--can", "virtual:x"], "--can serves drives, which run no program"),
         (["--can", "virtual:x", "--clock", "lockstep"], "--can needs --clock real"),
+        (["--can", "virtual:x", "--set", "width=3"], "--set width: the drives of --can run no program"),
         (["--can", "virtual:x", "--log"], "--echo and --log have no effect with --can"),
     ],
 )

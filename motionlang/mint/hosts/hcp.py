@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 STX, ETX, EOT, ENQ, ACK, NAK = 2, 3, 4, 5, 6, 21
 FIRST, LAST = 1, 99
-MAX_CARD = 99
 # The longest text of a number; what is longer is answered with NAK.
 MAX_TEXT = 40
 _CONTROL = 32
@@ -92,21 +91,12 @@ class Elements:
 
 
 class Receiver:
-    """Takes the bytes of one line, and answers the frames among them.
-
-    `requests` counts the frames that were answered.
-    """
+    """Takes the bytes of one line, and answers the frames among them."""
 
     def __init__(self, elements: Elements, card: int = 0) -> None:
         self._elements, self._card = elements, _digits(card)
-        self.requests = 0
         # The bytes since EOT, or None between frames.
         self._frame: bytearray | None = None
-
-    @property
-    def inside(self) -> bool:
-        """True if a frame has begun and not ended."""
-        return self._frame is not None
 
     def take(self, code: int) -> bytes | None:
         """Take a byte; return the answer, or None if it belongs to no frame.
@@ -150,10 +140,7 @@ class Receiver:
     def _ended(self, frame: bytearray, answer: bytes) -> bytes:
         """End a frame; frames for another card get no answer."""
         self._frame = None
-        if bytes(frame[:2]) != self._card:
-            return b""
-        self.requests += 1
-        return answer
+        return answer if bytes(frame[:2]) == self._card else b""
 
 
 def _begin(card: int) -> bytes:

@@ -49,11 +49,6 @@ class MintPort:
         self._out = bytearray()
 
     @property
-    def requests(self) -> int:
-        """The number of HCP frames that were answered."""
-        return self._frames.requests
-
-    @property
     def busy(self) -> bool:
         """True while a line of this host is carried out, or waits to be."""
         return bool(self._waiting) or self.console.serves(self)
