@@ -72,7 +72,10 @@ class MintInteractive(Interactive):
         return self._task_of(module, of_program=True)
 
     def _drop_ended(self) -> None:
-        """Drop the operations of lines that have ended, because hosts may type lines for days."""
+        """Drop the operations of lines that have ended.
+
+        Hosts may type lines for days.
+        """
         for _, operations, file in [each for each in self._passing if each[0].done]:
             for name in operations:
                 self._namespace.pop(name, None)
