@@ -1015,3 +1015,23 @@ def test_the_peak_of_a_shear_that_ends_as_its_master_steps() -> None:
     first = result.controller.log.moves[0].profile
     assert first is not None
     assert first.peak_speed == pytest.approx(40.0)
+
+
+def test_a_path_that_another_one_is_blended_onto_continues_in_the_log() -> None:
+    """The first 50 have 5 left after 2.35 s; the next 50 take 50/20 + 20/100 s from there.
+
+    A MAXSPEED of 100 or 101 is no limit, but each is a new plan of both: 500 of them end an entry.
+    """
+    paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 1950\n"
+    change = "While Not IDLE(0)\nk = k + 1\nMAXSPEED(0) = 100 + k Mod 2\nWAIT = 1\nEnd While\n"
+    result = proved(f"{RATES}{BLEND}Dim k As Integer\n{paths}{change}")
+    moves = [each for each in result.controller.log.moves if each.axis == 0]
+    first, second, third, *_ = moves
+    assert [each.line for each in moves[:3]] == [first.line, second.line, first.line]
+    assert first.ended == "continued"
+    assert third.profile is not None
+    assert third.start_time + third.profile.duration == pytest.approx(2.7, abs=1e-6)
+    assert places(result, 0, 1) == pytest.approx([50.0, 50.0])
+    last = moves[-1]
+    assert last.profile is not None
+    assert last.start_time + last.profile.duration == pytest.approx(2.35 + 2.7, abs=1e-6)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from itertools import accumulate
 from math import fsum, inf, isfinite
 from typing import TYPE_CHECKING
 
@@ -162,6 +163,9 @@ class Run:
         # For each path entry that continues another one: that entry, and where the path began.
         self._rest_of: dict[int, Move] = {}
         self._origins: dict[int, float] = {}
+        # The entries of each path, in the order in which the paths began, and the index of each entry's path.
+        self._chains: dict[int, list[list[Move]]] = {}
+        self._chain_of: dict[int, int] = {}
         self.offsets: dict[int, Offsets] = {}
         # By axis the last offset that was checked, and its distance.
         self.offset_goals: dict[int, tuple[Move, float]] = {}
@@ -189,7 +193,7 @@ class Run:
                 order = _continued(self._order_of[id(before)], move, number)
             if order is not None and order.path is not None:
                 self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
-                self._add_path(move)
+                self._add_path(move, before)
                 self._order_of[id(move)] = order
                 self._previous[id(move)] = previous
                 if before is not None:
@@ -199,13 +203,21 @@ class Run:
                 if move.ended == CONTINUED:
                     full.setdefault(move.axis, []).append(move)
 
-    def _add_path(self, move: Move) -> None:
-        """Add a path entry to the list of its axis."""
-        entries, ends = self.paths.setdefault(move.axis, []), self._ends.setdefault(move.axis, [])
-        end = move.start_time + (move.profile.duration if move.profile is not None else 0.0)
+        for axis, chains in self._chains.items():
+            ends = [_end(chain[-1]) for chain in chains]
+            self._ends[axis] = list(accumulate(ends, max))
+
+    def _add_path(self, move: Move, before: Move | None) -> None:
+        """Add a path entry to the list of its axis; `before` is the entry that it continues."""
+        entries, chains = self.paths.setdefault(move.axis, []), self._chains.setdefault(move.axis, [])
         self._numbers[id(move)] = len(entries)
         entries.append(move)
-        ends.append(max(end, ends[-1]) if ends else end)
+        if before is None:
+            self._chain_of[id(move)] = len(chains)
+            chains.append([move])
+        else:
+            self._chain_of[id(move)] = self._chain_of[id(before)]
+            chains[self._chain_of[id(before)]].append(move)
 
     def _origin(self, move: Move) -> float:
         """Return where a path began, at the zero of one of its entries."""
@@ -215,6 +227,11 @@ class Run:
     def origins(self, path: PathOrder) -> list[float]:
         """Return where the axes of a path began it, which may be before their entries did."""
         return [self._origin(move) for move in self.members(path)]
+
+    def is_continued(self, move: Move) -> bool:
+        """True if a path entry has another one that continues it."""
+        k = self._chain_of.get(id(move))
+        return k is not None and self._chains[move.axis][k][-1] is not move
 
     def rest_of(self, move: Move) -> Move | None:
         """Return the entry that a path entry continues; None if the path begins with it."""
@@ -282,26 +299,33 @@ class Run:
     def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
         """Return a track's position from a log entry, without the motion of blended paths."""
         done = position(a, time, ending)
-        k = self._numbers.get(id(move))
+        k = self._chain_of.get(id(move))
         if k is None:
             return done
-        entries, ends = self.paths[a.index], self._ends[a.index]
+        chains, ends = self._chains[a.index], self._ends[a.index]
         before = k - 1
         while before >= 0 and ends[before] > time:
-            done -= gone(entries[before], time)[1]
+            for entry in reversed(chains[before]):
+                if _end(entry) <= time:
+                    break
+                done -= gone(entry, max(time, entry.start_time))[1]
             before -= 1
         after = k + 1
-        while after < len(entries) and entries[after].start_time < time:
-            done -= gone(entries[after], time)[0]
+        while after < len(chains) and chains[after][0].start_time < time:
+            done -= fsum(gone(entry, time)[0] for entry in chains[after] if entry.start_time < time)
             after += 1
         return done
+
+
+def _end(move: Move) -> float:
+    """Return when an entry ends."""
+    return move.start_time + (move.profile.duration if move.profile is not None else 0.0)
 
 
 def _continued_by(move: Move, entries: Iterable[Move]) -> Move | None:
     """Return the entry of a path that another one continues; None if there is none."""
     for each in entries:
-        assert each.profile is not None
-        end = each.start_time + each.profile.duration
+        end = _end(each)
         if each.line == move.line and abs(move.start_time - end) <= 4.0 * ROUNDED * (1.0 + end):
             return each
     return None

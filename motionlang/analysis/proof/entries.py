@@ -73,13 +73,14 @@ def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
     a, start, before = run.axes[move.axis], move.start_time, found.last
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
     order, scale = run.order_of(move), run.orders.scale(move.axis, start)
-    if order.kind != "rest" and move.line not in _lines(run, a, start):
+    first = run.rest_of(move) is None
+    if first and order.kind != "rest" and move.line not in _lines(run, a, start):
         proof.breaks(move.line, f"{where}: it is commanded by line {order.line}")
     if profile.duration <= late:
         found.stood.add(start)
     elif start in found.begun:
         found.begun.remove(start)
-    else:
+    elif first:  # a path that is blended onto continues unseen
         proof.breaks(move.line, f"{where}: no motion without another entry begins then")
     if scale and (move.scale, move.zero) not in scale:
         words = f"it has {move.scale:g} counts per unit from {move.zero:g}, unlike its axis"
@@ -88,7 +89,7 @@ def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
         proof.breaks(move.line, f"{where}: the previous entry ends at {found.until:.6f} s")
     if before is not None and before.profile is not None and before.ended in FOLLOWED:
         end = before.start_time + before.profile.duration
-        if abs(start - end) > late:
+        if abs(start - end) > late and not (order.path is not None and run.is_continued(before)):
             words = f"it does not start at {end:.6f} s, when the previous one ends"
             proof.breaks(before.line, f"{where}: {words}")
     _check_gap(proof, run, a, found, start - late)
