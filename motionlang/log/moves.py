@@ -104,6 +104,7 @@ class Moves(Stream[Move]):
             self.tail[place] = sealed
         else:
             self._left_out[self.number(move)] = sealed
+            self._parts.reread()
         move.start_time, move.offset = now, 0.0
         self.add(move)
         self._waiting += len(done.knots)

@@ -194,6 +194,10 @@ class Chunks:
             self._cached = first, self._read(loads(self._store.get(self._places[number])), first)
         return self._cached[1]
 
+    def reread(self) -> None:
+        """Read the records of a chunk again, since one of them has become another one."""
+        self._cached = -1, []
+
     def record(self, index: int) -> Any:
         """Return a record by its number; IndexError if it is not stored."""
         number = bisect_right(self.firsts, index) - 1
