@@ -1035,3 +1035,33 @@ def test_a_path_that_another_one_is_blended_onto_continues_in_the_log() -> None:
     last = moves[-1]
     assert last.profile is not None
     assert last.start_time + last.profile.duration == pytest.approx(2.35 + 2.7, abs=1e-6)
+
+
+def test_a_stop_that_new_ramps_make_too_late_for_a_corner_begins_behind_it() -> None:
+    """The first path speeds up and brakes at 100, to the 0.5 of MAXSPEED at its end.
+
+    After 50 ms it is at 5 and 0.125. By a jerk of 1000 its acceleration would last to 10 and 0.958, too fast
+    for the corner at 1: the plan stays up to there. From 100 its deceleration falls to zero at rest, in 0.01 s.
+    """
+    corner = "MAXSPEED(1) = 0.5\nVECTORR(0, 1) = 1, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
+    change = (
+        "WAIT = 50\nPROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\nSTOP(0)\nPAUSE IDLE(0)\n"
+    )
+    result = proved(f"{RATES}{CONTOUR}{corner}{change}")
+    peak, ramp = sqrt(100.0 + 0.125), 2.0 * 0.5 / 100.0
+    assert result.time == pytest.approx(peak / 100.0 + (peak - 0.5) / 100.0 + ramp, abs=1e-6)
+    assert places(result, 0, 1) == pytest.approx([1.0, 0.5 * ramp / 3.0])
+
+
+def test_a_stop_by_a_lower_jerk_does_not_run_back_along_its_path() -> None:
+    """After 1.15 s a suspension at 100 has brought it from 20 to 5, and 1.875 on.
+
+    At a jerk of 400 the 100 would fall to zero in 0.25 s, at 7.5 the other way. They fall in 2 * 5/100 s
+    to rest, over a third of 5 * 0.1.
+    """
+    path = "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 1000\nSUSPEND(0) = 1\nWAIT = 150\n"
+    stop = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\nSTOP(0)\nPAUSE IDLE(0)\n"
+    result = proved(f"{RATES}{path}{stop}")
+    assert result.time == pytest.approx(1.15 + 0.1, abs=1e-6)
+    way = 18.0 + 1.875 + 0.5 / 3.0
+    assert places(result, 0, 1) == pytest.approx([0.6 * way, 0.8 * way], abs=1e-5)

@@ -438,6 +438,8 @@ def _check_along(
     held = slow.speed if slow.speed > least and not fresh else 0.0  # without room to brake twice
     if fresh:
         slow = slow._replace(speed=speed, came=0.0, until=0.0, eased=0.0, stretches=())
+    # A stop that would pass its rest, because the jerk was lowered, reduces its deceleration to zero there.
+    least_jerk = 0.5 * a0 * a0 / v0 if smooth and path.rests and a0 < 0.0 < v0 else 0.0
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
@@ -456,6 +458,10 @@ def _check_along(
         if peak > SLACK or not path.rests:  # at rest within rounding
             uses.compare("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
+            back = min(left[1], right[1])
+            if back < -SLACK * max(1.0, slow.came):
+                proof.breaks(order.line, f"{where}: it runs back along the path, at {-back:g}")
+                return
             side = 0 if power > 0.0 else 1
             rate, fast = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
             if fast <= SLACK * max(1.0, slow.came):  # at rest within rounding
@@ -465,6 +471,7 @@ def _check_along(
             if smooth:
                 # Rounding at the end of a ramp does not show its side.
                 jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
+                jerk = max(jerk, least_jerk)
                 uses.compare("path jerk", max(abs(left[3]), abs(right[3])), jerk)
             first, last = left[0], right[0]
             slowed = [

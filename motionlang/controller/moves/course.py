@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.controller.moves.geometry import Segment
     from motionlang.controller.moves.path import PathMove
+    from motionlang.planners import State
     from motionlang.planners.lookahead import Pace
 
 # How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.
@@ -339,7 +340,8 @@ class Course:
             pace = action.pace(self._controller, segment)
             limit = pace.decel if decel is None else INFINITY if beyond else action.max_decel(segment)
             place, room, most = room, room + segment.length, min(most, limit)
-            rates = min(decel or most, most), pace.ramp, pace.accel_jerk, pace.decel_jerk
+            jerk = max(pace.decel_jerk, _least_jerk(self.profile.at(time)))
+            rates = min(decel or most, most), pace.ramp, pace.accel_jerk, jerk
             try:
                 stop = stop_in_motion(self.profile, time, pace.shape, *rates)
             except ValueError as problem:
@@ -352,6 +354,16 @@ class Course:
             if stop.extrema()[1] <= room:
                 return stop
         return None
+
+
+def _least_jerk(state: State) -> float:
+    """Return the jerk that reduces a deceleration to zero just as it comes to rest.
+
+    A lower one, set in between, would lead back along the path: J = A²/(2 V).
+    """
+    if state.acceleration >= 0.0:
+        return 0.0
+    return 0.5 * state.acceleration * state.acceleration / state.velocity
 
 
 def _speed_at(profile: Profile, place: float) -> float:
