@@ -1,4 +1,4 @@
-"""The programs of `cliffs.py`: one machine, written in the styles that are found in the field.
+"""The programs of `cliffs.py`: one machine in the styles of the field.
 
 A style may be added, but none removed or rewritten: the list shows where the cost of a program depends on how
 it is written. Each has a neighbour, a plain program with the same motion. Programs never end.
@@ -22,8 +22,9 @@ _MOTOR: dict[str, object] = {
 
 
 class Style(NamedTuple):
-    """A program, its neighbour's name ("" for a neighbour), and bars of its own, 0 for none.
+    """A program with its neighbour and its bars.
 
+    `neighbour` is a name, "" for a neighbour itself. The bars `most` and `least` are 0 for the common ones.
     The suffix of `file` is the language, `machine` the machine file as settings.
     """
 
@@ -56,12 +57,12 @@ def _add(
 
 
 def _cycle(wait: str = _PAUSE, head: str = "", each: str = "  WAIT(500)\n", blocks: str = "") -> str:
-    """Return moves there and back, each with a wait; `each` once a cycle, then the blocks of the program."""
+    """Return moves there and back, each with a wait; `each` is once in a cycle."""
     return f"{_AXES}{head}Loop\n{_THERE}{wait}{_BACK}{wait}{each}End Loop\nEnd\n{blocks}"
 
 
 def _tasks(count: int, body: str, lines: str = "") -> tuple[str, str]:
-    """Return the start and the blocks of tasks that repeat `body`; `@` is the number of a task."""
+    """Return the start and the blocks of tasks; `@` in their body is their number."""
     runs = "".join(f"Run T{k}\n" for k in range(1, count + 1))
     blocks = (
         f"Task T{k}\n{lines}Loop\n{body}End Loop\nEnd Task\n".replace("@", str(k))
@@ -308,7 +309,7 @@ _add("recipes", "in_watch", _cycle("  While Not IDLE(0)\n    If POS(0) > r(2) Th
 _add("recipes", "state_array", _cycle("  s(1) = 1\n  While s(1)\n    If IDLE(0) Then s(1) = 0\n  End While\n",
      head="Dim s(50) As Integer\n"), neighbour="rest_pause")  # fmt: skip
 
-# Cams, splines and followers of a shaft that turns without end.
+# Cams, splines and followers of a shaft that jogs without end.
 _SHAFT = "SPEED(0) = 180 : ACCEL(0) = 360\n"
 _LIFT = (
     _SHAFT + "Dim lift(1001) As Float, n As Integer\nlift(1) = {0}\n"

@@ -1,4 +1,4 @@
-"""Speed of programs in many styles, each compared with a plain program that does the same.
+"""Speed of programs in many styles, each compared with a plain one.
 
 Usage: `python -m benchmarks.cliffs [FAMILY …]`. A line has a style, how many times slower it runs than its
 neighbour, and its speed in machine seconds per processor second (`x real time`). A style that is more than

@@ -24,10 +24,10 @@ LARGEST = 2147483647  # Integer
 def counted(
     counters: Sequence[float], steps: Sequence[float], levels: Sequence[Sequence[float]] = ()
 ) -> float:
-    """How many iterations counters can advance before one is no integer in range, or reaches a level.
+    """How many iterations counters can advance before one passes a level.
 
-    `levels` are, for each counter, the constants that it is compared with. An iteration may compare the
-    counter before or after it has counted.
+    They also stop where a counter leaves the integers of 32 bits. `levels` are, for each counter, the constants
+    that it is compared with. An iteration may compare the counter before or after it has counted.
     """
     if any(n != int(n) for n in (*counters, *steps)):
         return 0

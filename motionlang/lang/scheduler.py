@@ -285,7 +285,7 @@ class Scheduler:
         return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
 
     def is_watched(self) -> bool:
-        """True if a task may wait for a variable, or for memory, that the running one writes."""
+        """True if a task may wait for a variable or memory of the program."""
         return any(task.wait is not None and not task.wait.ignores_data for task in self.tasks)
 
     def next_change(self) -> float:

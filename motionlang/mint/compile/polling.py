@@ -52,7 +52,7 @@ HOST_MEMORY = frozenset(("comms", "netdata", "dpr"))
 
 @record
 class Idle:
-    """What changes in an iteration of a loop and decides nothing.
+    """Values that change in each iteration of a loop and decide nothing.
 
     `counters` are variables with the constants that they are compared with, `mere` all such variables, both
     by their spelling. `copies` is true if the loop writes to host memory that it does not read.
@@ -237,8 +237,9 @@ def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
 
 
 def _copies(b: Body, turn: Sequence[nodes.Node]) -> bool:
-    """Find the writes to host memory of a loop that reads no memory of a bus; True if there are any.
+    """Find writes to host memory that decide nothing; True if there are any.
 
+    There are none in a loop that reads memory of a host or a bus.
     The readings that they write are called regardless of the level.
     """
     writes = [node for node in turn if isinstance(node, nodes.Assign) and _is_host_memory(node.target)]

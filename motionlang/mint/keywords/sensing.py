@@ -318,7 +318,7 @@ AXIS_MODE = Actions(read=of(Environment, read_axis_mode))
 
 
 def _target(end: Callable[[Axis], float]) -> Maker:
-    """Make a reading of the end of motion, by events; of the position while there is no end."""
+    """Make a reading of where motion ends: the position while there is no end."""
 
     @by_axis
     def made(environment: Environment, row: Keyword, axis: int) -> Operation:
