@@ -47,6 +47,7 @@ STRIDE = 4096
 class Stop:
     """A stop before a statement.
 
+    `moment` is the time, s, of what caused the stop, if that was before the statement.
     `reason` is "entry", "step", "breakpoint", "moment", "change", "pause", "goto" or "start".
     """
 
@@ -57,6 +58,7 @@ class Stop:
     column: int
     reason: str
     text: str = ""
+    moment: float | None = None
 
 
 class NotStopped(Exception):
@@ -157,6 +159,15 @@ class Debugger:
         """End the session; nothing of it goes on."""
         self._replay.abandon()
 
+    def problems(self) -> list[str]:
+        """Return, once, the changes of the journal that could not be made again."""
+        found, self._replay.problems = self._replay.problems, []
+        return found
+
+    def stay(self, text: str) -> Stop | None:
+        """Remain at the stop, for a reason."""
+        return self._at(self._replay.point, "goto", text)
+
     def pause(self) -> None:
         """Stop a run or a search before its next statement; may be called from any thread."""
         self._replay_in_force.pause()
@@ -206,6 +217,10 @@ class Debugger:
         """Continue to a stop: a breakpoint, a moment, or where `steps` is true."""
         if self._replay.run is not None:
             return None
+        if self.stop is not None and self._after < self.stop.time:
+            moment = self._earliest(self._replay.point)
+            if moment is not None:  # it came with the last one, before this statement
+                return self._at_moment(moment)
         begin = 0 if self._replay.point is None else self._replay.point.number
         found: list[tuple[str, str]] = []
         searching = bool(self.searches) or self.stops_at_errors
@@ -224,9 +239,14 @@ class Debugger:
                 self._marks.append((point.number, point.time))
                 if not every:
                     self._replay.consider_from(point.number + STRIDE)
-                return bool(self._moments(point.time))
+                if self._moments(point.time):
+                    return True
+                self._output.release(self._replay.written)
+                self._output.hold()
             return False
 
+        if searching:
+            self._output.hold()
         if self.watched and self._replay.point is not None:
             self._replay.ask(lambda: self._note_values(self._point()))
         while True:
@@ -247,7 +267,8 @@ class Debugger:
         return frozenset(place for each in self.breakpoints for place in each.places)
 
     def _at(self, point: Point | None, reason: str, text: str = "") -> Stop | None:
-        """Make a point the stop."""
+        """Make a point the stop, and show the output before it."""
+        self._output.release(self._replay.written)
         if point is None:
             self.stop = None
             return None
@@ -290,6 +311,8 @@ class Debugger:
     def set_breakpoints(self, breakpoints: Iterable[Breakpoint]) -> None:
         """Replace all breakpoints by line; hits are counted from the start of the program."""
         self.breakpoints = list(breakpoints)
+        if self._replay.point is None:
+            self._replay.hook.places = self._stopping_places()
         if any(each.is_counted for each in self.breakpoints) and self._replay.point is not None:
             self._go_to(self._replay.point.number)
 
@@ -332,18 +355,22 @@ class Debugger:
         last = self._replay.hook.count
         if moment.time < INFINITY:
             lowest = max([number for number, time in self._marks if time < moment.time], default=begin)
-            where = "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
-            text = f"{moment.text} at {moment.time:.9g} s{where}"
             here = self._replay.point
             if here is None or here.number > lowest + 1:
                 self._go_to(lowest + 1, lambda point: point.time >= moment.time)
         else:
-            text = moment.text
             self._go_to(last)
         if self._replay.point is None and ended:
             self._go_to(last)
+        return self._at_moment(moment)
+
+    def _at_moment(self, moment: Moment) -> Stop | None:
+        """Make the present statement the stop after a moment."""
+        text = moment.text if moment.time == INFINITY else self._described(moment)
         stop = self._at(self._replay.point, "moment", text)
-        self._after = moment.time if moment.time < INFINITY else INFINITY
+        self._after = moment.time
+        if stop is not None and moment.time < stop.time:
+            stop.moment = moment.time
         return stop
 
     # -------------------------------------------------------------------------------------------------- back
@@ -451,11 +478,12 @@ class Debugger:
             if number is None:
                 number = self._replay.hook.count if run is not None else here
             if number < here:
-                where = (
-                    "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
-                )
-                return number, f"{moment.text} at {moment.time:.9g} s{where}"
+                return number, self._described(moment)
         return None
+
+    def _described(self, moment: Moment) -> str:
+        where = "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
+        return f"{moment.text} at {moment.time:.9g} s{where}"
 
     def _first_from(self, time: float, before: int) -> int | None:
         """Return the number of the first statement at or after a time, below a number."""
@@ -471,6 +499,7 @@ class Debugger:
     def go_to_time(self, time: float) -> Stop | None:
         """Go to the first statement at or after a time; to the last one if there is none."""
         self._replay.abandon()
+        self._output.hold()
         self._replay = replay = self._new()
         before = 0
 

@@ -101,17 +101,35 @@ class Setup:
 
 
 class Output:
-    """The output of a session; text that an earlier run has shown is not repeated."""
+    """The output of a session; text that an earlier run has shown is not repeated.
+
+    A run that may have to go back, because it searches for a moment, holds its output until it is known how far it
+    counts.
+    """
 
     def __init__(self, show: Callable[[str], object]) -> None:
         self._show, self._shown = show, 0
+        self._held = ""
+        self._holds = False
 
     def write(self, begin: int, text: str) -> None:
-        """Show the new part of a text that begins at character `begin` of the output."""
-        new = text[max(self._shown - begin, 0) :]
-        self._shown = max(self._shown, begin + len(text))
-        if new:
-            self._show(new)
+        """Show, or hold, the new part of a text at character `begin` of the output."""
+        known = self._shown + len(self._held)
+        self._held += text[max(known - begin, 0) :]
+        if not self._holds:
+            self.release(known + len(self._held))
+
+    def hold(self) -> None:
+        """Hold all text from here on."""
+        self._holds = True
+
+    def release(self, length: int) -> None:
+        """Show the output up to a length, and forget what is held after it."""
+        text = self._held[: max(length - self._shown, 0)]
+        self._held, self._holds = "", False
+        self._shown += len(text)
+        if text:
+            self._show(text)
 
     def forget(self, length: int) -> None:
         """Show all output after the first `length` characters again."""

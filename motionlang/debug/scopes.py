@@ -9,6 +9,7 @@ from __future__ import annotations
 from motionlang.controller.faults import names
 from motionlang.debug.expressions import WrongExpression
 from motionlang.lang.debugging import Variable
+from motionlang.log.track import WholeTrack
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -105,8 +106,8 @@ def named(hook: Hook, point: Point | None, name: str) -> tuple[tuple[str, ...], 
 # ------------------------------------------------------------------------------------------------------ machine
 
 
-def axes(machine: Machine, time: float) -> list[Variable]:
-    """Return each axis at a time not before the clock's.
+def axes(machine: Machine, time: float, moment: float | None = None) -> list[Variable]:
+    """Return each axis at a time not before the clock's, and its motion at a moment.
 
     There are none before the program uses the controller.
     """
@@ -114,7 +115,7 @@ def axes(machine: Machine, time: float) -> list[Variable]:
         return []
     controller = machine.controller
     return [
-        Variable(f"axis {number}", "axis", _axis(controller, axis, time))
+        Variable(f"axis {number}", "axis", _axis(controller, axis, time) + _earlier(axis, moment))
         for number, axis in controller.axes.items()
     ]
 
@@ -134,6 +135,21 @@ def _axis(controller: Controller, axis: Axis, time: float) -> list[Variable]:
     if motor is not None:
         found.insert(1, Variable("measured position", "uu", scale.position_to_user(motor)))
     return found
+
+
+def _earlier(axis: Axis, moment: float | None) -> list[Variable]:
+    """Return position and velocity of an axis at a moment before the stop."""
+    if moment is None:
+        return []
+    track = WholeTrack(axis)
+    state = track.at(moment) if track.place(moment) >= 0 else None
+    if state is None:
+        return []
+    when = f"at {moment:.9g} s"
+    return [
+        Variable(f"position {when}", "uu", track.scale.position_to_user(state.position)),
+        Variable(f"velocity {when}", "uu/s", track.scale.to_user(state.velocity, "uu/s")),
+    ]
 
 
 def _state(controller: Controller, axis: Axis) -> str:

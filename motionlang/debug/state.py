@@ -45,8 +45,10 @@ class State:
         return self._ask(lambda: scopes.module(self._replay.hook))
 
     def axes(self) -> list[Variable]:
-        """Return the axes at the exact time of the stop."""
-        return self._ask(lambda: scopes.axes(self._replay.machine, self.time))
+        """Return the axes at the exact time of the stop, and how they moved at its moment."""
+        stop = self._debugger.stop
+        moment = None if stop is None or self._point is None else stop.moment
+        return self._ask(lambda: scopes.axes(self._replay.machine, self.time, moment))
 
     def inputs(self) -> list[Variable]:
         return self._ask(lambda: scopes.inputs(self._replay.machine))

@@ -13,7 +13,7 @@ from motionlang.errors import Diagnostic, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
 from motionlang.lang.machine.entries import WrongEntry, entries
-from motionlang.repl import status
+from motionlang.repl import debugging, status
 from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
@@ -257,6 +257,31 @@ COMMANDS: dict[str, Command] = {
             _plot,
         ),
         Command("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
+        Command(
+            "debug",
+            "[FILE]",
+            "Stop a program before its first statement; again: run its new text.",
+            debugging.debug,
+        ),
+        Command(
+            "break",
+            "[WHERE]",
+            "A breakpoint: 12, 12 if n > 3, position(0) > 120; none lists, off removes.",
+            debugging.break_,
+        ),
+        Command("go", "", "Run to the next breakpoint, limit, fault or error.", debugging.go),
+        Command("step", "", "Run to the next statement, also into a sub.", debugging.step),
+        Command("over", "", "Run to the next statement, over a sub.", debugging.over),
+        Command("back", "", "Go back to the statement before.", debugging.back),
+        Command("reverse", "", "Go back to the breakpoint before.", debugging.reverse),
+        Command("goto", "S", "Go to a time, forward or back.", debugging.goto),
+        Command(
+            "change",
+            "N TEXT",
+            "Replace line N of the program, and run it to the same time.",
+            debugging.change,
+        ),
+        Command("vars", "[X]", "Show the state at the stop, or X; X = 5 sets a variable.", debugging.vars_),
         Command("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
         Command("quit", "", "Leave, like Ctrl-D.", _quit),
     )

@@ -21,6 +21,10 @@ from motionlang.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import WIDTH, harmless
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.repl.debugging import Debugging
+
 Show = Callable[[str], None]
 
 REMARK_ON_MOTION = (
@@ -55,6 +59,8 @@ class Session:
         self.failed = self.over = False
         # True if machine time follows real time; None if no user is present.
         self.live: bool | None = None
+        # The program in the debugger.
+        self.debugging: Debugging | None = None
         self._settings, self._overrides = settings, overrides
         self._show, self._complain = show, complain or show
         self._answer: list[str] = []

@@ -76,6 +76,14 @@ def test_the_hook_is_called_before_a_statement_with_its_time() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "text", ["", "' nothing\n", "Sub S\nEnd Sub\nS\n", "a:\nGoto b\nb:\n", "Task T\nEnd Task\nRun T\n"]
+)
+def test_functions_without_statements_are_debug_builds_too(text: str) -> None:
+    source = Source("a.mnt", text)
+    assert whole(run(source, cache=False, hook=Hook(_nothing))) == whole(run(source, cache=False))
+
+
 def test_an_empty_loop_can_be_stopped() -> None:
     hook = Hook(_nothing)
     run(Source("a.mnt", "TIME = 0\nWhile TIME < 5\nEnd While\n"), cache=False, hook=hook)

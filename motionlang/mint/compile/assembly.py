@@ -207,7 +207,7 @@ def _dispatched(whole: SharedData, b: Body) -> list[Line]:
     counted = function.counted
     texts = [f"def {name}(pc{f', {ROOM}' if counted else ''}):"]
     texts += [f" {text}" for text in _shared_names(whole, {*TIME, *_count(whole), *own}, b.outside - own)]
-    out = [Line(b.indent, text, function.at, names=[*b.outside]) for text in texts] + b.lines
+    out = [Line(b.indent, text, function.at, names=[*b.outside, *_count(whole)]) for text in texts] + b.lines
     texts = []
     handlers = label_handlers(function)
     for number, (label, _) in enumerate(b.stretches()):
@@ -268,7 +268,7 @@ def _head(whole: SharedData, b: Body) -> list[Line]:
         outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))
     texts = _shared_names(whole, {*("t" if function.plain else TIME), *_count(whole)}, outside)
     out = [Line(b.indent - 1, f"def {function.python}({', '.join(_parameters(function))}):", function.at)]
-    out += [Line(b.indent, text, function.at, names=[*outside, *TIME]) for text in texts]
+    out += [Line(b.indent, text, function.at, names=[*outside, *TIME, *_count(whole)]) for text in texts]
     if not (whole.typed and function is whole.names.main):
         out += [Line(b.indent, text, function.at) for text in _own_variables(function, b)]
     if whole.debugging is not None:

@@ -1,0 +1,285 @@
+"""The debugger at the prompt: a program that is stopped between two statements.
+
+It has its own machine: lines typed at the prompt do not touch it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from motionlang.debug import moments
+from motionlang.debug.breakpoints import Breakpoint
+from motionlang.debug.debugger import Debugger, NotStopped, Stop
+from motionlang.debug.expressions import parse
+from motionlang.debug.values import shown
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.execution import dialect_for, settings_next_to
+from motionlang.lang.debugging import Variable
+from motionlang.source import Source
+from motionlang.views.diagnostics import render
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.debug.moments import Search
+    from motionlang.repl.session import Session
+
+_LINE = re.compile(r"(\d{1,7})(?:\s+if\s+(.+))?", re.IGNORECASE)
+_GIVEN = re.compile(r"(@?\w+(?:\([\d, ]+\))?)\s*=\s*(.+)")
+
+
+class Debugging:
+    """A program in the debugger of a prompt, and its breakpoints as they were typed."""
+
+    def __init__(self, session: Session, path: str) -> None:
+        self._session, self.path = session, path
+        self._broken: dict[str, Breakpoint | Search] = {}
+        source = Source.read(path)
+        self.debugger = Debugger(
+            source, dialect_for(source, session.dialect), settings_next_to(path),
+            show=session.say, ask=self._ask,
+        )  # fmt: skip
+        self._filters = [moments.filtered(kinds) for _, kinds in moments.FILTERS.values() if kinds]
+        self.debugger.stops_at_errors = True
+        self.use()
+
+    def _ask(self, begun: str) -> str | None:
+        return self._session.ask(begun)
+
+    def use(self) -> None:
+        """Hand the breakpoints to the debugger; limits, faults and errors always stop it."""
+        broken = self._broken.values()
+        self.debugger.set_breakpoints([each for each in broken if isinstance(each, Breakpoint)])
+        searches = [each for each in broken if not isinstance(each, Breakpoint)]
+        self.debugger.searches = [*searches, *self._filters]
+
+    def add(self, text: str) -> None:
+        """Add a breakpoint: `LINE`, `LINE if CONDITION`, or a motion breakpoint.
+
+        Raises ValueError.
+        """
+        match = _LINE.fullmatch(text)
+        if match is None:
+            self._broken[text] = moments.search(text)
+        else:
+            line = self.debugger.line_for(int(match[1]))
+            if line is None:
+                raise ValueError(f"there is no statement in line {match[1]} or below")
+            self._broken[text] = Breakpoint(self.debugger.places_at(line), match[2] or "")
+        self.use()
+
+    def remove_all(self) -> None:
+        self._broken.clear()
+        self.use()
+
+    @property
+    def broken(self) -> list[str]:
+        """The breakpoints as they were typed."""
+        return list(self._broken)
+
+    def line(self, stop: Stop | None) -> str:
+        """Return one line about a stop, or about the end."""
+        if stop is None:
+            run = self.debugger.run
+            if run is None:
+                return "the program has not begun\n"
+            remarks = "".join(render(each, self.debugger.source) for each in run.diagnostics)
+            return f"{remarks}{run.status} after {run.time:.9g} s\n"
+        source = self.debugger.source.line(stop.line).strip()
+        why = f"-- {stop.text}\n" if stop.text else ""
+        return f"{why}{stop.time:.9g} s  line {stop.line}: {source}\n"
+
+
+def _with(session: Session, work: Callable[[Debugging], str]) -> None:
+    """Do `work` with the program in the debugger, and show its result or the error."""
+    debugging = session.debugging
+    try:
+        if debugging is None:
+            raise NotStopped
+        session.say(work(debugging))
+    except NotStopped:
+        _wrong(session, "no program is stopped in the debugger", ".debug FILE begins one")
+    except ProgramError as error:
+        session.trouble(error.diagnostics, None if debugging is None else debugging.debugger.source)
+    except ValueError as error:
+        _wrong(session, str(error))
+
+
+def _wrong(session: Session, message: str, hint: str = "") -> None:
+    session.trouble([Diagnostic("values", message, hint=hint)])
+
+
+def debug(session: Session, path: str) -> None:
+    """`.debug FILE`: begin, or run the new text of the program to the same time."""
+    before = session.debugging
+
+    try:
+        if before is not None and path in ("", before.path):
+            source = Source.read(before.path)
+            _with(session, lambda debugging: _again(debugging, source))
+            return
+        if not path:
+            raise NotStopped
+        session.debugging = Debugging(session, path)
+        if before is not None:
+            before.debugger.abandon()
+        _with(session, lambda debugging: debugging.line(debugging.debugger.start()))
+    except NotStopped:
+        _wrong(session, "no program is in the debugger", ".debug FILE begins one")
+    except OSError as error:
+        _wrong(session, f"{path} cannot be read: {error.strerror or error}")
+    except ProgramError as error:
+        session.trouble(error.diagnostics, Source.read(path))
+
+
+def change(session: Session, text: str) -> None:
+    """`.change N TEXT`: replace a line of the text, and run that to the same time."""
+    number, _, line = text.partition(" ")
+
+    def work(debugging: Debugging) -> str:
+        source = debugging.debugger.source
+        lines = source.text.split("\n")
+        if not number.isdecimal() or not 1 <= int(number) <= len(lines):
+            raise ValueError(f".change takes a line from 1 to {len(lines)} and its new text")
+        lines[int(number) - 1] = line
+        return _again(debugging, Source(source.name, "\n".join(lines)))
+
+    _with(session, work)
+
+
+def _again(debugging: Debugging, source: Source) -> str:
+    """Run another text to the same time; breakpoints stay at their lines."""
+    stop = debugging.debugger.restart(source)
+    typed = debugging.broken
+    debugging.remove_all()
+    for each in typed:
+        debugging.add(each)
+    return debugging.line(stop)
+
+
+def break_(session: Session, text: str) -> None:
+    """`.break`: add a breakpoint, list them, or remove them all."""
+
+    def work(debugging: Debugging) -> str:
+        if text.lower() == "off":
+            debugging.remove_all()
+        elif text:
+            debugging.add(text)
+        return "".join(f"{each}\n" for each in debugging.broken) or "no breakpoints\n"
+
+    _with(session, work)
+
+
+def _moved(session: Session, move: Callable[[Debugger], Stop | None]) -> None:
+    _with(session, lambda debugging: debugging.line(move(debugging.debugger)))
+
+
+def step(session: Session, _: str) -> None:
+    """`.step`: go to the next statement, also into a sub."""
+    _moved(session, Debugger.step_in)
+
+
+def over(session: Session, _: str) -> None:
+    """`.over`: go to the next statement, over a sub."""
+    _moved(session, Debugger.next)
+
+
+def back(session: Session, _: str) -> None:
+    """`.back`: go to the statement before."""
+    _moved(session, Debugger.step_back)
+
+
+def go(session: Session, _: str) -> None:
+    """`.go`: continue to the next breakpoint."""
+    _moved(session, Debugger.go_on)
+
+
+def reverse(session: Session, _: str) -> None:
+    """`.reverse`: go back to the breakpoint before."""
+    _moved(session, Debugger.reverse)
+
+
+def goto(session: Session, text: str) -> None:
+    """`.goto S`: go to a time."""
+    try:
+        time = float(text)
+    except ValueError:
+        time = -1.0
+    if not 0.0 <= time < 1e9:
+        _wrong(session, f".goto takes a time in seconds, not {text}", ".goto 2.5")
+        return
+    _moved(session, lambda debugger: debugger.go_to_time(time))
+
+
+def vars_(session: Session, text: str) -> None:
+    """`.vars`: show the state at the stop or a value, or give a variable a value."""
+
+    def work(debugging: Debugging) -> str:
+        given = _GIVEN.fullmatch(text)
+        if given is not None:
+            return _give(debugging.debugger, given[1], given[2])
+        if text:
+            found = debugging.debugger.state().evaluate(text)
+            return f"{text} = {shown(getattr(found, 'value', found))}\n"
+        return _everything(debugging.debugger)
+
+    _with(session, work)
+
+
+def _give(debugger: Debugger, name: str, text: str) -> str:
+    state = debugger.state()
+    base, _, subscript = name.partition("(")
+    found = state.named(f"R{base[1:]}" if base.startswith("@") else base)
+    if found is None:
+        raise ValueError(f"there is no variable {name} here")
+    path = found[0] if not subscript else (*found[0], f"{found[1].name}({subscript}")
+    return f"{name} = {shown(debugger.assign(path, parse(text)(state)).value)}\n"
+
+
+def _everything(debugger: Debugger) -> str:
+    """Return the variables, the axes and channels, and the waits of other tasks."""
+    state = debugger.state()
+    stop = debugger.stop
+    lines = []
+    for task in state.tasks():
+        if stop is not None and task.name == stop.task:
+            for frame in state.frames(task.task)[:1]:
+                lines += _listed(frame.variables)
+        elif task.why:
+            lines.append(f"task {task.name} {task.why}")
+    lines += _listed(state.module())
+    for axis in state.axes():
+        if _has_moved(axis):
+            lines += _axis(axis)
+    lines += _listed([*state.inputs(), *state.outputs()])
+    return "".join(f"{line}\n" for line in lines) or "no variables\n"
+
+
+def _listed(variables: Sequence[Variable]) -> list[str]:
+    return [f"{each.name} = {shown(each.value)}" for each in variables]
+
+
+def _has_moved(axis: Variable) -> bool:
+    values = {each.name: each.value for each in axis.value}  # type: ignore[attr-defined]
+    return bool(values["position"] or values["velocity"] or values["target"] or values["faults"] != "none")
+
+
+def _axis(axis: Variable) -> list[str]:
+    """Return the line of an axis at the stop, and another one for an earlier moment."""
+    now: list[str] = []
+    earlier: dict[str, list[str]] = {}
+    for each in axis.value:  # type: ignore[attr-defined]
+        name, _, moment = each.name.partition(" at ")
+        if each.value in (None, "none", []):
+            continue
+        if isinstance(each.value, list):
+            text = f"{len(each.value)} in the buffer"
+        elif name == "state":
+            text = each.value
+        else:
+            text = f"{name} {each.value if isinstance(each.value, str) else shown(each.value)}"
+        (earlier.setdefault(moment, []) if moment else now).append(text)
+    found = [f"{axis.name}: {', '.join(now)}"]
+    return found + [f"{axis.name} at {moment}: {', '.join(texts)}" for moment, texts in earlier.items()]
