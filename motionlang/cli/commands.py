@@ -51,6 +51,7 @@ COMMANDS = {
     "serve": ("serve", "let hosts talk to a virtual controller, or to a Mint program over Modbus"),
     "mcapi": ("mcapi", "run hosts of PMC boards as they are: build MCAPI, record and replay calls"),
     "lsp": ("lsp", "serve an editor: diagnostics, completion, names, simulated times"),
+    "dap": ("dap", "debug a program from an editor, forward and back"),
     "completion": ("completion", "print a completion script for bash, zsh or fish"),
 }
 

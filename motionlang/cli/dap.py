@@ -1,0 +1,62 @@
+"""`motionlang dap`: the debugger for editors."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain
+from motionlang.cli.parser import add_command
+from motionlang.dap.server import serve_connection, serve_stdio
+from motionlang.errors import Diagnostic
+from motionlang.serve.address import BadAddress, listen, parse, shown
+
+if TYPE_CHECKING:
+    from motionlang.cli.parser import Commands
+
+EPILOG = """\
+An editor starts this command and talks to it in the Debug Adapter Protocol. It serves one session and ends with it.
+The program, its machine file and its inputs are arguments of the editor's launch request.
+
+examples:
+  motionlang dap                                 on standard input and output
+  motionlang dap --listen 127.0.0.1:4711         for an editor that connects
+"""
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """Add `motionlang dap` and its options."""
+    parser = add_command(commands, "dap", summary, _dap, EPILOG)
+    parser.add_argument(
+        "--listen",
+        type=_address,
+        metavar="HOST:PORT",
+        help=(
+            "listen on this address for one client; without HOST only this computer can connect, port 0 is any free "
+            "port (default: standard input and output)"
+        ),
+    )
+
+
+def _address(text: str) -> tuple[str, int]:
+    try:
+        return parse(text)
+    except BadAddress as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _dap(arguments: argparse.Namespace) -> int:
+    if arguments.listen is None:
+        serve_stdio()
+        return 0
+    try:
+        listener = listen(*arguments.listen)
+    except OSError as error:
+        message = f"cannot listen on {shown(*arguments.listen)}: {error.strerror or error}"
+        complain([Diagnostic("file", message)], None, "")
+        return 2
+    host, port = listener.getsockname()[:2]
+    print(f"listening on {shown(host, port)}", file=sys.stderr, flush=True)
+    serve_connection(listener)
+    return 0

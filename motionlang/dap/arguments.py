@@ -1,0 +1,102 @@
+"""The arguments of a request, checked: a wrong one is an error for the client."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+# Numbers outside this range cannot be represented exactly in JavaScript.
+_MOST = 2**53
+
+
+class Refused(Exception):
+    """A request that cannot be carried out.
+
+    `code` is the protocol's code for it, such as "notStopped", if it has one.
+    """
+
+    def __init__(self, text: str, code: str = "") -> None:
+        super().__init__(text)
+        self.code = code
+
+
+class Arguments:
+    """The arguments of one request."""
+
+    def __init__(self, values: object) -> None:
+        if values is not None and not isinstance(values, dict):
+            raise Refused("arguments must be an object")
+        self._values: Mapping[str, object] = values or {}
+
+    def text(self, name: str, default: str | None = None) -> str:
+        """Return a text; it is required if there is no default."""
+        value = self._values.get(name)
+        if value is None and default is not None:
+            return default
+        if not isinstance(value, str):
+            raise Refused(f"{name} must be a text")
+        return value
+
+    def number(self, name: str, default: int | None = None) -> int:
+        """Return an integer; it is required if there is no default."""
+        value = self._values.get(name)
+        if value is None and default is not None:
+            return default
+        if isinstance(value, bool) or not isinstance(value, int) or not -_MOST < value < _MOST:
+            raise Refused(f"{name} must be a whole number")
+        return value
+
+    def seconds(self, name: str, default: float | None = None) -> float | None:
+        """Return a time, s."""
+        value = self._values.get(name)
+        if value is None:
+            return default
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value < 1e9:
+            raise Refused(f"{name} must be a time in seconds")
+        return float(value)
+
+    def flag(self, name: str, default: bool = False) -> bool:
+        """Return true or false."""
+        value = self._values.get(name)
+        if value is None:
+            return default
+        if not isinstance(value, bool):
+            raise Refused(f"{name} must be true or false")
+        return value
+
+    def objects(self, name: str) -> list[Arguments]:
+        """Return a list of objects; empty if it is missing."""
+        value = self._values.get(name)
+        if value is None:
+            return []
+        if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
+            raise Refused(f"{name} must be a list of objects")
+        return [Arguments(each) for each in value]
+
+    def texts(self, name: str) -> list[str]:
+        """Return a list of texts; a single text is a list of one."""
+        value = self._values.get(name)
+        if value is None:
+            return []
+        if isinstance(value, str):
+            return [value]
+        if not isinstance(value, list) or not all(isinstance(each, str) for each in value):
+            raise Refused(f"{name} must be a list of texts")
+        return list(value)
+
+    def object(self, name: str) -> Arguments:
+        """Return an object; empty if it is missing."""
+        return Arguments(self._values.get(name))
+
+    def items(self, name: str) -> dict[str, float | str]:
+        """Return an object of numbers and texts; empty if it is missing."""
+        value = self._values.get(name)
+        if value is None:
+            return {}
+        if not isinstance(value, dict):
+            raise Refused(f"{name} must be an object")
+        for each in value.values():
+            if isinstance(each, bool) or not isinstance(each, (int, float, str)):
+                raise Refused(f"the values of {name} must be numbers or texts")
+        return dict(value)

@@ -1,0 +1,64 @@
+"""Serve one client: on stdin and stdout, or on a TCP connection."""
+
+from __future__ import annotations
+
+import sys
+
+from motionlang.dap.adapter import Adapter
+from motionlang.dap.framing import WrongMessage, read, written
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import socket
+    from typing import IO
+
+    from motionlang.dap.framing import Message
+
+
+def serve(reading: IO[bytes], writing: IO[bytes]) -> None:
+    """Serve a client until it disconnects or its stream ends."""
+    broken = False
+
+    def send(message: Message) -> None:
+        nonlocal broken
+        if broken:
+            return
+        try:
+            writing.write(written(message))
+            writing.flush()
+        except (OSError, ValueError):
+            broken = True  # the client has gone; the end of its stream ends the session
+
+    adapter = Adapter(send)
+    try:
+        while not adapter.is_over and not broken:
+            try:
+                message = read(reading)
+            except WrongMessage as error:
+                adapter.output(f"{error}\n", "stderr")
+                if error.is_fatal:
+                    break
+                continue
+            except OSError:
+                break
+            if message is None:
+                break
+            adapter.handle(message)
+    finally:
+        adapter.close()
+
+
+def serve_stdio() -> None:
+    """Serve the client that has started this process."""
+    output, sys.stdout = sys.stdout, sys.stderr  # nothing else may be written between the messages
+    serve(sys.stdin.buffer, output.buffer)
+
+
+def serve_connection(listener: socket.socket) -> None:
+    """Serve the first client that connects, and no further one."""
+    listener.setblocking(True)
+    connection, _ = listener.accept()
+    listener.close()
+    connection.setblocking(True)
+    with connection, connection.makefile("rb") as reading, connection.makefile("wb") as writing:
+        serve(reading, writing)

@@ -1,0 +1,200 @@
+"""A session of the debugger from launch to disconnect, message by message."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.dap.client import Client
+from tests.dap.schema import is_installed
+from tests.debug.test_debugger import CALLS, MACROS, MOVE
+
+
+@pytest.fixture
+def client() -> Iterator[Client]:
+    made = Client()
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    path = tmp_path / "calls.mnt"
+    path.write_text(CALLS)
+    return path
+
+
+def test_the_protocol_can_be_checked() -> None:
+    if not is_installed():
+        pytest.skip("debugpy, whose description of the protocol is used, is not installed")
+
+
+def test_breakpoints_stack_scopes_and_steps_both_ways(client: Client, program: Path) -> None:
+    client.launch(program)
+    (point,) = client.ask("setBreakpoints", source={"path": str(program)}, breakpoints=[{"line": 4}])[
+        "breakpoints"
+    ]
+    assert (point["verified"], point["line"]) == (True, 4)
+    stop = client.begin()
+    assert stop["body"]["reason"] == "breakpoint"
+    assert client.frames(stop) == [("Add", 4), ("main", 9)]
+    assert client.scopes(stop)["Local"] == {"n": "1", "twice": "0"}
+    assert client.scopes(stop)["Variables"]["total"] == "0"
+    stop = client.go("next")
+    assert client.scopes(stop)["Local"]["twice"] == "2"
+    stop = client.go("stepBack")
+    assert (stop["body"]["reason"], client.frames(stop)[0]) == ("step", ("Add", 4))
+    assert client.scopes(stop)["Local"]["twice"] == "0"
+    assert client.frames(client.go("continue"))[0] == ("Add", 4)
+    assert client.scopes(stop)["Variables"]["total"] == "2"
+    assert client.frames(client.go("reverseContinue"))[0] == ("Add", 4)
+    assert client.scopes(stop)["Variables"]["total"] == "0"
+
+
+def test_output_comes_once_and_the_end_is_reported(client: Client, program: Path) -> None:
+    client.launch(program, stopAtEnd=True)
+    stop = client.begin()
+    assert "ended" in stop["body"]["text"]
+    assert client.frames(stop) == [("end of the program", 11)]
+    client.go("stepBack")
+    client.go("next")
+    texts = [each["body"]["output"] for each in client.events if each["event"] == "output"]
+    client.ask("continue")
+    client.wait("terminated")
+    assert "12\n" not in texts
+    assert client.refused("next") == "next is not possible now: the session is ended"
+
+
+def test_values_are_set_and_conditions_hold(client: Client, program: Path) -> None:
+    client.launch(program, stopOnEntry=True)
+    stop = client.begin()
+    assert stop["body"]["reason"] == "entry"
+    frame = client.ask("stackTrace", threadId=stop["body"]["threadId"])["stackFrames"][0]["id"]
+    variables = client.ask("scopes", frameId=frame)["scopes"][0]["variablesReference"]
+    assert (
+        client.ask("setVariable", variablesReference=variables, name="total", value="40 + 2")["value"] == "42"
+    )
+    assert client.ask("setExpression", expression="i", value="2")["value"] == "2"
+    assert client.ask("evaluate", expression="total / 4")["result"] == "10.5"
+    assert client.ask("evaluate", expression="total")["result"] == "42"
+    assert "range" in client.refused("setExpression", expression="total", value="1e12")
+    assert "neither" in client.refused("evaluate", expression="nothing + 1")
+    client.ask(
+        "setBreakpoints", source={"path": str(program)}, breakpoints=[{"line": 5, "condition": "n = 3"}]
+    )
+    stop = client.go("continue")
+    assert client.scopes(stop)["Variables"]["total"] == "48"  # 42, and 2 and 4 were added
+
+
+def test_motion_is_a_function_breakpoint(client: Client, tmp_path: Path) -> None:
+    program = tmp_path / "move.mnt"
+    program.write_text(MOVE)
+    client.launch(program, input=["5=1@1.5"])
+    names = [{"name": "position(0) > 20"}, {"name": "input 5 rises"}, {"name": "whenever it rains"}]
+    points = client.ask("setFunctionBreakpoints", breakpoints=names)["breakpoints"]
+    assert [point["verified"] for point in points] == [True, True, False]
+    stop = client.begin()
+    assert stop["body"]["reason"] == "function breakpoint"
+    assert stop["body"]["text"].startswith("position(0) > 20 holds at 0.45")
+    assert client.scopes(stop)["Axes"]["axis 0"].startswith("position 100")
+    assert client.go("continue")["body"]["text"].startswith("input 5 rises at 1.5")
+    stop = client.go("reverseContinue")
+    assert stop["body"]["reason"] in ("function breakpoint", "entry")
+
+
+def test_an_error_is_an_exception_that_says_where(client: Client, tmp_path: Path) -> None:
+    program = tmp_path / "fails.mnt"
+    program.write_text("Dim a(2) As Integer, i As Integer\nFor i = 1 To 3\n  a(i) = i\nNext\n")
+    client.launch(program)
+    client.ask("setExceptionBreakpoints", filters=["error", "limit"])
+    stop = client.begin()
+    assert client.frames(stop)[0] == ("main", 3)
+    assert client.ask("exceptionInfo", threadId=1)["breakMode"] == "always"
+    assert client.go("continue")["event"] == "terminated"
+
+
+def test_data_breakpoints_and_the_last_change(client: Client, program: Path) -> None:
+    client.launch(program, stopOnEntry=True)
+    client.begin()
+    data = client.ask("dataBreakpointInfo", name="total")["dataId"]
+    client.ask("setDataBreakpoints", breakpoints=[{"dataId": data}])
+    stop = client.go("continue")
+    assert stop["body"]["reason"] == "data breakpoint"
+    assert stop["body"]["text"].startswith("total changes from 0 to 2")
+    stop = client.go("lastChange", name="total")
+    assert client.frames(stop)[0] == ("Add", 5)
+
+
+def test_an_input_is_answered_in_the_console(client: Client, tmp_path: Path) -> None:
+    program = tmp_path / "asks.mnt"
+    program.write_text("Dim n As Integer\nINPUT n\nPrint n * 2\n")
+    client.launch(program)
+    client.ask("configurationDone")
+    while "waits for a line" not in client.wait("output")["body"]["output"]:
+        pass
+    assert client.request("stackTrace", threadId=1)["message"] == "notStopped"
+    client.ask("evaluate", expression="21", context="repl")
+    output = ""
+    while (event := client.wait("output", "terminated"))["event"] == "output":
+        output += event["body"]["output"]
+    assert "42" in output
+
+
+def test_a_restart_runs_the_new_text_to_the_same_time(client: Client, tmp_path: Path) -> None:
+    program = tmp_path / "move.mnt"
+    program.write_text(MOVE)
+    client.launch(program, stopOnEntry=True)
+    client.begin()
+    client.go("goToTime", time=2.0)
+    program.write_text(MOVE.replace("= 100", "= 40"))
+    stop = client.go("restart")
+    assert client.scopes(stop)["Axes"]["axis 0"].startswith("position 40")
+    program.write_text("Dim\n")
+    assert client.refused("restart").startswith("line 1:")
+
+
+def test_a_program_that_never_ends_is_paused_and_left(client: Client, tmp_path: Path) -> None:
+    program = tmp_path / "endless.mnt"
+    program.write_text("Dim n As Integer\nLoop\n  n = n + 1\n  If n > 99 Then n = 0\nEnd Loop\n")
+    client.launch(program)
+    client.ask("configurationDone")
+    assert client.ask("threads")["threads"]
+    client.ask("pause", threadId=1)
+    stop = client.wait("stopped")
+    assert stop["body"]["reason"] == "pause"
+    client.go("stepBack")
+    client.ask("continue")  # and disconnect while it runs
+
+
+def test_registers_and_macros_of_mccl(client: Client, tmp_path: Path) -> None:
+    program = tmp_path / "macros.mcl"
+    program.write_text(MACROS)
+    client.launch(program)
+    client.ask("setBreakpoints", source={"path": str(program)}, breakpoints=[{"line": 1}])
+    client.begin()
+    client.go("continue")
+    stop = client.go("continue")
+    assert client.frames(stop) == [("macro 1", 1), ("main", 4)]
+    assert client.scopes(stop)["Registers"] == {"R10": "1"}
+    assert client.ask("evaluate", expression="@10 + 1")["result"] == "2"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({}, "program must be a text"),
+        ({"program": "/nowhere/a.mnt"}, "cannot be read"),
+        ({"program": __file__}, "unknown file extension"),
+        ({"program": __file__, "dialect": "basic"}, "there is no dialect"),
+        ({"program": __file__, "dialect": "mint"}, "line "),
+        ({"program": __file__, "until": "soon"}, "until must be a time in seconds"),
+        ({"program": "a\0b.mnt"}, "NUL"),
+    ],
+)
+def test_a_launch_that_is_wrong_is_refused(
+    client: Client, arguments: dict[str, object], message: str
+) -> None:
+    client.ask("initialize", adapterID="motionlang")
+    assert message in client.refused("launch", **arguments)
