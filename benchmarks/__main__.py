@@ -28,7 +28,7 @@ from growth import GROWTH
 FOLDER = Path(__file__).parent
 # Order: the ones that take seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "growth",
+         "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "growth", "debug",
          "proof")  # fmt: skip
 
 
@@ -90,6 +90,12 @@ BARS: dict[str, Bar] = {
     "shift_four_tasks": _most(10.0),
     "shift_wait": _most(0.2),
     "shift_move_and_pause": _most(5.0),
+    # Debug builds against plain ones; a step back against running as far.
+    "debug_moves": _most(1.15),
+    "debug_poll": _most(1.15),
+    "debug_mccl": _most(1.15),
+    "debug_loop": _most(6.0),
+    "debug_step_back": _most(1.2),
     "poll_stands": _least(20_000.0),
     "poll_error": _least(20_000.0),
     "poll_jog_panel": _least(20_000.0),

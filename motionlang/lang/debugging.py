@@ -49,23 +49,23 @@ class Hook:
     """The hook of one run, and the number of the last statement.
 
     `stop` is called before each statement whose number is at least `limit`, and before those at the source offsets in
-    `places`. `cells` has these three, so that generated code reads them as fast as its own variables. `first` is for an
-    interpreter, which compares only once: the limit, or 0 while there are places.
+    `places`. `cells` has these three, so that generated code reads them as fast as its own variables. `tally` is for an
+    interpreter, which compares only once: the number, and the limit, or 0 while there are places.
     """
 
-    __slots__ = ("cells", "first", "inspection", "stop")
+    __slots__ = ("cells", "inspection", "stop", "tally")
 
     def __init__(self, stop: Stop, limit: float = INFINITY) -> None:
         self.stop = stop
         # The variables of the program, once it has started.
         self.inspection: Inspection | None = None
         self.cells: tuple[CellType, CellType, CellType] = (_cell(0), _cell(limit), _cell(None))
-        self.first = _cell(limit)
+        self.tally: list[float] = [0, limit]
 
     @property
     def count(self) -> int:
         """The number of statements begun so far."""
-        return self.cells[0].cell_contents  # type: ignore[no-any-return]
+        return self.cells[0].cell_contents + int(self.tally[0])  # type: ignore[no-any-return]
 
     @property
     def limit(self) -> float:
@@ -75,7 +75,7 @@ class Hook:
     @limit.setter
     def limit(self, number: float) -> None:
         self.cells[1].cell_contents = number
-        self.first.cell_contents = number if self.places is None else 0
+        self.tally[1] = number if self.places is None else 0
 
     @property
     def places(self) -> frozenset[int] | None:
@@ -85,7 +85,7 @@ class Hook:
     @places.setter
     def places(self, places: frozenset[int] | None) -> None:
         self.cells[2].cell_contents = places or None
-        self.first.cell_contents = 0 if places else self.limit
+        self.tally[1] = 0 if places else self.limit
 
     def consider(self, task: Task, time: float, place: int) -> None:
         """Stop before a statement if that is due.

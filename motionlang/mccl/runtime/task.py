@@ -144,7 +144,7 @@ class CommandTask(Task):
         board, cost, lacks, gated = self.board, self.cost, self.lacks, self.gated
         hook = board.hook
         if hook is not None:
-            number, first = hook.cells[0], hook.first
+            tally = hook.tally
         loop_log = self.loop_log
         clock, left = board.controller.clock, SLICE
         if len(board.tasks) > 1:
@@ -169,8 +169,8 @@ class CommandTask(Task):
             if gated and (wait := self._gate(line)) is not None:
                 return now, wait
             if hook is not None:
-                number.cell_contents = begun = number.cell_contents + 1
-                if begun >= first.cell_contents:
+                tally[0] = begun = tally[0] + 1
+                if begun >= tally[1]:
                     hook.consider(self, now, line.places[pc])
             if pc > loop_log.end:
                 loop_log.passed()
