@@ -327,8 +327,17 @@ class Debugger:
 
     # ----------------------------------------------------------------------------------------------- moments
 
+    def _has_come(self, moment: Moment, point: Point) -> bool:
+        """True if a moment is in the log at a point.
+
+        The statement that causes it may be at the same time, and still to come.
+        """
+        return point.time >= moment.time and any(
+            each.time == moment.time for each in self._moments(point.time)
+        )
+
     def _moments(self, until: float) -> list[Moment]:
-        machine = self._replay.machine
+        machine = self._replay_in_force.machine
         found = [each for search in self.searches for each in search(machine, self._after, until)]
         return sorted(found, key=lambda each: each.time)
 
@@ -357,7 +366,7 @@ class Debugger:
             lowest = max([number for number, time in self._marks if time < moment.time], default=begin)
             here = self._replay.point
             if here is None or here.number > lowest + 1:
-                self._go_to(lowest + 1, lambda point: point.time >= moment.time)
+                self._go_to(lowest + 1, lambda point: self._has_come(moment, point))
         else:
             self._go_to(last)
         if self._replay.point is None and ended:
@@ -474,7 +483,7 @@ class Debugger:
             self._after = after
         while found:
             moment = found.pop()
-            number = self._first_from(moment.time, here)
+            number = self._first_after(moment, here)
             if number is None:
                 number = self._replay.hook.count if run is not None else here
             if number < here:
@@ -485,15 +494,19 @@ class Debugger:
         where = "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
         return f"{moment.text} at {moment.time:.9g} s{where}"
 
-    def _first_from(self, time: float, before: int) -> int | None:
-        """Return the number of the first statement at or after a time, below a number."""
+    def _first_after(self, moment: Moment, before: int) -> int | None:
+        """Return the number of the first statement after a moment, below a number."""
         found: list[int] = []
 
         def note(point: Point) -> None:
-            if point.time >= time and not found:
+            if not found and self._has_come(moment, point):
                 found.append(point.number)
 
-        self._search(before, 0, note, frozenset())
+        after, self._after = self._after, -1.0
+        try:
+            self._search(before, 0, note, frozenset())
+        finally:
+            self._after = after
         return found[0] if found else None
 
     def go_to_time(self, time: float) -> Stop | None:

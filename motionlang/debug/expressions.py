@@ -84,7 +84,7 @@ class _Parser:
 
     def end(self) -> None:
         if self._at < len(self._tokens):
-            raise WrongExpression(f"{self._tokens[self._at][1]} is one word too many")
+            raise WrongExpression(f'"{self._tokens[self._at][1]}" is one word too many')
 
     def _peek(self) -> str:
         if self._at >= len(self._tokens):

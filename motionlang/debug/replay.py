@@ -273,10 +273,10 @@ class Replay:
 
     def _stop(self, task: Task, time: float, place: int) -> None:
         point = Point(self.hook.count, time, task, place)
+        self._remember(point)
+        decided = self._decide(point)  # before the changes, as when they were made
         for change in self._journal.at(point.number):
             self.make(change, point)
-        self._remember(point)
-        decided = self._decide(point)
         if decided or self._pausing:
             self.paused, self._pausing = not decided, False
             self.point = point
@@ -326,6 +326,8 @@ class Replay:
                     self.problems.append(f"there is no variable {change.path[-1]} here any more")
                 else:
                     variable.set(change.value)
+                    if change.path in self.values:
+                        self.values[change.path] = change.value
         except (ValueError, Rejected) as error:
             self.problems.append(str(error))
 

@@ -144,7 +144,12 @@ def change(session: Session, text: str) -> None:
         if not number.isdecimal() or not 1 <= int(number) <= len(lines):
             raise ValueError(f".change takes a line from 1 to {len(lines)} and its new text")
         lines[int(number) - 1] = line
-        return _again(debugging, Source(source.name, "\n".join(lines)))
+        changed = Source(source.name, "\n".join(lines))
+        try:
+            return _again(debugging, changed)
+        except ProgramError as error:
+            session.trouble(error.diagnostics, changed)
+            return ""
 
     _with(session, work)
 

@@ -75,7 +75,7 @@ def test_completion_knows_the_table_and_says_what_a_word_does() -> None:
 
 
 def test_completion_knows_the_prompts_own_commands() -> None:
-    assert [word for word, _, _ in candidates(dialect("mccl"), ".r")] == ["run", "report", "reset"]
+    assert [word for word, _, _ in candidates(dialect("mccl"), ".r")] == ["run", "report", "reverse", "reset"]
 
 
 @pytest.mark.parametrize("text", ["", "1MR100, 9XX MD1 @5\n;x", ".run 3", "\0\x1b\n\n", "é" * 300, '"'])
