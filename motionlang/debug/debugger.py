@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Statements between two searches of the log.
 STRIDE = 4096
+# Two searches find the same moment within this time, s: that of a condition depends on the samples.
+CLOSE = 1e-8
 
 
 @record
@@ -333,7 +335,7 @@ class Debugger:
         The statement that causes it may be at the same time, and still to come.
         """
         return point.time >= moment.time and any(
-            each.time == moment.time for each in self._moments(point.time)
+            abs(each.time - moment.time) <= CLOSE for each in self._moments(point.time)
         )
 
     def _moments(self, until: float) -> list[Moment]:

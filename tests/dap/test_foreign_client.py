@@ -20,7 +20,10 @@ PACKAGE = "@vscode/debugadapter-testsupport"
 
 
 def test_a_session_of_debug_client(tmp_path: Path) -> None:
-    """The breakpoint holds for n = 2; then over, out, into n = 3, and back. A call takes no time."""
+    """The breakpoint holds for n = 2; then over, out, into n = 3, and back.
+
+    A restart goes to the first statement at the time of the stop, which is the call.
+    """
     node = shutil.which("node")
     if node is None:
         pytest.skip("node is not installed")

@@ -202,8 +202,22 @@ def test_a_position_is_found_in_the_middle_of_a_wait() -> None:
     assert stop is not None
     begin = 5e-5  # five statements before GO
     assert f"{0.45 + begin:.5f}" in stop.text
+    assert stop.moment == pytest.approx(0.45 + begin, abs=1e-8)
     assert (stop.line, stop.reason) == (6, "moment")
     assert debugger.go_on() is None
+
+
+def test_the_stop_is_the_first_statement_after_a_moment_of_several() -> None:
+    """Position 20 is reached 0.45 s after the first GO, in the first wait of 2.1 s."""
+    debugger = mint(MOVE + "n = 1\nMOVEA(0) = 0\nGO(0)\nPAUSE IDLE(0)\nn = 2\n")
+    debugger.searches = [search("position(0) > 20")]
+    stop = debugger.start(False)
+    assert stop is not None
+    assert (stop.line, stop.time) == (6, pytest.approx(2.10005, abs=1e-4))
+    assert debugger.go_on() is None
+    stop = debugger.reverse()
+    assert stop is not None
+    assert (stop.line, stop.reason) == (6, "moment")
 
 
 def test_motion_and_channels_are_moments() -> None:
