@@ -40,7 +40,7 @@ class Scenario:
         self.program, self.path = program, path
         below = machine_of(program)
         settings = read_machine(Source.read(below)) if below is not None else {}
-        above = read_machine(Source.read(path))
+        above = read_machine(Source.read(path), is_layer=True)
         # Expectations of the program's own world do not apply to another one.
         self.expected: list[Entry] = above.pop("expect", [])  # type: ignore[assignment]
         settings.pop("expect", None)

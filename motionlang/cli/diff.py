@@ -11,6 +11,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from motionlang.analysis.diff.charged import charged
+from motionlang.analysis.diff.literals import changed_literals
 from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.cli.compare import add_mapping, hold_against
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.analysis.diff.charged import Charge
+    from motionlang.analysis.diff.literals import ChangedLiteral
     from motionlang.cli.parser import Commands
     from motionlang.result import Run
 
@@ -135,16 +137,17 @@ def diff_command(arguments: argparse.Namespace) -> int:
         sides.reverse()  # the old one comes first
     (old, old_run), (new, new_run) = sides
     found = difference(old, new, tolerance)
-    parted, charges = None, []
+    parted, charges, changed = None, [], []
     if old_run is not None and new_run is not None:
         from motionlang.analysis.diff.motion import parting
 
         parted = parting(old_run, new_run, tolerance.size("position"))
         charges = charged(old_run, new_run) if found.time is not None else []
+        changed = changed_literals(old_run, new_run)
     if arguments.format == "json":
-        sys.stdout.write(json.dumps(_data(found, parted, charges), default=vars) + "\n")
+        sys.stdout.write(json.dumps(_data(found, parted, charges, changed), default=vars) + "\n")
     else:
-        _print(found, parted, charges, arguments.all)
+        _print(found, parted, charges, changed, arguments.all)
     status = 0 if found.same else 1
     if arguments.plot is not None:
         status = max(status, _plot(old_run, new_run, arguments.plot, parser))
@@ -270,10 +273,13 @@ def _report(path: str) -> tuple[dict[str, Any], None] | None:
         return None
 
 
-def _data(found: Any, parted: Any, charges: Sequence[Charge]) -> dict[str, Any]:
+def _data(
+    found: Any, parted: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral]
+) -> dict[str, Any]:
     return {
         "schema": "motionlang.diff/1",
         "same": found.same,
+        "literals": [as_dict(each) for each in changed],
         "time": found.time,
         "charged": [as_dict(each) for each in charges],
         "status": found.status,
@@ -288,13 +294,15 @@ def _data(found: Any, parted: Any, charges: Sequence[Charge]) -> dict[str, Any]:
     }
 
 
-def _print(found: Any, parted: Any, charges: Sequence[Charge], everything: bool) -> None:
-    from motionlang.views.diff import MAX_LINES, diff_lines
+def _print(
+    found: Any, parted: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral], everything: bool
+) -> None:
+    from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines
     from motionlang.views.terminal import draws, plain, wants_colour
 
     most = 1_000_000 if everything else MAX_LINES
     lines = diff_lines(found, parted, charges, colour=wants_colour(sys.stdout), most=most) or [
         "no difference"
     ]
-    text = "\n".join(lines) + "\n"
+    text = "\n".join([*literal_lines(changed, most), *lines]) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))

@@ -5,10 +5,14 @@
     d@7            the number that line 7 assigns to the variable d, or that a Define stands for
     SPEED[0]       every number that the program writes to SPEED of axis 0
     MOVER[0]@9:2   the second number of an expression, or of several writes in one line
+    POS[0]@10      the number with which a condition in line 10 compares POS of axis 0
+    i@4:2          the second number of For i = 1 To 10 in line 4, its end
     line:12        the only number in line 12
 
 A value replaces the text of the number, so a run is that of the edited program. The tokens of the highlighter are
-enough to find literals: a statement is a word with an index, an equals sign and values, or a command of MCCL.
+enough to find literals: a statement is a word with an index, an equals sign and values, or a command of MCCL. A
+condition is a comparison after IF, PAUSE, AND and the like. SPEED[0] without a line means writes only, not conditions.
+Numbers in the brackets of a word, such as channels, and those of CASE and PRINT have no address.
 """
 
 from __future__ import annotations
@@ -42,7 +46,8 @@ MAX_NAMED = 4
 class Literal:
     """A number in the text: its `address`, what is written (`base`), and its place.
 
-    `is_whole` says that the number is the whole value and not a part of an expression.
+    `is_whole` says that the number is the whole value and not a part of an expression, `is_write` that a
+    statement writes it and no condition or loop has it.
     """
 
     address: str
@@ -51,6 +56,7 @@ class Literal:
     offset: int
     text: str
     is_whole: bool
+    is_write: bool
 
 
 def canonical(name: str) -> str | None:
@@ -75,22 +81,44 @@ def canonical(name: str) -> str | None:
 def literals(source: Source, language: Dialect) -> list[Literal]:
     """Return the literals of a program that have an address, in the order of the text."""
     starts = [0, *(found.end() for found in re.finditer("\n", source.text))]
-    found: list[tuple[str, int, Token, bool]] = []
+    found: list[tuple[str, int, Token, bool, bool]] = []
+    counted = ""  # the variable of the For whose numbers these are
     for statement in _statements(source.text, language):
         line = bisect_right(starts, statement[0][2])
-        found += [(base, line, token, whole) for base, token, whole in _values(statement, language)]
-    counts: dict[tuple[str, int], int] = {}
-    for base, line, _, _ in found:
-        counts[base.lower(), line] = counts.get((base.lower(), line), 0) + 1
+        word = statement[0][1].lower() if statement[0][0] == "control" else ""
+        if word in language.before_conditions:
+            rows = [(*each, False) for each in _compared(statement[1:], language)]
+        elif word in language.counting and (counted or word == language.counting[0]):
+            if word == language.counting[0]:
+                counted = _target(statement[1:], language)[0] if len(statement) > 1 else ""
+            rows = [
+                (counted, token, whole, False) for token, whole in _numbers(_behind_equals(statement[1:]))
+            ]
+        else:
+            rows = [(*each, True) for each in _values(statement, language)]
+        counted = counted if word in language.counting else ""
+        found += [(base, line, token, whole, writes) for base, token, whole, writes in rows]
+    return _addressed(found)
+
+
+def _addressed(found: Sequence[tuple[str, int, Token, bool, bool]]) -> list[Literal]:
+    """Return literals with their addresses.
+
+    The writes of a line are numbered before its conditions, so that a condition changes no address of a write.
+    """
+    counts: dict[tuple[str, int, bool], int] = {}
+    for base, line, _, _, writes in found:
+        key = base.lower(), line, writes
+        counts[key] = counts.get(key, 0) + 1
     made: list[Literal] = []
-    numbers: dict[tuple[str, int], int] = {}
-    for base, line, (_, text, offset), whole in found:
-        key = base.lower(), line
+    numbers: dict[tuple[str, int, bool], int] = {}
+    for base, line, (_, text, offset), whole, writes in found:
+        key = base.lower(), line, writes
+        before = 0 if writes else counts.get((base.lower(), line, True), 0)
         number = numbers[key] = numbers.get(key, 0) + 1
-        several = counts[key] > 1 or not whole
-        made.append(
-            Literal(f"{base}@{line}" + (f":{number}" if several else ""), base, line, offset, text, whole)
-        )
+        several = counts[key] > 1 or before or not whole
+        suffix = f":{before + number}" if several else ""
+        made.append(Literal(f"{base}@{line}{suffix}", base, line, offset, text, whole, writes))
     return made
 
 
@@ -111,7 +139,7 @@ def edited(
     wrong: list[Diagnostic] = []
     for address, value in addressed.items():
         try:
-            chosen = _chosen(found, address)
+            chosen = _chosen(found, address, source)
             text = _text(address, value)
         except ProgramError as error:
             wrong += error.diagnostics
@@ -141,9 +169,10 @@ def bound(
     for given, value in values.items():
         addressed, _ = _sorted(source, language, {given: value})
         for address in addressed:
-            chosen = _chosen(found, address)
+            chosen = _chosen(found, address, source)
             keywords = [language.table().get(each.base.partition("[")[0]) for each in chosen]
-            if isinstance(value, str) or not all(each.is_whole for each in chosen) or None in keywords:
+            fits = all(each.is_whole and each.is_write for each in chosen)
+            if isinstance(value, str) or not fits or None in keywords:
                 return None
             names[given] = f"literal_{len(names) + 1}"
             edits |= {each.offset: (len(each.text), names[given]) for each in chosen}
@@ -212,7 +241,7 @@ def _declared(source: Source, language: Dialect) -> set[str]:
     return found
 
 
-def _chosen(found: Sequence[Literal], address: str) -> list[Literal]:
+def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Literal]:
     """Return the literals that an address means.
 
     Raise ProgramError if there is none, or if the address is ambiguous.
@@ -220,9 +249,10 @@ def _chosen(found: Sequence[Literal], address: str) -> list[Literal]:
     if address.startswith("line:"):
         line = int(address[5:])
         here = [each for each in found if each.line == line]
-        if len(here) == 1:
-            return here
-        raise _wrong(f"line {line} has {len(here) or 'no'} literals", here or found)
+        written = [each for each in here if each.is_write]
+        if len(here) == 1 or len(written) == 1:
+            return written or here
+        raise _wrong(_in_line(here, line, source), here or found)
     key = address.lower()
     exact = [each for each in found if each.address.lower() == key]
     if exact:
@@ -230,7 +260,7 @@ def _chosen(found: Sequence[Literal], address: str) -> list[Literal]:
     base, at, line_text = key.partition("@")
     same = [each for each in found if each.base.lower() == base]
     if not at:
-        whole = [each for each in same if each.is_whole]
+        whole = [each for each in same if each.is_whole and each.is_write]
         if whole:
             return whole
         indexed = [each for each in found if each.base.lower().startswith(f"{base}[")]
@@ -238,9 +268,18 @@ def _chosen(found: Sequence[Literal], address: str) -> list[Literal]:
     here = [each for each in same if str(each.line) == line_text]
     if here:
         raise _wrong(f"{address} is one of {len(here)} literals", here)
-    raise _wrong(
-        f"line {line_text.partition(':')[0]} writes no literal to {base.upper()}", same or found, address
-    )
+    line = int(line_text.partition(":")[0])
+    in_line = [each for each in found if each.line == line]
+    if not in_line and re.search(r"\b\d", source.line(line)):
+        raise _wrong(_in_line(in_line, line, source), same or found, address)
+    raise _wrong(f"line {line} writes no literal to {base.upper()}", same or found, address)
+
+
+def _in_line(here: Sequence[Literal], line: int, source: Source) -> str:
+    """Return why a line has no single literal."""
+    if not here and re.search(r"\b\d", source.line(line)):
+        return f"the numbers of line {line} have no address: those of CASE, PRINT and brackets have none"
+    return f"line {line} has {len(here) or 'no'} literals"
 
 
 def _wrong(message: str, others: Sequence[Literal], address: str = "") -> ProgramError:
@@ -326,6 +365,57 @@ def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, To
             for value in _split(statement[opening + 1 : -1])[0]:
                 for token, whole in _numbers(value):
                     yield base, token, whole
+
+
+_COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
+
+
+def _compared(condition: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
+    """Yield the word that each comparison is about, and each number of it."""
+    tokens = [each for number, each in enumerate(condition) if not _groups(condition, number)]
+    parts: list[list[Token]] = [[]]
+    for token in tokens:
+        if token[0] == "operator" and token[1] in ("&", "|"):
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    if not all(_comparison(part) for part in parts):  # the operator works on bits
+        parts = [tokens]
+    for part in parts:
+        at = _comparison(part)
+        first = next((number for number, each in enumerate(part) if each[0] == "word"), None)
+        if not at or first is None:
+            continue
+        base, index, _ = _target(part[first:], language)
+        for side in (part[:at], part[at + 1 :]):
+            for token, whole in _numbers(side):
+                yield (f"{base}[{index}]" if index else base), token, whole
+
+
+def _comparison(tokens: list[Token]) -> int:
+    """Return where the operator of a comparison is, 0 if there is none."""
+    found = (n for n, (kind, text, _) in enumerate(tokens) if kind == "operator" and text in _COMPARISONS)
+    return next(found, 0)
+
+
+def _groups(tokens: list[Token], number: int) -> bool:
+    """True if a token is a bracket that groups a condition, and follows no word."""
+    if tokens[number][1] in ("(", "["):
+        return not number or tokens[number - 1][0] != "word"
+    if tokens[number][1] not in (")", "]"):
+        return False
+    depth = 0
+    for before in range(number, -1, -1):
+        depth += (tokens[before][1] in (")", "]")) - (tokens[before][1] in ("(", "["))
+        if depth == 0:
+            return not before or tokens[before - 1][0] != "word"
+    return True  # it closes a bracket in front of an AND
+
+
+def _behind_equals(tokens: list[Token]) -> list[Token]:
+    """Return the tokens behind an equals sign, or all if there is none."""
+    at = next((n for n, each in enumerate(tokens) if each[1] == "="), -1)
+    return tokens[at + 1 :]
 
 
 def _of_command(statement: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:

@@ -35,6 +35,8 @@ class Mint(Dialect):
     constant = "Const {} = {}"
     declaring = frozenset(("const", "define", "dim", "nv"))
     before_statements = frozenset(("define", "do", "else", "loop", "repeat", "then"))
+    before_conditions = frozenset(("pause", "if", "elseif", "while", "until", "and", "or", "not"))
+    counting = ("for", "to", "step")
 
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.diff.accept import Change
     from motionlang.analysis.diff.charged import Charge
+    from motionlang.analysis.diff.literals import ChangedLiteral
     from motionlang.analysis.diff.motion import Parting
     from motionlang.analysis.diff.reports import Difference, LineChange
 
@@ -66,6 +67,15 @@ def diff_lines(
     elif found.is_commanded:
         out.append("only the commanded speed differs, the motion does not")
     return out
+
+
+def literal_lines(changed: Sequence[ChangedLiteral], most: int) -> list[str]:
+    """Return a line for each literal with another value."""
+    lines = [
+        f"{each.address}: {each.old} → {each.new}" + (f", was {each.old_address}" if each.old_address else "")
+        for each in changed
+    ]
+    return _first(lines, most, "literals")
 
 
 def _charged(charges: Sequence[Charge], most: int) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.analysis.scenarios import Scenario, scenario_files, unmet
+from motionlang.analysis.sweeps.description import Description
 from motionlang.errors import ProgramError
 from motionlang.execution import run
 from motionlang.lang.machine.file import read_machine
@@ -137,3 +138,40 @@ def test_a_scenario_is_the_program_in_another_world(tmp_path: Path) -> None:
     assert scenario.name == "late"
     assert unmet(result, scenario.expected) == []
     assert 4.6 < result.time < 4.61
+
+
+NAMED = "[[input]]\nchannel = 7\nname = 'Part'\nat = 0.5\n"
+
+
+def test_an_input_by_its_name() -> None:
+    below = read_machine(Source("m", NAMED))
+    above = read_machine(Source("s", "[[input]]\nname = 'part'\nat = 3.0\n"), is_layer=True)
+    assert layered(below, above)["input"] == [{"channel": 7, "name": "part", "at": 3.0}]
+    with pytest.raises(ProgramError, match="needs channel"):  # a machine file is the lowest layer
+        read_machine(Source("m", "[[input]]\nname = 'part'\nat = 3.0\n"))
+
+
+@pytest.mark.parametrize(
+    ("below", "hint"), [(NAMED, "did you mean Part?"), (PART, "write channel = N"), ("", "write channel = N")]
+)
+def test_a_name_that_the_machine_file_lacks(below: str, hint: str) -> None:
+    above = read_machine(Source("s", "[[input]]\nname = 'pert'\nat = 3.0\n"), is_layer=True)
+    with pytest.raises(ProgramError, match="no \\[\\[input\\]\\] of the machine file is named pert") as wrong:
+        layered(read_machine(Source("m", below)), above)
+    assert wrong.value.diagnostics[0].hint == hint
+
+
+def test_a_scenario_with_a_named_input(tmp_path: Path) -> None:
+    """The part comes at 3 s instead of 0.5 s; the stroke of 100 takes 0.6 s."""
+    program = tmp_path / "feed.mnt"
+    program.write_text(STROKE.replace("INX(1)", "INX(7)"))
+    (tmp_path / "feed.machine.toml").write_text(NAMED)
+    late = tmp_path / "late.toml"
+    late.write_text("[[input]]\nname = 'Part'\nat = 3.0\n")
+    assert Scenario(str(program), str(late)).run().time == pytest.approx(3.6, abs=1e-3)
+    (tmp_path / "worlds").mkdir()
+    late.rename(tmp_path / "worlds" / "late.toml")
+    description = Description()
+    description.scenarios = str(tmp_path / "worlds")
+    (world,) = description.worlds()["scenario"].values()
+    assert world["input"] == [{"name": "Part", "at": 3.0}]

@@ -102,3 +102,18 @@ def test_two_variants_of_a_sweep(cell: Cell) -> None:
     assert (ran.status, ran.err) == (1, "pick.mnt: no variant 3: pick.sweep.toml has 0 to 2\n")
     cell.write("other.mnt", "WAIT(1)\n")
     assert "there is no other.sweep.toml next to it" in cell("diff", "other.mnt", "--variant-b", "1").err
+
+
+def test_a_changed_literal_is_named(cell: Cell) -> None:
+    """A line was inserted, so the literals have moved down."""
+    cell.write("old.mnt", "SPEED(0) = 100\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) > 30\nOUT(1) = 1\n")
+    cell.write("new.mnt", "' new\nSPEED(0) = 120\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) > 40\nOUT(1) = 1\n")
+    shown = cell("diff", "old.mnt", "new.mnt").out.splitlines()
+    assert shown[:2] == [
+        "SPEED[0]@2: 100 → 120, was SPEED[0]@1",
+        "POS[0]@4: 30 → 40, was POS[0]@3",
+    ]
+    document = json.loads(cell("diff", "old.mnt", "--set-b", "SPEED[0]@1=50", "--format", "json").out)
+    (literal,) = document["literals"]
+    assert literal == {"address": "SPEED[0]@1", "old_address": None, "old": "100", "new": "50"}
+    assert json.loads(cell("diff", "old.mnt", "old.mnt", "--format", "json").out)["literals"] == []

@@ -25,6 +25,8 @@ WAIT(20)
 IF d > 7 THEN MOVEA(0) = -d / 2 - 1 : GO(0)
 PAUSE IDLE(0) = 1
 MOVEA[0] = -15 : GO[0] : PAUSE IDLE.0
+
+PRINT 10
 """
 FEED = '1SV100,1SA1000\nMD3,1MR-5,1WS0.1,1MR5,MC4\nFT"part %d",1MA@3,WA.5 ; WA9\n'
 
@@ -35,10 +37,7 @@ def addresses(program: str, language: str = "mint") -> dict[str, str]:
 
 
 def test_the_literals_of_mint() -> None:
-    """Neither conditions, channels nor comments have literals.
-
-    A sign belongs to a lone number.
-    """
+    """Channels and comments have no literals, and a sign belongs to a lone number."""
     assert addresses(DRILL) == {
         "SPEED[0]@1": "100",
         "SPEED[1]@1": "50",
@@ -48,10 +47,59 @@ def test_the_literals_of_mint() -> None:
         "d@3": "40",
         "WAIT@4": "10",
         "WAIT@5": "20",
+        "d@6": "7",
         "MOVEA[0]@6:1": "2",
         "MOVEA[0]@6:2": "1",
+        "IDLE[0]@7": "1",
         "MOVEA[0]@8": "-15",
     }
+
+
+CONDITIONS = """\
+PAUSE POS(0) > 100 And INX(2) = 1
+If n >= 5 Or (k < -3) Then n = 7
+For i = 1 To 10 Step 2
+Next
+If (n = 3) & (k = 4) Then k = 5
+If n + 2 > x * 3 Then Exit
+Repeat
+Until 50 < POS.1
+Select Case n
+Case 3, 5 To 7
+End Select
+While 1 : End While
+"""
+
+
+def test_the_literals_of_conditions_and_loops() -> None:
+    """Writes keep their addresses; numbers of Case and lone numbers have none."""
+    assert addresses(CONDITIONS) == {
+        "POS[0]@1": "100",
+        "INX[2]@1": "1",
+        "n@2": "7",
+        "n@2:2": "5",
+        "k@2": "-3",
+        "i@3:1": "1",
+        "i@3:2": "10",
+        "i@3:3": "2",
+        "n@5": "3",
+        "k@5": "5",
+        "k@5:2": "4",
+        "n@6:1": "2",
+        "n@6:2": "3",
+        "POS[1]@8": "50",
+    }
+
+
+def test_a_condition_is_varied() -> None:
+    """The output is set at 30, and at 60, of a move at 100 uu/s with ramps of 5 uu."""
+    text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) >= 30\nPRINT TIME\n"
+    at = [
+        motionlang.run(Source("a.mnt", text), overrides={"POS[0]@3": value}).output for value in (30.0, 60.0)
+    ]
+    assert at == [["350"], ["650"]]  # 0.1 s for the first 5 uu, then 10 ms per uu
+    loop = "Dim i, n\nFor i = 1 To 10\n  n = n + 1\nNext\nPRINT n\n"
+    assert motionlang.run(Source("a.mnt", loop), overrides={"i@2:2": 4.0}).output == ["4.0000"]
 
 
 def test_the_literals_of_mccl() -> None:
@@ -135,7 +183,17 @@ def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
         ("MOVEA[0]@6", "MOVEA[0]@6 is one of 2 literals", "write MOVEA[0]@6:1, MOVEA[0]@6:2; check"),
         ("line:4:1", None, ""),
         ("line:1", "line 1 has 4 literals", "write SPEED[0]@1, SPEED[1]@1, ACCEL[0,1]@1, DECEL[0]@1; check"),
-        ("line:7", "line 7 has no literals", "write "),
+        ("line:9", "line 9 has no literals", "write "),
+        (
+            "line:10",
+            "the numbers of line 10 have no address: those of CASE, PRINT and brackets have none",
+            "write ",
+        ),
+        (
+            "x@10",
+            "the numbers of line 10 have no address: those of CASE, PRINT and brackets have none",
+            "write ",
+        ),
         ("SPEED", "the program writes no literal to SPEED", "write SPEED[0]@1, SPEED[1]@1; check"),
         ("SPED[0]@1", "line 1 writes no literal to SPED[0]", "write SPEED[0]@1; check"),
     ],

@@ -84,7 +84,9 @@ class Description:
         found = {}
         for kind, folder in ((MACHINE, self.machines), (SCENARIO, self.scenarios)):
             if folder is not None:
-                found[kind] = {name: settings_of(path) for name, path in machine_files(folder)}
+                found[kind] = {
+                    name: settings_of(path, kind == SCENARIO) for name, path in machine_files(folder)
+                }
         return found
 
     def expressions(self) -> dict[str, Expression]:
@@ -105,13 +107,13 @@ class Description:
         return found
 
 
-def settings_of(path: str) -> dict[str, object]:
-    """Return the settings of a machine file; ProgramError with its diagnostics.
+def settings_of(path: str, is_layer: bool) -> dict[str, object]:
+    """Return the settings of a machine file or a scenario; ProgramError if invalid.
 
     The name of the file is in them.
     """
     try:
-        settings = read_machine(Source.read(path))
+        settings = read_machine(Source.read(path), is_layer=is_layer)
         settings.pop("expect", None)  # of a world itself, not of its variants
         return settings
     except ProgramError as error:

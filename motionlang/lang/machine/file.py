@@ -16,6 +16,7 @@ from motionlang.lang.machine.keys import (
     LAST_REGISTER,
     MAX_AXES,
     MOTORS,
+    NAMED,
     NODE_EVENTS,
     OF_A_NODE,
     OF_DIALECTS,
@@ -50,17 +51,18 @@ _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MAX_COMPONENTS}}}"
 
 
-def read_machine(source: Source) -> dict[str, object]:
+def read_machine(source: Source, *, is_layer: bool = False) -> dict[str, object]:
     """Return the settings of a machine file by dotted key, with tables as lists.
 
-    Raises ProgramError with every mistake.
+    A file that `is_layer`, such as a scenario, may name an input in place of its channel; `layered` finds the
+    channel in the file below. Raises ProgramError with every mistake.
     """
     tree = read_toml(source)
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
     for key, value in _flatten(tree):
         name = current_key(key)
-        problems = list(_problems(name, value))
+        problems = list(_problems(name, _with_some_channel(name, value) if is_layer else value))
         mistakes.extend(_located(source, key, *problem) for problem in problems)
         if not problems:
             settings[name] = value
@@ -72,6 +74,13 @@ def read_machine(source: Source) -> dict[str, object]:
     if mistakes:
         raise ProgramError(mistakes)
     return settings
+
+
+def _with_some_channel(key: str, value: object) -> object:
+    """Return the entries of a layer as if those with a name had a channel."""
+    if key not in NAMED or not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
+        return value
+    return [{"channel": 0, **each} if "name" in each else each for each in value]
 
 
 def read_toml(source: Source) -> dict[str, object]:

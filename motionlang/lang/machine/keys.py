@@ -307,6 +307,8 @@ REQUIRED = {
 }
 # The keys that identify the subject of an entry, with their defaults. An entry of a scenario replaces the
 # entries of the machine file with the same subject.
+# Tables whose entries may have a name, which a scenario gives in place of the channel.
+NAMED = ("input", "analogue")
 ABOUT: dict[str, dict[str, object]] = {
     "input": {"channel": None},
     "analogue": {"channel": None},

@@ -5,7 +5,8 @@ The keys of the upper file take precedence, and its entries replace those about 
 
 from __future__ import annotations
 
-from motionlang.lang.machine.keys import ABOUT
+from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.lang.machine.keys import ABOUT, NAMED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,15 +18,43 @@ if TYPE_CHECKING:
 def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[str, object]:
     """Merge the settings of two machine files; those of `above` take precedence.
 
-    An entry such as `[[input]]` of channel 3 replaces all entries of that channel.
+    An entry such as `[[input]]` of channel 3 replaces all entries of that channel. An input of `above` may have
+    its name in `below` in place of its channel. Raises ProgramError for a name that is not there.
     """
     out = dict(below)
     for key, value in above.items():
         under = below.get(key)
+        if key in NAMED and isinstance(value, list):
+            value = [_with_channel(key, each, under) for each in value]
         if key in ABOUT and isinstance(under, list) and isinstance(value, list):
             value = [each for each in under if not any(_replaces(key, e, each) for e in value)] + value
         out[key] = value
     return out
+
+
+def _with_channel(table: str, entry: Entry, below: object) -> Entry:
+    """Return an entry with the channel that its name has in the file below."""
+    if "channel" in entry:
+        return entry
+    known = (
+        {str(each["name"]): each["channel"] for each in below if "name" in each}
+        if isinstance(below, list)
+        else {}
+    )
+    wanted = str(entry["name"]).lower()
+    for name, channel in known.items():
+        if name.lower() == wanted:
+            return {"channel": channel, **entry}
+    near = nearest(wanted, known)
+    hint = (
+        f"did you mean {near}?"
+        if near
+        else f"its names are {', '.join(known)}"
+        if known
+        else "write channel = N"
+    )
+    message = f"no [[{table}]] of the machine file is named {entry['name']}"
+    raise ProgramError([Diagnostic("machine-file", message, hint=hint)])
 
 
 def _replaces(table: str, above: Entry, below: Entry) -> bool:

@@ -1,0 +1,41 @@
+"""The literals of two programs that differ, by address."""
+
+from __future__ import annotations
+
+from difflib import SequenceMatcher
+from typing import TYPE_CHECKING
+
+from motionlang.lang.literals import literals
+from motionlang.record import record
+
+if TYPE_CHECKING:
+    from motionlang.result import Run
+
+
+@record
+class ChangedLiteral:
+    """A number with another value; `old_address` is None if its line has not moved."""
+
+    address: str
+    old_address: str | None
+    old: str
+    new: str
+
+
+def changed_literals(old: Run, new: Run) -> list[ChangedLiteral]:
+    """Return the literals with another value, in the order of the new program.
+
+    The literals of both programs are aligned by what they are written to. There are none if the languages differ.
+    """
+    if old.dialect.name != new.dialect.name or old.source.text == new.source.text:
+        return []
+    before, after = (literals(each.source, each.dialect) for each in (old, new))
+    old_bases, new_bases = ([each.base.lower() for each in side] for side in (before, after))
+    found: list[ChangedLiteral] = []
+    for block in SequenceMatcher(None, old_bases, new_bases, autojunk=False).get_matching_blocks():
+        for k in range(block.size):
+            was, is_ = before[block.a + k], after[block.b + k]
+            if was.text != is_.text:
+                old_address = was.address if was.address != is_.address else None
+                found.append(ChangedLiteral(is_.address, old_address, was.text, is_.text))
+    return found
