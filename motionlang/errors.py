@@ -47,6 +47,7 @@ CODES: dict[str, str] = {
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
     "moving": "The command needs the axis at rest.",
     "contour-and-blend": "Paths are either contoured or blended, not both.",
+    "stopping": "The axis is decelerating to rest and accepts no move until then.",
     "buffer-in-use": "The size of a move buffer can only be changed while it is empty and the axis at rest.",
     "buffer-full": "The move buffer is full and will never drain.",
     "never": "The program waits for something that can no longer happen.",

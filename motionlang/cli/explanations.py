@@ -124,6 +124,10 @@ EXAMPLES: dict[str, Pair] = {
         "CONTOURMODE(0) = 1\nBLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
         "BLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
     ),
+    "stopping": _run(
+        "DECEL(0) = 1\nJOG(0) = 5\nWAIT = 100\nSTOP(0)\nMOVER(0) = 5 : GO(0)\n",
+        "DECEL(0) = 1\nJOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\nMOVER(0) = 5 : GO(0)\n",
+    ),
     "buffer-in-use": _run(
         "MOVER(0) = 5 : GO(0)\nMOVEBUFFERSIZE(0) = 4\n",
         "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVEBUFFERSIZE(0) = 4\n",
@@ -314,6 +318,7 @@ FIXES: dict[str, str] = {
     "zero-acceleration": "set ACCEL and DECEL above zero before GO",
     "moving": "wait for standstill, or stop the axis first",
     "contour-and-blend": "choose either CONTOURMODE or BLENDMODE",
+    "stopping": "wait for standstill with PAUSE IDLE before the next move",
     "buffer-in-use": "set the size before the first move, or wait for standstill",
     "buffer-full": "start the moves before the buffer is full",
     "never": "start the motion that the program waits for; if the machine ends the wait, --input 2=1@0.5 or the "

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import importlib.util
 import re
+from pathlib import Path
 
 import pytest
 
+import motionlang
 from motionlang.cli.explanations import EXAMPLES, FIXES, WITHOUT_EXAMPLE, Example
 from motionlang.errors import CODES
 from tests.cli.programs import Cell
@@ -45,6 +47,13 @@ def test_every_code_has_a_fix_and_an_example_or_a_reason() -> None:
     assert FIXES.keys() == CODES.keys()
     assert not EXAMPLES.keys() & WITHOUT_EXAMPLE.keys()
     assert EXAMPLES.keys() | WITHOUT_EXAMPLE.keys() == CODES.keys()
+
+
+def test_every_code_that_is_raised_exists() -> None:
+    """A code that is not in the list would end a run with error[crash]."""
+    raised = re.compile(r"\b(?:Rejected|Diagnostic)\(\s*\"([a-z-]+)\"")
+    files = Path(motionlang.__file__).parent.rglob("*.py")
+    assert {found[1] for path in files for found in raised.finditer(path.read_text("utf-8"))} <= CODES.keys()
 
 
 def test_the_page_is_written_from_the_examples() -> None:
