@@ -10,11 +10,12 @@ from __future__ import annotations
 
 import re
 import textwrap
+from collections.abc import Iterable
 from pathlib import Path
 
 from motionlang.mcapi import constants
 from motionlang.mcapi.calls import readings, settings  # noqa: F401
-from motionlang.mcapi.table import FUNCTIONS, STRUCTURES, Argument, Function, Structure
+from motionlang.mcapi.table import FUNCTIONS, MCAPI, STRUCTURES, Argument, Function, Structure
 from motionlang.mccl.keywords import table
 
 ROOT = Path(__file__).parents[1]
@@ -152,7 +153,7 @@ def _flat(values: Sequence[float]) -> list[float]:
     return [len(values), *values]
 '''
     classes = [structure_class(each) for each in STRUCTURES.values()]
-    methods = [method(each) for each in FUNCTIONS.values() if each.name not in BY_HAND]
+    methods = [method(each) for each in MCAPI.values() if each.name not in BY_HAND]
     whole = 'class Mcapi(Binding):\n    """MCAPI as PMC\'s Python binding has it, without the library."""\n\n'
     return head + "\n\n" + "\n\n".join(classes) + "\n\n" + whole + "\n".join(methods)
 
@@ -163,6 +164,7 @@ C_TYPES = {
     "h": "HCTRLR",
     "s": "short",
     "i": "int",
+    "l": "long",
     "W": "WORD",
     "D": "DWORD",
     "u": "unsigned",
@@ -185,6 +187,18 @@ as well.
 """
 
 
+DIALOGS = """
+## MCDLG
+
+Three functions of PMC's library of dialogs need no dialog. They are in the C library, too, and `mcdlg64.dll` and
+`mcdlg32.dll` have them. The file has a section `[Axis n]` for each axis, with lines of `name = value`; what is restored
+is exactly what was saved.
+
+| function | arguments | MCCL | what it does here |
+|---|---|---|---|
+"""
+
+
 def shown(each: Argument) -> str:
     name = f"{each.name}[{each.size}]" if each.size else each.name
     return f"→ {name}" if each.out else name
@@ -193,19 +207,22 @@ def shown(each: Argument) -> str:
 def page() -> str:
     """Return the text of docs/mcapi-functions.md."""
     names = {row.name for row in table()}
+    counts = {"count": len(MCAPI), "unsupported": len([each for each in MCAPI.values() if each.unsupported])}
+    dialogs = [each for each in FUNCTIONS.values() if each.name not in MCAPI]
+    return PAGE_HEAD.format(**counts) + page_rows(MCAPI.values(), names) + DIALOGS + page_rows(dialogs, names)
+
+
+def page_rows(functions: Iterable[Function], names: set[str]) -> str:
+    """Return the rows of functions; their commands must be among `names`."""
     rows = []
-    for each in FUNCTIONS.values():
+    for each in functions:
         mccl = re.sub(r"\{\w+\}", "n", each.mccl)
         used = re.findall(r"a?([A-Z]{2})", mccl)
         assert not [name for name in used if name not in names], each.name
         does = each.help or f"Not supported: {each.unsupported}."
         arguments = ", ".join(map(shown, each.arguments))
-        rows.append(f"| `{each.name}` | {arguments} | {f'`{mccl}`' if mccl else ''} | {does} |")
-    counts = {
-        "count": len(FUNCTIONS),
-        "unsupported": sum(bool(each.unsupported) for each in FUNCTIONS.values()),
-    }
-    return PAGE_HEAD.format(**counts) + "\n".join(rows) + "\n"
+        rows.append(f"| `{each.name}` | {arguments} | {f'`{mccl}`' if mccl else ''} | {does} |\n")
+    return "".join(rows)
 
 
 # ---------------------------------------------------------------------------------------------- the C library
@@ -259,7 +276,7 @@ def c_type(each: Argument) -> str:
     texts = {"v": "void *", "buf": "char *"}
     if each.kind in texts:
         return texts[each.kind]
-    if each.kind == "str":
+    if each.kind in ("str", "file"):
         return "const char *"
     pointer = " *" if each.out or each.size else " "
     return C_TYPES[each.kind] + pointer
@@ -309,7 +326,7 @@ def letters(function: Function) -> str:
         elif each.size:
             found += f"[{each.kind}{places[each.size]}"
         else:
-            found += {"str": "t", "memory": "m"}.get(each.kind, each.kind)
+            found += {"str": "t", "memory": "m", "file": "F"}.get(each.kind, each.kind)
     return found
 
 

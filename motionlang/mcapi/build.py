@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from motionlang.cache import folder
+from motionlang.mcapi.table import FUNCTIONS, MCAPI
 from motionlang.record import record
 
 if TYPE_CHECKING:
@@ -39,12 +40,14 @@ class CannotBuild(Exception):
 class Target:
     """A system that the library is built for.
 
-    `library` is the file, `links` are further names for it. `compilers` are tried in this order.
+    `library` is the file, `links` are further names for it. `dialogs` is a library that forwards the functions
+    of MCDLG to it, "" for none. `compilers` are tried in this order.
     """
 
     name: str
     library: str
     links: tuple[str, ...]
+    dialogs: str
     compilers: tuple[str, ...]
     options: tuple[str, ...]
     libraries: tuple[str, ...]
@@ -55,6 +58,7 @@ _TARGETS = (
         "linux",
         "libmcapi-4.4.1.so",
         ("libmcapi.so",),
+        "",
         ("cc", "gcc", "clang"),
         ("-fPIC", "-fvisibility=hidden", "-Wl,-Bsymbolic", "-Wl,-soname,libmcapi-4.4.1.so"),
         ("-lpthread", "-ldl"),
@@ -63,6 +67,7 @@ _TARGETS = (
         "win64",
         "mcapi64.dll",
         (),
+        "mcdlg64.dll",
         ("x86_64-w64-mingw32-gcc",),
         ("-static-libgcc", "-Wl,--kill-at"),
         ("-lws2_32",),
@@ -71,6 +76,7 @@ _TARGETS = (
         "win32",
         "mcapi32.dll",
         (),
+        "mcdlg32.dll",
         ("i686-w64-mingw32-gcc",),
         ("-static-libgcc", "-Wl,--kill-at"),
         ("-lws2_32",),
@@ -102,6 +108,9 @@ def build(target: Target, out: Path | None = None) -> Path:
             made = Path(work) / target.library
             command = [*compiler, *_COMMON, *target.options, "-o", str(made)]
             _run([*command, str(SOURCE / "mcapi.c"), *target.libraries])
+            if target.dialogs:
+                _build_dialogs(target, compiler, Path(work))
+                os.replace(Path(work) / target.dialogs, to.parent / target.dialogs)
             os.replace(made, to)
             for name in target.links:
                 link = Path(work) / name
@@ -112,6 +121,17 @@ def build(target: Target, out: Path | None = None) -> Path:
             f"{to.parent} cannot be written: {error.strerror or error}", "name a folder with --out DIR"
         ) from None
     return to
+
+
+def _build_dialogs(target: Target, compiler: list[str], work: Path) -> None:
+    """Make the library of dialogs, which only forwards to the other one."""
+    names = [name for name in FUNCTIONS if name not in MCAPI]
+    to = target.library.removesuffix(".dll")
+    exports = work / "dialogs.def"
+    exports.write_text("EXPORTS\n" + "".join(f"{name} = {to}.{name}\n" for name in names), encoding="ascii")
+    empty = work / "empty.c"
+    empty.write_text("int no_dialogs;\n", encoding="ascii")
+    _run([*compiler, "-shared", "-o", str(work / target.dialogs), str(empty), str(exports)])
 
 
 def _compiler(target: Target) -> list[str]:

@@ -30,6 +30,7 @@ class Call:
         "handle",
         "host",
         "line",
+        "more",
         "number",
         "outputs",
         "value",
@@ -42,7 +43,9 @@ class Call:
         self.handle: Handle | None = None
         # The number of the host process.
         self.host = 0
+        # The line that carries it out, and those that follow it.
         self.line: Line | None = None
+        self.more: list[Line] = []
         self.outputs: tuple[Value, ...] = ()
         self.value = self.code = 0
         self.done = False

@@ -251,6 +251,22 @@ class Binding:
         """Return the text of an error code."""
         return mc.MESSAGES.get(error, f"unknown error {error}")
 
+    def SaveAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
+        """Write the settings of the axis, or of all for 0, into a file (MCDLG_SaveAxis)."""
+        text = self._get("MCDLG_SaveAxis", axis, flags, 1)
+        with open(path, "w", encoding="latin-1", newline="\n") as file:
+            file.write(text)
+
+    def RestoreAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
+        """Set what SaveAxis has written into a file (MCDLG_RestoreAxis)."""
+        with open(path, encoding="latin-1") as file:
+            self._do("MCDLG_RestoreAxis", axis, flags, file.read())
+
+    def DownloadFile(self, path: str) -> None:  # noqa: N802
+        """Carry out a file of MCCL, a line after the other (MCDLG_DownloadFile)."""
+        with open(path, encoding="latin-1") as file:
+            self._do("MCDLG_DownloadFile", 0, 0, file.read())
+
     def ProcessException(self, error: int = -1) -> int:  # noqa: N802
         """Raise McapiException for an error, by default the last one; return its code."""
         code = self.GetError() if error == -1 else error

@@ -73,6 +73,7 @@ class Interface(CommandTask):
 
     def drop(self, call: Call) -> None:
         """Abandon a call whose host is gone, or that has timed out before it began."""
+        call.more.clear()
         if call is self.under_way:
             self.abandon()
             self.wait = None
@@ -83,6 +84,8 @@ class Interface(CommandTask):
 
     def next_line(self) -> Line | None:
         """End the current call and begin the next one."""
+        if self.under_way is not None and self.under_way.more:
+            return self.under_way.more.pop(0)
         if self.under_way is not None:
             call, self.under_way = self.under_way, None
             call.finish(self.board.controller.clock.now)
@@ -114,6 +117,7 @@ class Interface(CommandTask):
         if self.board.refused(self, trouble):
             if self.under_way is not None:
                 self.under_way.code = code_of(trouble)
+                self.under_way.more.clear()
             self.abandon()
 
     def _replied(self, text: str) -> None:

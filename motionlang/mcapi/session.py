@@ -46,7 +46,17 @@ MAX_HANDLES = 1000
 # Arguments that are axes.
 AXES = ("axis", "master", "caxis")
 # Functions for which axis 0 means all, although no single command says so.
-ALL_AXES = frozenset({"MCIsStopped", "MCIsAtTarget", "MCIsIndexFound", "MCIsEdgeFound", "MCReset"})
+ALL_AXES = frozenset(
+    {
+        "MCIsStopped",
+        "MCIsAtTarget",
+        "MCIsIndexFound",
+        "MCIsEdgeFound",
+        "MCReset",
+        "MCDLG_SaveAxis",
+        "MCDLG_RestoreAxis",
+    }
+)
 # Functions whose value is an error code.
 CODES = frozenset({"MCGetError", "MCTranslateErrorEx", "pmclock"})
 # Functions whose argument named `axis` may be 0, because it is no axis: commands without one.
@@ -448,7 +458,7 @@ def _converted(each: Argument, value: Value | None) -> Value:
         if not isinstance(value, (int, float)):
             raise BadCall(f"{each.name} is a number")
         return float(value)
-    if each.kind == "str":
+    if each.kind in ("str", "file"):
         if not isinstance(value, str):
             raise BadCall(f"{each.name} is a text")
         return value

@@ -42,13 +42,21 @@ def chost(library: Path) -> Path:
 
 def run(program: Path, library: Path, address: str, **more: str) -> subprocess.CompletedProcess[str]:
     environment = {**os.environ, "MCAPI_HOST": address, "LD_LIBRARY_PATH": str(library.parent), **more}
-    return subprocess.run([program], env=environment, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(
+        [program],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        cwd=program.parent,
+    )
 
 
 def test_the_hand_written_part_is_small() -> None:
-    """At most 400 lines, and the rest is generated."""
-    lines = (SOURCE / "mcapi.c").read_text(encoding="utf-8").splitlines()
-    assert len([line for line in lines if line.strip()]) <= 400
+    """At most 400 lines without blank ones and comments; the rest is generated."""
+    text = re.sub(r"/\*.*?\*/", "", (SOURCE / "mcapi.c").read_text(encoding="utf-8"), flags=re.DOTALL)
+    assert len([line for line in text.splitlines() if line.strip()]) <= 400
 
 
 def test_the_source_is_in_the_wheel() -> None:

@@ -1,4 +1,7 @@
-"""The DLLs: built by mingw, with the names that hosts ask for; the 64-bit one runs under Wine."""
+"""The DLLs: built by mingw, with the names that hosts ask for.
+
+The 64-bit one runs under Wine.
+"""
 
 from __future__ import annotations
 
@@ -28,8 +31,9 @@ int main(void)
     int stopped = MCIsStopped(h, 1, 10.0), code = MCGetPositionEx(h, 1, &position);
     int words = MCGetStatusEx(h, 1, &status);
     MCTranslateErrorEx(MCGetPositionEx(h, 99, &position), text, sizeof text);
-    printf("%d %d %d %g %d %lu %d %s\\n", h, stopped, code, position, words, status.ModeStatus,
-           (int)sizeof status, text);
+    words += MCDLG_SaveAxis(h, 1, 0, "saved.ini") + MCDLG_RestoreAxis(h, 1, 0, "saved.ini");
+    printf("%d %d %d %g %d %lu %d %s\\n",
+           h, stopped, code, position, words, status.ModeStatus, (int)sizeof status, text);
     return 0;
 }
 """
@@ -53,6 +57,9 @@ def test_a_dll_exports_every_function(target: str, tmp_path: Path) -> None:
     names = re.findall(r"^\s+\[ *\d+\] .*?(\S+)$", done.stdout.partition("Ordinal/Name")[2], re.MULTILINE)
     assert {name for name in names if not name.startswith("_")} >= set(FUNCTIONS)
     assert not [name for name in names if "@" in name]
+    dialogs = tmp_path / dll.name.replace("mcapi", "mcdlg")
+    done = subprocess.run([f"{tools}objdump", "-p", dialogs], capture_output=True, text=True, check=True)
+    assert f"{dll.stem}.MCDLG_SaveAxis" in done.stdout
 
 
 @pytest.mark.slow
@@ -62,7 +69,15 @@ def test_a_host_on_windows(serve: Serve, tmp_path: Path) -> None:
     dll = build(TARGETS["win64"], tmp_path) if compiler("win64") else tmp_path
     (tmp_path / "host.c").write_text(HOST, encoding="utf-8")
     program = tmp_path / "host.exe"
-    command = [compiler("win64"), "-o", program, tmp_path / "host.c", f"-I{SOURCE}", dll]
+    command = [
+        compiler("win64"),
+        "-o",
+        program,
+        tmp_path / "host.c",
+        f"-I{SOURCE}",
+        tmp_path / "mcdlg64.dll",
+        dll,
+    ]
     subprocess.run(list(map(str, command)), check=True)
     environment = {
         **os.environ,
@@ -72,7 +87,13 @@ def test_a_host_on_windows(serve: Serve, tmp_path: Path) -> None:
         "DISPLAY": "",
     }
     done = subprocess.run(
-        ["wine", str(program)], env=environment, capture_output=True, text=True, timeout=250, check=False
+        ["wine", str(program)],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=250,
+        check=False,
+        cwd=tmp_path,
     )
     assert done.stdout == "1 1 0 2001 0 1 20 axis number out of range\n", done.stderr
     subprocess.run(["wineserver", "-k"], env=environment, check=False, capture_output=True)

@@ -1,0 +1,92 @@
+"""MCDLG without dialogs: save and restore an axis, download a file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang import mcapi as mc
+from motionlang.mcapi import Mcapi, McapiException
+from tests.mcapi.conftest import opened
+
+SET = "1US40,1UR60,1UO1.5,UT2,1MN,1MF,1SA123.25,1DS99.5,1SV17.125,1SG0.3,1SE77,1LM6,1LN3,1HL9.5,1LL-3.25,1PS,1PH1,1DI1"
+
+
+def saved(host: Mcapi, path: Path, axis: int = 0, flags: int = 0) -> str:
+    host.SaveAxis(axis, flags, str(path))
+    return path.read_text(encoding="latin-1")
+
+
+def test_a_restored_board_is_the_saved_one(tmp_path: Path) -> None:
+    """Exactly: all axes of a fresh board are then written as they were."""
+    host = opened()
+    port = host.board.console.open(echo=False)
+    port.feed(SET.encode() + b"\r")
+    host.advance(0.1)
+    host.SetPosition(1, 33.125)
+    first = saved(host, tmp_path / "first.ini")
+    assert "Velocity = 17.125\n" in first
+    assert "[Axis 8]\n" in first
+    fresh = opened()
+    assert saved(fresh, tmp_path / "fresh.ini") != first
+    fresh.RestoreAxis(0, 0, str(tmp_path / "first.ini"))
+    assert saved(fresh, tmp_path / "second.ini") == first
+    assert fresh.GetPositionEx(1) == 33.125
+
+
+def test_flags_leave_groups_out(tmp_path: Path) -> None:
+    text = saved(opened(), tmp_path / "a.ini", 1, 2 | 4 | 8 | 16 | 32)
+    assert text == "[Axis 1]\nProfile = 1\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("", mc.MCERR_NOT_FOUND),
+        ("[Axis 2]\nVelocity = 5\n", mc.MCERR_NOT_FOUND),
+        ("[Axis 1]\nVelocity = fast\n", mc.MCERR_RANGE),
+        ("[Axis 1]\nVelocity = nan\n", mc.MCERR_RANGE),
+        ("[Axis 1]\nVelocity = -1\n", mc.MCERR_RANGE),
+        (
+            "[Axis 1]\nHardLimitMode = 12\nSoftLimitMode = 0\nSoftLimitLow = 0\nSoftLimitHigh = 0\n",
+            mc.MCERR_CONSTANT,
+        ),
+    ],
+)
+def test_a_file_that_does_not_fit(tmp_path: Path, text: str, code: int) -> None:
+    host = opened()
+    (tmp_path / "a.ini").write_text(text, encoding="latin-1")
+    with pytest.raises(McapiException) as caught:
+        host.RestoreAxis(1, 0, str(tmp_path / "a.ini"))
+    assert caught.value.code == code
+    assert host.GetVelocityEx(1) == 40_000.0
+
+
+def test_a_field_without_a_command_is_left_out_on_restore(tmp_path: Path) -> None:
+    """Settings of a MultiFlex are restored on a DCX-PCI100 as far as that goes."""
+    host = opened()
+    host.SetVelocity(1, 555.0)
+    saved(host, tmp_path / "a.ini", 1)
+    other = opened({"controller.model": "dcx-pci100"})
+    other.RestoreAxis(1, 0, str(tmp_path / "a.ini"))
+    assert other.GetVelocityEx(1) == 555.0
+
+
+def test_a_file_is_carried_out_line_by_line(tmp_path: Path) -> None:
+    """A macro ends with its line, a wait holds the next line.
+
+    A rejected command ends the file.
+    """
+    host = opened()
+    file = tmp_path / "a.mcl"
+    file.write_text("MD1,AL5\n; a remark\nMC1,AR20\n1MN,1MR5000,1WS\n1MR1000,1WS\n", encoding="latin-1")
+    host.DownloadFile(str(file))
+    assert host.GetRegister(20, mc.MC_TYPE_LONG) == 5
+    assert host.GetPositionEx(1) == 6000.0
+    file.write_text("1SV7\nXX\n1SV8\n", encoding="latin-1")
+    with pytest.raises(McapiException):
+        host.DownloadFile(str(file))
+    assert host.GetVelocityEx(1) == 7.0
+    file.write_text("; nothing\n", encoding="latin-1")
+    host.DownloadFile(str(file))
