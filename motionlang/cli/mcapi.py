@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.machine_options import add_machine
+from motionlang.cli.mcapi_run import run_host
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_command, arrange, sentence
 from motionlang.cli.serve import GROUPS, add_addresses, add_board, read_board
@@ -125,8 +126,6 @@ def library(target: str = "linux") -> Path | None:
 
 def run_command(args: argparse.Namespace) -> int:
     """Serve a board to a program until the program ends; its exit status."""
-    from motionlang.cli.mcapi_run import run_host
-
     options = Options("")
     status = read_board(args, options)
     if status:

@@ -19,7 +19,6 @@ from motionlang.cli.complaints import complain
 from motionlang.cli.serve_board import mcapi_hosts, server_of
 from motionlang.cli.serve_hosts import open_lines
 from motionlang.errors import Diagnostic
-from motionlang.mcapi.log import Recorder
 from motionlang.serve.address import LOOPBACK, shown
 
 if TYPE_CHECKING:
@@ -42,6 +41,8 @@ FAKETIME = (
 
 def run_host(args: argparse.Namespace, options: Options, library: Path) -> int:
     """Serve a board on a free port to a program; return the program's exit status."""
+    from motionlang.mcapi.log import Recorder
+
     made = server_of(args, None, options.settings, options.overrides)
     if made is None:
         return 1

@@ -19,6 +19,7 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.review import NoAnswer, Quit, ask, review
 from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_further import expectations, further_checks
+from motionlang.cli.verify_log import verify_log
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.source import Source
@@ -173,8 +174,6 @@ def _judged(rewrite: bool, program: str) -> list[Verdict]:
     Or that of a log.
     """
     if program.endswith(LOG_SUFFIX):
-        from motionlang.cli.verify_log import verify_log
-
         return [verify_log(program)]
     verdict = Verdict(program)
     if _is_readable(verdict):

@@ -9,13 +9,14 @@ from motionlang.cli.verdict import Verdict
 from motionlang.controller.faults import Rejected
 from motionlang.errors import ProgramError
 from motionlang.execution import machine_of, settings_next_to
-from motionlang.mcapi.log import BadLog
-from motionlang.mcapi.replay import call_of, replay_file
 from motionlang.source import Source
 
 
 def verify_log(path: str) -> Verdict:
     """Replay a log on the machine of the file next to it, or of its model."""
+    from motionlang.mcapi.log import BadLog
+    from motionlang.mcapi.replay import call_of, replay_file
+
     verdict = Verdict(path, "log")
     try:
         replay = replay_file(path, settings_next_to(path))
