@@ -23,6 +23,7 @@ WRITERS = (
     "tests.mcapi_files",
     "tests.cli_page",
     "tests.diagnostics_page",
+    "tests.vscode_grammars",
     "tests.stages_page",
     "tests.highlight_tables",
 )
