@@ -130,7 +130,7 @@ const HEARD = {
   },
   failed: ({ text }) => {
     busy(false);
-    say(`The program could not be run: ${text}.`);
+    say(python.ready ? `The program could not be run: ${text}.` : `Python could not be loaded: ${text}. Run tries again.`);
   },
   ended: ({ why }) => {
     busy(false);

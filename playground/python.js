@@ -11,7 +11,7 @@ export class Python {
   }
 
   start() {
-    this.ready = false;
+    this.ready = this.broken = false;
     const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
     this.worker = worker;
     worker.addEventListener("message", ({ data }) => worker === this.worker && this.take(data));
@@ -32,8 +32,9 @@ export class Python {
       this.running = false;
     }
     this.hear(message);
-    // After a failure its memory may be full or inconsistent; without Python a new worker would fail again.
+    // After a failure its memory may be full or inconsistent. If Python could not be loaded, the next run tries again.
     if (message.type === "failed" && this.ready) this.replace();
+    else this.broken = message.type === "failed";
   }
 
   // The time limit counts from when Python is there.
@@ -42,6 +43,7 @@ export class Python {
   }
 
   run(request) {
+    if (this.broken) this.replace();
     this.running = true;
     if (this.ready) this.limit();
     this.worker.postMessage(request);

@@ -5,21 +5,32 @@
 
 const NO_MEMORY = "the program needs more memory than the browser gives it";
 
+const PYODIDE = ["pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"];
+
 const here = (name) => new URL(name, import.meta.url);
 
-async function bytes(name) {
-  const answer = await fetch(here(name));
+async function found(name, options) {
+  const answer = await fetch(here(name), options);
   if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
-  return answer.arrayBuffer();
+  return answer;
+}
+
+async function bytes(name) {
+  return (await found(name)).arrayBuffer();
 }
 
 async function start() {
   const began = performance.now();
-  const contents = (await fetch(here("contents.json"))).json();
+  const contents = found("contents.json").then((answer) => answer.json());
   const files = contents.then(({ wheel }) => Promise.all([bytes(wheel), bytes("runner.py")]));
-  files.catch(() => {}); // reported below, where it is awaited
-  const { loadPyodide } = await import(here("pyodide/pyodide.mjs").href);
-  const python = await loadPyodide({ indexURL: here("pyodide/").href });
+  // Pyodide waits for ever for a file that it cannot load, so a missing one is found out here.
+  const there = PYODIDE.map((name) => found(`pyodide/${name}`, { method: "HEAD" }));
+  const missing = new Promise((_, reject) => Promise.all([files, ...there]).catch(reject));
+  const load = async () => {
+    const { loadPyodide } = await import(here("pyodide/pyodide.mjs").href);
+    return loadPyodide({ indexURL: here("pyodide/").href });
+  };
+  const python = await Promise.race([load(), missing]);
   const loaded = performance.now() - began;
   const [wheel, runner] = await files;
   python.unpackArchive(wheel, "wheel");
