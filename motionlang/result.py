@@ -178,7 +178,7 @@ def save_nonvolatile(result: Run) -> None:
     if kept.path is None:
         if kept.names:
             words = ", ".join(kept.names)
-            result.notes.append(f"nv data kept only during the run (use --nv FILE): {words}")
+            result.notes.append(f"nv data stored only during the run (use --nv FILE): {words}")
         return
     try:
         kept.save()
@@ -295,7 +295,7 @@ def report_unasked(result: Run) -> None:
         result.diagnostics.append(
             Diagnostic(
                 "unasked",
-                f'no INPUT asked for the answer "{clipped(text)}"',
+                f'no INPUT took the answer "{clipped(text)}"',
                 hint="leave it out, or let its prompt be part of the question",
                 severity="warning",
             )

@@ -32,7 +32,7 @@ FRACTION = 0.75
 REFUSES = "refuses"
 # Below this a Float of 32 bits distinguishes adjacent integers.
 EXACT = 1e7
-AGAIN = "switch the drive off, and start the controller anew afterwards"
+AGAIN = "switch the drive off, and restart the controller afterwards"
 
 
 def other_defaults(row: Keyword) -> list[str]:
@@ -201,8 +201,10 @@ def _scale(row: Keyword) -> Questions:
         alone=True,
         needs=AGAIN,
     )
-    question = f"Whether {row.name} goes by SCALEFACTOR"
-    return [("scale", question, "yes: user units, kept in counts", ["no, or it is kept as written"], probe)]
+    question = f"Whether {row.name} follows SCALEFACTOR"
+    return [
+        ("scale", question, "yes: user units, stored in counts", ["no, or it is stored as written"], probe)
+    ]
 
 
 def _type(row: Keyword) -> Questions:
@@ -268,7 +270,7 @@ def _bare(row: Keyword) -> Questions:
     """Return a question for a command that names no axis."""
     if row.kind != "reading" or row.access != "R" or row.index not in ("axis", "axes"):
         return []
-    lines, code = "it tells of every axis, a line each", "it answers a code: an axis must be named"
+    lines, code = "it reports every axis, one per line", "it answers a code: an axis must be named"
     said = [(lines, r"re:\d.*"), (code, r"re:\?-?\d+")]
     (chosen, first), (other, second) = said if row.index == "axes" else said[::-1]
     probe = Probe("mccl", row.name, answers=(first, second), alone=True)

@@ -304,7 +304,7 @@ class Server:
                 why = host.waits_in_vain()
                 if why:
                     self._complain(
-                        f"host {host.number} waits {why}, and nothing under way ends that; "
+                        f"host {host.number} waits {why}, and nothing in progress ends that; "
                         f"{self.console.break_key} gives it up"
                     )
 

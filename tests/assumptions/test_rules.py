@@ -90,7 +90,7 @@ def test_a_scale_is_told_by_reading_a_value_back_under_another_one() -> None:
     scale = of("mint", "HOMESPEED")["scale"]
     assert "<mint.homespeed-scale|2.5000>" in answered(scale)
     (verdict,) = read("<probe|mint 1>\n<mint.homespeed-scale|5>\n<end|mint 1>\n").verdicts
-    assert verdict.what == "no, or it is kept as written"
+    assert verdict.what == "no, or it is stored as written"
 
 
 def test_a_default_that_a_controller_has_otherwise_is_found() -> None:

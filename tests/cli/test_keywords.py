@@ -129,13 +129,13 @@ def test_the_page_of_a_word_says_what_is_left_open_and_what_to_type(
     begin = text.index("  mint.homespeed-scale\n")
     assert text[begin:].splitlines()[:8] == [
         "  mint.homespeed-scale",
-        "    Whether HOMESPEED goes by SCALEFACTOR:",
-        "    first: switch the drive off, and start the controller anew afterwards",
+        "    Whether HOMESPEED follows SCALEFACTOR:",
+        "    first: switch the drive off, and restart the controller afterwards",
         "      SCALEFACTOR(0) = 10",
         "      HOMESPEED(0) = 5",
         "      SCALEFACTOR(0) = 20",
         "      PRINT HOMESPEED(0)",
-        "      2.5  yes: user units, kept in counts (chosen here)",
+        "      2.5  yes: user units, stored in counts (chosen here)",
     ]
 
 

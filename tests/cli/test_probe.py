@@ -86,11 +86,11 @@ def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
     status, text, _ = probe(tmp_path, capsys, "mint.homespeed-scale", "--axis", "2")
     assert status == 0
     assert text.splitlines()[:5] == [
-        "' mint.homespeed-scale: Whether HOMESPEED goes by SCALEFACTOR",
-        "' First: switch the drive off, and start the controller anew afterwards.",
+        "' mint.homespeed-scale: Whether HOMESPEED follows SCALEFACTOR",
+        "' First: switch the drive off, and restart the controller afterwards.",
         "' What it shows, and what that says of the controller:",
-        "'   2.5  yes: user units, kept in counts (chosen here)",
-        "'   5    no, or it is kept as written",
+        "'   2.5  yes: user units, stored in counts (chosen here)",
+        "'   5    no, or it is stored as written",
     ]
     assert "HOMESPEED(2) = 5" in text
     program = tmp_path / "probe.mnt"

@@ -17,7 +17,7 @@ def test_a_wait_that_nothing_ends_is_told_at_once(serve: Serve, clock: str) -> N
     host.send(b"\x1b")
     host.until(b"?-7")
     assert board.complaints == [
-        "host 1 waits for axis 1 to be idle, and nothing under way ends that; ESC gives it up"
+        "host 1 waits for axis 1 to be idle, and nothing in progress ends that; ESC gives it up"
     ]
 
 

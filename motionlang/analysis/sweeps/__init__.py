@@ -144,7 +144,7 @@ class Sweep:
     def _check(self, source: Source, language: Dialect) -> None:
         from motionlang.lang.machine.file import check_setting, current_key
 
-        """What is wrong with every variant is told once, before any is run."""
+        """Mistakes of every variant are reported once, before any run."""
 
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):

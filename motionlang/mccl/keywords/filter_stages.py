@@ -43,7 +43,7 @@ def output_mode(task: CommandTask, command: Command) -> None:
         axis.kept["output_mode"] = float(mode)
         if not simulated and task.board.controller.has_motor(axis.number):
             message = f"the simulated motor of axis {axis.number} has a bipolar amplifier, not {name}"
-            task.board.warn(task, "not-simulated", message, "the mode is kept and told")
+            task.board.warn(task, "not-simulated", message, "the mode is stored and reported")
 
 
 def _keep(name: str, value: float) -> Action:
@@ -85,13 +85,14 @@ _trajectory_row = Group("trajectory").row
 ROWS = (
     _row("OM", "setting", "W", "axes", "number", output_mode,
          "Output mode: 0 bipolar, 1 unipolar, 2 and 3 the same as PWM, 4 piezo, 32768 and 49152 sine without and with "
-         "encoder; stepper 0 pulse and direction, 1 CW and CCW. Kept, told as the variable OUTPUTMODE.",
+         "encoder; stepper 0 pulse and direction, 1 CW and CCW. Stored, reported as the variable OUTPUTMODE.",
          '1OM2,LU"OUTPUTMODE",1RL@0,TR0', default=0, low=0, high=0xC000),
     _row("IM", "setting", "W", "axes", "bool", Actions("input_mode", do=_keep_parameter("input_mode")),
-         "Input mode of a stepper: 0 open loop, 1 closed loop. Kept, told as the variable INPUTMODE; a stepper here "
+         "Input mode of a stepper: 0 open loop, 1 closed loop. Stored, reported as the variable INPUTMODE; a "
+         "stepper here "
          "loses no steps.", '1IM1,LU"INPUTMODE",1RL@0,TR0', default=0, low=0, high=1),
     _row("ES", "setting", "W", "axes", "number", Actions("encoder_scaling", do=_keep_parameter("encoder_scaling")),
-         "Encoder counts per step of a closed-loop stepper. Kept, told as the variable ENCODERSCALE.",
+         "Encoder counts per step of a closed-loop stepper. Stored, reported as the variable ENCODERSCALE.",
          '1ES2.5,LU"ENCODERSCALE",1RV@0,TR0', default=1, low=-1e6, high=1e6),
     _trajectory_row("HS", "setting", "C", "axes", "", Actions("high_rate", do=_rate(4000.0)),
                     "High speed: the servo loop of a simulated motor runs at 4 kHz; profiles are exact and "
@@ -101,7 +102,9 @@ ROWS = (
     _trajectory_row("LS", "setting", "C", "axes", "", Actions("low_rate", do=_rate(1000.0)),
                     "Low speed: the servo loop of a simulated motor runs at 1 kHz.", "1LS", family="rates"),
     _trajectory_row("FC", "setting", "C", "axes", "", Actions("full_current", do=_keep("current", FULL)),
-                    "Full motor current (stepper): kept, told as the variable CURRENT.", '1FC,LU"CURRENT",1RV@0,TR0'),
+                    "Full motor current (stepper): stored, reported as the variable CURRENT.",
+                    '1FC,LU"CURRENT",1RV@0,TR0'),
     _trajectory_row("HC", "setting", "C", "axes", "", Actions("half_current", do=_keep("current", HALF)),
-                    "Half motor current (stepper): kept, told as the variable CURRENT.", '1HC,LU"CURRENT",1RV@0,TR0'),
+                    "Half motor current (stepper): stored, reported as the variable CURRENT.",
+                    '1HC,LU"CURRENT",1RV@0,TR0'),
 )  # fmt: skip

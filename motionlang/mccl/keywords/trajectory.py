@@ -105,7 +105,7 @@ ROWS = (
     _row("PP", "setting", "C", "axes", "", shape_parabolic,
          "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP", family="profiles"),
     _row("SQ", "setting", "W", "axes", "number", kept("kept_torque"),
-         "Set the torque limit, the largest output in volts; kept and told as it is written, though no output exceeds "
+         "Set the torque limit, the largest output in volts; stored and reported as written, though no output exceeds "
          "10.",
          "1SQ3.5,1TQ", default=10, low=0, tunes="output_limit"),
     _row("FS", "setting", "C", "axes", "", full_step, "Full steps (stepper); shows in the status.", "1FS"),

@@ -45,7 +45,7 @@ ROWS = (
     _row("BD", "setting", "W", "axes", "uu", backlash_distance,
          "Set half the backlash: how far the motor goes ahead of the load from BN on.", "1BD10", default=0, low=0),
     _row("BN", "command", "C", "axes", "", backlash_on,
-         "Compensate backlash, from the middle of it: TT tells the target of the load, TP where the motor is.",
+         "Compensate backlash, from the middle of it: TT reports the target of the load, TP where the motor is.",
          "1MN,1BD10,1BN,1MR500,1WS,1TP"),
     _row("BF", "command", "C", "axes", "", backlash_off, "Compensate backlash no longer.", "1BF"),
 )  # fmt: skip

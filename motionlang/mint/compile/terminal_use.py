@@ -124,7 +124,9 @@ def line(b: Body, node: nodes.Call) -> None:
 
 def _line_of_items(b: Body, node: nodes.Print) -> None:
     if node.row is None or node.row.verb != "line":
-        b.problem("syntax", f"USING and ; stand among the values of PRINT and LINE, not of {node.word}", node)
+        b.problem(
+            "syntax", f"USING and ; belong among the values of PRINT and LINE, not of {node.word}", node
+        )
         return
     _print_on_row(b, node, node.line, node.items)
 

@@ -86,7 +86,7 @@ _MAX_TIME = 2147483647.0
 
 ROWS = (
     Keyword("AXES", "", "command", "C", "axes", "", Actions("default_axes", do=of(Environment, do_default_axes)),
-            "Which axes a keyword without brackets means, in this task; axis 0 until it is said.",
+            "Which axes a keyword without brackets means, in this task; axis 0 until it is set.",
             "AXES[0, 1]\nSPEED = 10, 20\nPRINT SPEED(1)", group="axis"),
     Keyword("SCALEFACTOR", "SCALE", "setting", "RW", "axis", "number", _SCALE,
             "Encoder counts per user unit; every distance, speed and rate of the axis is in that unit.",

@@ -91,7 +91,7 @@ _MODBUS_PARAMETER = Actions(
 
 _PARAMETERS = (
     ("_mpENABLE", 0, "MODBUSPARAMETER: 1 while the server answers."),
-    ("_mpDEBUG", 1, "MODBUSPARAMETER: the terminal that is told of what goes on."),
+    ("_mpDEBUG", 1, "MODBUSPARAMETER: the terminal that receives its messages."),
     ("_mpDROPPED_FRAMES", 2, "MODBUSPARAMETER: packets that were rejected."),
     ("_mpREGISTER_MAPPING", 3, "MODBUSPARAMETER: the area that clients see."),
     ("_rmCOMMS_ARRAY", 0, "MODBUSPARAMETER: clients see the comms array."),

@@ -69,7 +69,7 @@ ROWS = (
             "If HOMEINPUT(0) >= 0 Then DATUM(0)\nPAUSE IDLE(0)\nPRINT HOMESTATUS(0)",
             group="motion", effect="act datum"),
     Keyword("FREQ", "", "setting", "RW", "axis", "number", _FREQUENCY,
-            "Run at a constant number of pulses a second, its sign the direction, until stopped or told another one.",
+            "Run at a constant number of pulses a second, its sign the direction, until stopped or changed.",
             "FREQ(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT FREQ(0)",
             default=0.0, low=-8388607.0, high=8388607.0, group="motion", effect="act"),
 )  # fmt: skip

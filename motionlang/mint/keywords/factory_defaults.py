@@ -30,6 +30,6 @@ def _word(name: str, short: str, help: str) -> Keyword:
 
 ROWS = (
     _word("SYSTEMDEFAULTS", "sdf",
-          "DEFAULTALL, and settings that are kept without an effect are forgotten; inputs, outputs and memory stay."),
+          "DEFAULTALL, and settings that are stored without an effect are reset; inputs, outputs and memory stay."),
     _word("FACTORYDEFAULTS", "fdf", "As SYSTEMDEFAULTS."),
 )  # fmt: skip

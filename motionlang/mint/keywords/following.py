@@ -144,7 +144,7 @@ ROWS = (
             "master changes evenly from that of the segment before, so two equal segments end at a ratio of 0.",
             _FLY, group="motion", effect="course follows"),
     Keyword("OFFSET", "", "move", "RW", "axis", "uu", Actions(read=read_offset, load=loads(Masters, put_offset)),
-            "Load a distance on top of following; an axis that follows nobody moves by it. Reading it gives the "
+            "Load a distance on top of following; an axis without a master moves by it. Reading it gives the "
             "distance still to go, of a move too.",
             _OFFSET.format(""), group="motion", effect="course follows", solved=True),
     Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", MASTER_SETTING,

@@ -155,10 +155,10 @@ ROWS = (
     _gain("HTAKPROP", "User units a second for each percent of error (wanted minus measured); negative to turn the "
                       "direction round.", "HKP"),
     _gain("HTADAMPING", "User units a second for each percent by which the error changes in a tick of the profiler."),
-    _gain("HTAKINT", "User units a second for each percent of the errors of all ticks, summed; the sum begins anew "
-                     "within HTADEADBAND and when this is written."),
-    _setting("HTADEADBAND", "number", "An error up to this is none: counts of the converter, 4096 of which are the "
-                                      "range of the input.", 0, 100, short="HDB"),
+    _gain("HTAKINT", "User units a second for each percent of the errors of all ticks, summed; the sum restarts "
+            "within HTADEADBAND and when this is written."),
+    _setting("HTADEADBAND", "number", "An error up to this is none: counts of the converter, 4096 in all.", 0, 100,
+             short="HDB"),
     _setting("HTAFILTER", "number", "How much of the filtered value of the tick before goes into the next one, 0 to 1: "
                                     "0 does not filter.", 0, 0.9999),
 )  # fmt: skip

@@ -179,7 +179,7 @@ ROWS = (
     _fine("INITERROR", "", "RW", "none", "integer", "Error of the start of the controller, an _ie constant."),
     _fine("INITWARNING", "", "RW", "none", "bits", "Warnings of the start of the controller."),
     Keyword("AVERAGEVEL", "", "reading", "R", "axis", "uu/s", "velocity",
-            "Velocity of the axis as VEL has it: there is no noise of which to take the average.",
+            "Velocity of the axis as VEL has it: there is no noise to average.",
             "JOG(0) = 100\nWAIT = 100\nPRINT AVERAGEVEL(0)\nSTOP(0)", default=0.0, group="state"),
     Keyword("OKTOLOADMOVE", "", "reading", "R", "count, array", "bool", Actions(read=of(Environment, takes_moves)),
             "1 when the axes in an array, so many of them, take a move now: there is room, and none is in error, "
@@ -195,8 +195,8 @@ ROWS = (
         for name, help in (
             ("TRON", "Line trace on: MintMT has the word for old programs and does nothing."),
             ("TROFF", "Line trace off: MintMT has the word for old programs and does nothing."),
-            ("BEEPON", "Key clicks on: nobody hears them here."),
-            ("BEEPOFF", "Key clicks off: nobody hears them here."),
+            ("BEEPON", "Key clicks on, which has no effect here."),
+            ("BEEPOFF", "Key clicks off, which has no effect here."),
         )
     ),
     *(Keyword(f"_ie{name}", "", "constant", "R", "none", "integer", str(number), f"INITERROR: {help}.",

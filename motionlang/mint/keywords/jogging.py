@@ -150,7 +150,7 @@ def _setting(
 
 ROWS = (
     Keyword("JOG", "JG", "setting", "RW", "axis", "uu/s", _JOG,
-            "Run at a constant speed, its sign the direction, until stopped or told another speed; 0 brings the axis "
+            "Run at a constant speed, its sign the direction, until stopped or given another speed; 0 brings the axis "
             "to rest and ends it.",
             "JOG(0) = 100\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)\nPAUSE IDLE(0)",
             default=0.0, low=-8388607.0, high=8388607.0, group="motion", effect="act endless"),

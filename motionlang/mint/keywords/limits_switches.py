@@ -124,7 +124,7 @@ def _input(name: str, short: str, help: str) -> Keyword:
 ROWS = (
     _input("LIMITFORWARDINPUT", "lfi", "The input that is the forward limit switch of the axis"),
     _input("LIMITREVERSEINPUT", "lri", "The input that is the reverse limit switch of the axis"),
-    _input("ERRORINPUT", "ei", "The input that tells of an error of the axis"),
+    _input("ERRORINPUT", "ei", "The input that reports an error of the axis"),
     switch_row("ERRORSWITCH", "es", _SWITCH, "1 while the error input of the axis is active."),
     _input("STOPINPUT", "", "The input that stops the axis"),
     switch_row("STOPSWITCH", "", _SWITCH, "1 while the stop input of the axis is active."),

@@ -237,7 +237,7 @@ def _bus(name: str, actions: Actions, help: str, default: float = 0.0) -> tuple[
 
 
 def _reset(name: str) -> Keyword:
-    return network_row(name, "C", "bus", "", _BUS_RESET, "Start a bus anew: what it had to tell is forgotten.",
+    return network_row(name, "C", "bus", "", _BUS_RESET, "Restart a bus; its pending messages are dropped.",
                  f"{name}(1)\nPRINT BUSEVENT(1)")  # fmt: skip
 
 
@@ -300,7 +300,7 @@ ROWS = (
           "The emergency stop that the program asks of a node; what the node then does is not simulated.",
           "REMOTEESTOP(1, 2) = 1\nPRINT REMOTEESTOP(1, 2)"),
     network_row("REMOTERESET", "C", "bus, node", "", Actions(do=of(Nodes, Nodes.reset)),
-          "Reset a node: its outputs are off, its errors cleared, and it tells that it lives.",
+          "Reset a node: its outputs are off, its errors cleared, and it reports that it is live.",
           "REMOTEOUT(1, 2) = 3\nREMOTERESET(1, 2)\nPRINT REMOTEOUT(1, 2), BUSEVENT(1)"),
     network_row("REMOTEINPUTACTIVELEVEL", "RW", "bus, node", "bits", levels("inputs"),
           "Which of a node's inputs 0 to 31 are active high; all of them until it is set.",
@@ -312,7 +312,7 @@ ROWS = (
           "The lower, bank 0, or upper 32 bits, bank 1, of process data that came last under an identifier.",
           "PRINT REMOTEPDOIN(1, 0x182, 0)"),
     network_row("REMOTEPDOOUT", "C", "bus, node, data", "", Actions(do=of(Nodes, do_send)),
-          "Send process data to a node; the report tells what was sent last.",
+          "Send process data to a node; the report has the data sent last.",
           "REMOTEPDOOUT(1, 2, 0x0F)"),
     network_row("REMOTEPDOVALID", "R", "bus, node", "bool",
           Actions(read=of(Nodes, lambda nodes, bus, node: int(nodes.answers(bus, node)))),

@@ -405,7 +405,7 @@ ROWS = (
     _encoder("ENCODERPRESCALE", "integer", "Prescaler of an encoder: its counts are divided by this.", 1, 1.0),
     _encoder("ENCODERWRAP", "number", "The range in which ENCODER counts, from 0 on; 0 for no end.", 0, 0.0),
     Keyword("POSWRAP", "", "setting", "RW", "axis", "number", _WRAP,
-            "The range in which POS counts, from 0 on, in user units; 0 for no end. MOVEA stays within the turn.",
+            "The range in which POS counts, from 0 on, in user units; 0 for no end. MOVEA stays within one wrap.",
             "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POS(0)", default=0.0, low=0, high=8388607.0, group="state"),
     Keyword("POSROLLOVER", "", "setting", "RW", "axis", "integer", _TURNS,
             "How many times POS has wrapped.",

@@ -95,7 +95,7 @@ ROWS = (
              "Forget what has come in at a serial port and was not read."),
     _command("SERIALCLEARTRANSMITBUFFER", _NOTHING,
              "Forget what was not sent yet: nothing, as characters are sent at once."),
-    _command("SERIALCLEARERROR", _NOTHING, "Clear the errors of a serial port, of which there are none here."),
+    _command("SERIALCLEARERROR", _NOTHING, "Clear the errors of a serial port; there are none here."),
 )  # fmt: skip
 # The event sources of each kind, created for programs that handle these events.
 SOURCES = {"serialreceive": Ports}

@@ -257,6 +257,6 @@ ROWS = (
     command_row("CAMPHASE", "axis, segment, segments, distance", Actions(do=of(Cams, do_phase)),
              "Let the master go further, or less far, by a distance over some segments in the next cycle.",
              _CAM.format("CAMPHASE(1, 1, 2, 5)\n")),
-    index_row("CAMPHASESTATUS", "1 while a CAMPHASE waits for its cycle or is under way.",
+    index_row("CAMPHASESTATUS", "1 while a CAMPHASE waits for its cycle or is in progress.",
            _CAM.format("") + "\nPRINT CAMPHASESTATUS(1)", Actions(read=of(Cams, read_phase_status))),
 )  # fmt: skip

@@ -223,7 +223,7 @@ ROWS = (
              "The last segment of a spline that is used; 0 for the table's last.",
              _SPLINE.format("SPLINEEND(0) = 2\n"), 0.0, 0, 16777215),
     setting_row("SPLINETIME", _SETTING, "ms",
-             "Milliseconds of each segment of a spline, of which whole steps of 2 count.",
+             "Milliseconds of each segment of a spline, in whole steps of 2.",
              _SPLINE.format("SPLINETIME(0) = 250\n"), 100.0, 4, 60000),
     setting_row("SPLINESUSPENDTIME", "suspend_time", "ms",
              "Milliseconds in which SUSPEND and STOP bring a spline to rest on its path, and in which it does the rest "

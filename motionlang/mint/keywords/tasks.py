@@ -72,12 +72,12 @@ _FAIL = '\nEnd\nEvent ONERROR\n  PRINT ERRCODE, " ", ERRLINE, " ", ERRSTRING\n  
 
 ROWS = (
     Keyword("TASKPRIORITY", "", "setting", "RW", "task", "integer", _TASK_PRIORITY,
-            "Priority of a task, of which ParentTask is the main program: of several that can run, the one with the "
-            "highest number does.",
+            "Priority of a task; ParentTask is the main program. Of several ready tasks the one with the highest "
+            "number runs.",
             f"TASKPRIORITY(Blink) = 2\nRun Blink\nPRINT TASKPRIORITY(Blink){_BLINK}",
             default=0.0, low=0, high=255, group="tasks"),
     Keyword("TASKQUANTUM", "", "setting", "RW", "task", "integer", _TASK_QUANTUM,
-            "How many statements a task executes before another one gets its turn.",
+            "How many statements a task executes in one time slice.",
             f"TASKQUANTUM(Blink) = 10\nRun Blink\nPRINT TASKQUANTUM(Blink){_BLINK}",
             default=100.0, low=1, high=65535, group="tasks"),
     Keyword("TASKSTATUS", "", "reading", "R", "task", "integer",

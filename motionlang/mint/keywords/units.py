@@ -54,9 +54,9 @@ ROWS = (
     _factor("POSSCALEFACTOR", Actions(read=factor(POSITION), write=of(Environment, write_position)),
             "Counts per user unit of positions and distances. SCALEFACTOR writes it too.", "scale"),
     _factor("VELSCALEFACTOR", Actions(read=factor(SPEED), write=of(Environment, write_speed)),
-            "Counts a second per user unit of speed: 4000 / 60 makes revolutions a minute of 4000 counts a turn. Goes "
-            "by POSSCALEFACTOR until it is set, and again from SCALEFACTOR on."),
+            "Counts a second per user unit of speed: 4000 / 60 makes revolutions per minute at 4000 counts per "
+            "revolution. Follows POSSCALEFACTOR until it is set, and again from SCALEFACTOR on."),
     _factor("ACCELSCALEFACTOR", Actions(read=factor(ACCELERATION), write=of(Environment, write_acceleration)),
-            "Counts a second² per user unit of acceleration, and likewise of jerk. Goes by POSSCALEFACTOR until it is "
-            "set, and again from SCALEFACTOR on."),
+            "Counts a second² per user unit of acceleration, and likewise of jerk. Follows POSSCALEFACTOR until it "
+            "is set, and again from SCALEFACTOR on."),
 )  # fmt: skip

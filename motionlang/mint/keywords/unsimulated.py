@@ -116,7 +116,7 @@ GROUPS = {
     COMMAND: "without an effect",
     MOTION: "where it moves or decides, the run ends",
 }
-KEPT_GROUP = "kept without an effect"
+KEPT_GROUP = "stored without an effect"
 
 
 def written(row: Keyword) -> Keyword:

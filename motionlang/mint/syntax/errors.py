@@ -198,7 +198,7 @@ class _Reader:
             if self._close(blocks[:place]):
                 return self.start
         if place is not None:
-            self.report("syntax", f"`{words}` cannot stand here", self.start, last=at)
+            self.report("syntax", f"`{words}` is not allowed here", self.start, last=at)
         elif blocks and self._under(blocks[0]):
             message = f"`{words}` does not close `{OPENERS[blocks[0].kind]}`"
             self.report("stray-end", message, self.start, f"write {closing(blocks[0].kind)}", at)
@@ -225,7 +225,7 @@ class _Reader:
     def _closes_inline(self, first: int, at: int) -> int:
         """Report a closer in a one-line If, which ends with its line."""
         words = " ".join(self.texts[first : at + 1])
-        message = f"`{words}` cannot stand in an If of one line"
+        message = f"`{words}` is not allowed in an If of one line"
         self.report("stray-end", message, first, "remove it, or write each statement on its own line", at)
         return self._skip(at)
 

@@ -32,9 +32,9 @@ def message(kinds: set[str], kind: str, text: str) -> str:
         return _bad(text)
     wanted = _things(kinds)
     if kind in SPELLINGS and kind.isalpha() and text.isalpha() and wanted == ["a name"]:
-        return f"`{text}` is a word of the language and cannot be a name here"
+        return f"`{text}` is a keyword and cannot be a name here"
     if not wanted or len(wanted) > MAX_ALTERNATIVES:
-        return f"{found(kind, text)} cannot stand here"
+        return f"{found(kind, text)} is not allowed here"
     sentence = f"expected {' or '.join(wanted)}"
     if kind in ("_NL", END):
         return f"{sentence} before the end of the line"

@@ -138,6 +138,6 @@ def test_answers_go_to_the_question_that_they_name() -> None:
 def test_answers_that_nothing_asks_for_are_reported() -> None:
     run = motionlang.run(Source("m.mnt", 'INPUT "Turns ", a'), answers=["1", "2", "Dia=3"])
     assert [(each.code, each.message) for each in run.diagnostics] == [
-        ("unasked", 'no INPUT asked for the answer "2"'),
-        ("unasked", 'no INPUT asked for the answer "3"'),
+        ("unasked", 'no INPUT took the answer "2"'),
+        ("unasked", 'no INPUT took the answer "3"'),
     ]

@@ -65,7 +65,7 @@ def test_without_a_file_nothing_lasts_and_the_run_says_so() -> None:
     first, second = ran(COUNTERS, None), ran(COUNTERS, None)
     assert first.output == second.output
     assert first.notes == [
-        "nv data kept only during the run (use --nv FILE): "
+        "nv data stored only during the run (use --nv FILE): "
         "total, label, place, corner, corners, count.calls, NVLONG"
     ]
 
