@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from motionlang.assumptions.facts import listed, of_word
 from motionlang.assumptions.keyword_facts import TRUST, facts
 from motionlang.lang.dialect import dialect, dialects
@@ -33,6 +35,19 @@ def test_only_a_meaning_is_known_by_name_only() -> None:
         if each.strength == "name only"
     }
     assert found == {"meaning"}
+
+
+def test_a_keyword_known_by_name_only_has_no_meaning() -> None:
+    """Its text is the group, a note that the host has it, or the words of its name."""
+    group = re.compile(r"group$|^host|^listed by the type library without a meaning$|obsolete")
+    more = [
+        row.name
+        for row in dialect("mint").table()
+        if of_word("mint", row)["meaning"].strength == "name only"
+        and not group.search(row.help)
+        and not all(word[:4] in row.name.lower() for word in re.findall(r"[a-z]{3,}", row.help))
+    ]
+    assert more == []
 
 
 def test_every_meaning_has_a_source() -> None:
