@@ -41,6 +41,17 @@ class SourceOffsets:
         """True if lines of the source may continue on the next line."""
         return self._tables.continues(self.source.text)
 
+    def tokens(self) -> tuple[list[str], list[str]]:
+        """Return the texts and kinds of all tokens.
+
+        They are split again if the lines are known, which replace them.
+        """
+        texts, kinds = self._tokens
+        if not texts:
+            texts = self._tables.texts(self.source.text)
+            kinds = self._tables.kinds_of(texts)
+        return texts, kinds
+
     def line(self, at: int) -> int:
         """The line of a token."""
         if not self._lines:

@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 # Kinds of token that may be a name where their own sense is impossible.
 _LEADING = frozenset(("AUTO", "BYREF", "BYVAL", "EVENT", "INPUT", "NV", "RUN", "STARTUP", "STEP", "TASK", "TO", "TYPE",
                       "USING"))  # fmt: skip
+_NAMES = frozenset(("NAME", "DOTTED"))
+# Kinds of token before a name that may be no variable, such as a label or a member.
+_SPECIAL = frozenset(("HASH", "GOTO", "GOSUB", "TYPE", "AS", "EVENT", "DOT", "DIM", "COMMA"))
 _JUMPS = frozenset(("GOTO", "GOSUB"))
 _LABELS = _LEADING | {"NAME", "END", "EXIT", "LOOP", "NEXT", "PAUSE", "REPEAT", "RETURN"}
 # Kinds of token before the `#` of a label; after others it begins the number of a terminal.
@@ -59,11 +62,10 @@ class _Finder:
     def __init__(self, module: Module) -> None:
         self.module = module
         self.text = module.places.source.text
-        self.texts = TABLES.texts(self.text)
-        self.kinds = TABLES.kinds_of(self.texts)
-        self.spans = TABLES.spans(self.text)
+        self.texts, self.kinds = module.places.tokens()
         end = len(self.text)
-        self.spans += [(end, end)] * (len(self.texts) - len(self.spans))
+        self.starts = [match.start(1) for match in TABLES.matches(self.text)]
+        self.starts += [end] * (len(self.texts) - len(self.starts))
         self.resolver = Resolver(table(), Problems(module))
         self.resolver.declare_module(module)
         self.blocks = outline.blocks(self.kinds)
@@ -86,27 +88,48 @@ class _Finder:
         for at, function in functions.items():
             block = extents.get(at)
             if block is not None:
-                self.scopes[function] = self.spans[block.first][0], self.spans[block.last][1]
+                self.scopes[function] = self.starts[block.first], self._end(block.last)
         self._walk(functions, extents)
         made = [each for each in self.definitions.values() if each.uses]
         return Names(made, self._outline(functions), complete, _Renaming(self, made).problem)
 
     def _walk(self, functions: dict[int, Function], extents: dict[int, outline.Span]) -> None:
         """Enter every use of a name into its definition."""
+        kinds, texts, starts = self.kinds, self.texts, self.starts
+        places = [at for at, kind in enumerate(kinds) if kind in _NAMES]
+        others = {
+            at for at, kind in enumerate(kinds) if kind in _LABELS and self._is_label(at)
+        } | self._leading()
+        if not others <= set(places):
+            places = sorted({*places, *others})
+        heads = sorted((at for at in functions if at in extents), reverse=True)
         ends: list[tuple[int, Function]] = []
-        leading = self._leading()
         skip: set[int] = set()
-        for at, kind in enumerate(self.kinds):
-            if at in functions and at in extents:
-                ends.append((extents[at].last, self.function))
-                self.function = functions[at]
-            elif ends and at == ends[-1][0]:
-                self.function = ends.pop()[1]
-            if at in skip or (
-                kind not in ("NAME", "DOTTED") and at not in leading and not self._is_label(at)
-            ):
+        # The definitions of names in the present function, where nothing but the use is to be entered.
+        known: dict[str, Definition | None] = {}
+        for at in places:
+            while (ends and at > ends[-1][0]) or (heads and at > heads[-1]):
+                known = {}
+                if ends and (not heads or ends[-1][0] < heads[-1]):
+                    self.function = ends.pop()[1]
+                else:
+                    head = heads.pop()
+                    ends.append((extents[head].last, self.function))
+                    self.function = functions[head]
+            text = texts[at]
+            if kinds[at - 1] in _SPECIAL or kinds[at + 1] == "COLON" or text not in known:
+                if at not in skip:
+                    known[text] = self._use(at, skip)
+                    if known[text] is None and self.function.scope.find(text.partition(".")[0]) is not None:
+                        del known[text]
                 continue
-            self._use(at, skip)
+            definition = known[text]
+            if definition is not None:
+                definition.uses.append((starts[at], starts[at] + len(text)))
+
+    def _end(self, at: int) -> int:
+        """Return the offset behind a token."""
+        return self.starts[at] + len(self.texts[at])
 
     def _leading(self) -> set[int]:
         """Return the tokens of keywords that are used as names, such as a variable `step`."""
@@ -135,7 +158,11 @@ class _Finder:
             return before in _JUMPS
         return at == 1 or self.kinds[at - 2] in _BEFORE_LABELS
 
-    def _use(self, at: int, skip: set[int]) -> None:
+    def _use(self, at: int, skip: set[int]) -> Definition | None:
+        """Enter the use of a name; return its definition if other uses are to be entered, too.
+
+        They have the same spelling, in the same function.
+        """
         text, before = self.texts[at], self.kinds[at - 1] if at else "_NL"
         if self._is_label(at) or self._is_line_label(at):
             self._label(at)
@@ -152,17 +179,20 @@ class _Finder:
             name = text.partition(".")[0]
             symbol = self.function.scope.find(name)
             if symbol is None:
-                return
+                return None
             made = self._of_symbol(symbol)
             self._enter(made, at, len(name), is_declaration=at >= symbol.at)
             if symbol.type.record is not None:
                 self._members(at, symbol.type.record, skip)
+            elif made.span is not None and name == text:
+                return made
+        return None
 
     def _enter(
         self, made: Definition, at: int, length: int | None = None, is_declaration: bool = True
     ) -> None:
-        start, end = self.spans[at]
-        span = (start, end if length is None else start + length)
+        start = self.starts[at]
+        span = start, start + (len(self.texts[at]) if length is None else length)
         made.uses.append(span)
         if made.span is None and is_declaration:
             made.span = span
@@ -219,7 +249,7 @@ class _Finder:
         last = equal
         while self.kinds[last + 1] not in ("_NL", "COLON", "$END"):
             last += 1
-        return self.text[self.spans[equal][1] : self.spans[last][1]].strip()
+        return self.text[self._end(equal) : self._end(last)].strip()
 
     def _is_line_label(self, at: int) -> bool:
         """True for the name of `NAME:` on a line of its own."""
@@ -296,8 +326,8 @@ class _Finder:
         for block in self.blocks:
             at = block.first if block.name < 0 else block.name
             name = "" if block.name < 0 else self.texts[block.name]
-            span = self.spans[block.first][0], self.spans[block.last][1]
-            found.append(Block(block.kind.lower(), name, self.spans[at], span))
+            span = self.starts[block.first], self._end(block.last)
+            found.append(Block(block.kind.lower(), name, (self.starts[at], self._end(at)), span))
         return found
 
 

@@ -55,9 +55,8 @@ def turns(kinds: Sequence[str]) -> Iterator[Turn]:
     One-line Ifs are not blocks.
     """
     inline = -1  # the tokens up to here belong to a one-line If
-    for at, kind in enumerate(kinds):
-        if kind not in _WATCHED:
-            continue
+    for at in [at for at, kind in enumerate(kinds) if kind in _WATCHED]:
+        kind = kinds[at]
         before = kinds[at - 1] if at else "_NL"
         if kind == "END":
             closed = kinds[at + 1] if at + 1 < len(kinds) else ""
