@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 
 from motionlang.dap.arguments import Arguments, Refused
-from motionlang.debug.debugger import NotStopped
 from motionlang.debug.expressions import parse
 from motionlang.debug.scopes import LOCAL, MODULE
 from motionlang.debug.values import shown
@@ -267,6 +266,3 @@ def _scope(name: str, reference: int, hint: str = "") -> Body:
 def _plain(value: object) -> str:
     """Return a value as text, without quotes."""
     return value if isinstance(value, str) else shown(value)
-
-
-__all__ = ["NotStopped", "Showing"]

@@ -22,7 +22,6 @@ from __future__ import annotations
 
 from motionlang.debug import moments, scopes
 from motionlang.debug.breakpoints import Breakpoint, Watched
-from motionlang.debug.expressions import WrongExpression
 from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.replay import MEMORY, Output, Point, Remembered, Replay, Setup
 from motionlang.debug.state import State
@@ -607,6 +606,3 @@ def _before(recent: Iterable[Remembered], number: int, task: str, depth: int) ->
         if each.number < number and each.task == task and each.depth <= depth:
             found = each.number
     return found
-
-
-__all__ = ["Breakpoint", "Debugger", "NotStopped", "Stop", "Watched", "WrongExpression"]
