@@ -22,7 +22,7 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "fast/__init__.py": "loop_counters moves ranges",
+    "fast/__init__.py": "command_rounds loop_counters moves ranges",
     "fast/time_slices.py": "recurrence",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "

@@ -24,10 +24,11 @@ class Accelerators:
     * `scheduler(…)`: the scheduler of a run, called like `Scheduler`
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
     * `counted(counters, steps, levels)`: how many iterations of a loop with counters may be skipped
+    * `rounds(board)`: what skips rounds of several MCCL tasks, by its method `jumped(task)`
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
     """
 
-    __slots__ = ("axes", "counted", "ranges", "scheduler", "servo")
+    __slots__ = ("axes", "counted", "ranges", "rounds", "scheduler", "servo")
 
     def __init__(
         self,
@@ -35,11 +36,12 @@ class Accelerators:
         axes: Callable[[Sequence[int]], Sequence[Axis]] | None = None,
         counted: Callable[[Sequence[float], Sequence[float], Sequence[Sequence[float]]], float] | None = None,
         ranges: Callable[[Any], tuple[set[Any], dict[int, Any]]] | None = None,
+        rounds: Callable[[Any], Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
-        self.scheduler, self.servo = scheduler, servo
+        self.rounds, self.scheduler, self.servo = rounds, scheduler, servo
 
 
 NO_ACCELERATORS = Accelerators()

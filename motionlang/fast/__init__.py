@@ -20,6 +20,7 @@ def everything() -> Accelerators:
         axes=_axes,
         counted=_counted,
         ranges=_ranges,
+        rounds=_rounds,
         scheduler=TimeSlices,
         servo=_servo,
     )
@@ -41,6 +42,12 @@ def _ranges(function: Any) -> Any:
     from motionlang.fast.ranges import ranges
 
     return ranges(function)
+
+
+def _rounds(board: Any) -> Any:
+    from motionlang.fast.command_rounds import CommandRounds
+
+    return CommandRounds(board)
 
 
 def _servo(*given: Any, **columns: Any) -> Any:

@@ -21,6 +21,7 @@ from motionlang.mccl.runtime.task import BackgroundTask
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from motionlang.controller.triggers.watch import Watch
     from motionlang.lang.debugging import Hook
@@ -68,8 +69,9 @@ class Board:
         self.background: dict[int, BackgroundTask] = {}
         self._last_task = 0
         # Counts of time slices that tasks take, and of their effects on anything but their accumulators.
-        # `rewrites` counts commands that switch an output to its present level.
-        self.turns = self.effects = self.rewrites = 0
+        # `rewrites` counts commands that switch an output to its present level, `waited` waits for a time.
+        self.turns = self.effects = self.rewrites = self.waited = 0
+        self._rounds: Any = None
         self.at_work: CommandTask | None = None
         self.points: dict[tuple[int, int], float] = {}
         self.records: dict[int, tuple[float, int]] = {}
@@ -234,6 +236,15 @@ class Board:
         if self.at_work is not task:
             self.at_work = task
             self.turns += 1
+
+    def jumped(self, task: CommandTask) -> None:
+        """Skip rounds of commands, as a task jumps back while another one can run."""
+        if self._rounds is None:
+            make = self.machine.accelerators.rounds
+            if make is None:
+                return
+            self._rounds = make(self)
+        self._rounds.jumped(task)
 
     def next_wake(self, task: CommandTask) -> float:
         """Return the earliest time at which another task may do something."""

@@ -144,10 +144,13 @@ class Poll:
                 self._alone, self._left = self._left, min(2 * self._left or 1, MAX_BACK_OFF)
                 dependencies.notes = None if self._alone else []
         self._before = place, held, task.base, task.count, clock.next_time(), board.turns
+        if len(board.tasks) > 1 and board.is_shared(task):
+            board.jumped(task)
         return wait
 
     def wait(self, seconds: float) -> None:
         """Record a wait for a time that begins now."""
+        self._task.board.waited += 1
         if len(self._waits) >= MAX_WAITS:
             self._waits.clear()
         self._waits.append((self._task.count, seconds))

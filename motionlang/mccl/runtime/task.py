@@ -191,7 +191,7 @@ class CommandTask(Task):
                 if wait is not None:
                     return now, wait
             if len(board.tasks) > 1 and board.is_shared(self):
-                return now, None
+                return self.base + self.count * cost, None
             left -= 1
         return now, None
 

@@ -1,0 +1,108 @@
+"""Rounds of several MCCL tasks are skipped with an equal result."""
+
+from __future__ import annotations
+
+from random import Random
+from typing import Any
+
+import pytest
+
+from motionlang import execution
+from motionlang.fast.command_rounds import advanced
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.source import Source
+
+MOVES = "1MN,1SV1000,1SA20000,1DS20000"
+WATCH = "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n"
+PROGRAMS = {
+    "two watches": f"{WATCH}MD6,IN6,CN35,NO,IF6,CF35,NO,RP\nGT5,AR30\nGT6,AR31\n"
+    f"{MOVES},1MR300,1WS,TC34,1MR-100,1WS,TC35,ET@30,ET@31",
+    "watches of different lengths": f"{WATCH}MD6,IN6,CN35,JR2,NO,NO,RP\nMD7,IF6,MC8,NO,RP\nMD8,AL3,AA4,AR7\n"
+    f"GT5,AR30\nGT6,AR31\nGT7,AR32\n{MOVES},1MR300,1WS,WA0.0307,ET@30,ET@31,ET@32",
+    "a watch beside a poll": f'{WATCH}LU"STATUS",AR21\n{MOVES}\nGT5,AR30\n1MR300,1RL@21,IC3,JR-2,NO,1TP,1TV,ET@30',
+    "polls of two axes": 'LU"STATUS",AR21\nMD5,2RL@21,IC3,JR-2,NO,2TP,2MR40,MJ5\n2MN,2SV500,2MR90\n'
+    f"{MOVES}\nGT5,AR30\n1MR300,1RL@21,IC3,JR-2,NO,1TP,1TV,ET@30",
+    "a watch of what moves": f'LU"POSITION",AR20\n{WATCH}MD6,1RL@20,IG150,CN35,NO,RP\nGT5,AR30\nGT6,AR31\n'
+    f"{MOVES},1MR300,1WS,TC35,ET@30,ET@31",
+    "a watch that waits among others": f"{WATCH}MD6,IN6,CN35,NO,WA0.003,RP\nMD7,IF7,NO,NO,RP\nGT5,AR30\nGT6,AR31\n"
+    f"GT7,AR32\n{MOVES},1MR300,1WS,TC35,ET@30,ET@31,ET@32",
+    "a count among watches": f"{WATCH}MD6,RA40,AA1,AR40,IB3000,JR-4,NO\nMD7,RA41,NO,RP\nGT5,AR30\nGT6\nGT7,AR32\n"
+    f"{MOVES},1MR300,1WS,TR40,ET@30,ET@32",
+    "registers of their own": f"MD6,RA1,AC,AR1,NO,RP\n{WATCH}GT5,AR30\nGT6,AR31\n{MOVES},1MR300,1WS,ET@30,ET@31",
+}
+MACHINE: dict[str, object] = {
+    "input": [
+        {"channel": 5, "at": 0.0203, "for": 0.0113, "every": 0.0417},
+        {"channel": 6, "at": 0.1},
+    ],
+}
+
+
+def outcome(text: str, fast: bool, until: float = 2.0) -> dict[str, Any]:
+    result = execution.run(Source("a.mcl", text), machine=MACHINE, cache=False, fast=fast, until=until)
+    report: Any = result.report
+    switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
+    kept = ("status", "time", "output", "moves", "axes", "notes", "events", "diagnostics")
+    return {key: report[key] for key in kept} | {"outputs": switched}
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_skipping_rounds_changes_nothing(name: str) -> None:
+    assert outcome(PROGRAMS[name], True) == outcome(PROGRAMS[name], False)
+
+
+# Parts of a watch; `@` is a number.
+PARTS = (
+    "IN@,CN4@,NO", "IF@,CF4@,NO", "NO", "AL@,AR@", "1RL@21,IC3,CN4@,NO", "1RL@22,IG200,CF4@,NO", "RA7,AA@,AR7",
+    "RA5@,AA1,AR5@", "WA0.00@", "IN@,JR2,NO,NO", "AC", "IB@,AL1,NO", "1RV@23,IB500,CN4@,NO", "MC2@", "RA50,IE@,CN47,NO",
+)  # fmt: skip
+
+
+def random_program(seed: int) -> str:
+    """Return two to four random watches alongside moves."""
+    random = Random(seed)
+    count = random.randint(2, 4)
+    lines = ['LU"STATUS",AR21,LU"POSITION",AR22,LU"VELOCITY",AR23', "MD25,IN5,CN45,NO", "MD26,IF6,CF45,NO"]
+    for task in range(count):
+        parts = [random.choice(PARTS).replace("@", "%") for _ in range(random.randint(1, 4))]
+        body = ",".join(parts).replace("L%21", "L@21").replace("L%22", "L@22").replace("V%23", "V@23")
+        end = random.choice(("RP", "RP", f"MJ{task + 10}"))
+        lines.append(f"MD{task + 10},{body.replace('%', str(random.choice((5, 6))))},{end}")
+    lines += [f"GT{task + 10}" for task in range(count)]
+    return "\n".join([*lines, f"{MOVES},1MR{random.randint(50, 300)},1WS,WA0.0307,1TP,1MR-20,1WS,TR7"])
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_skipping_rounds_of_random_watches_changes_nothing(seed: int) -> None:
+    text = random_program(seed)
+    assert outcome(text, True, until=0.3) == outcome(text, False, until=0.3), text
+
+
+def test_an_hour_of_two_watches_is_over_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """1 count/s takes an hour and a ramp of 1 s for 3600 counts."""
+    resumed, resume = 0, CommandTask.resume
+
+    def counted(task: CommandTask, now: float, horizon: float) -> object:
+        nonlocal resumed
+        resumed += 1
+        return resume(task, now, horizon)
+
+    monkeypatch.setattr(CommandTask, "resume", counted)
+    text = "MD5,IN15,CN34,NO,RP\nMD6,IN16,CN35,NO,RP\nGT5\nGT6\n1MN,1SV1,1SA1,1DS1,1MR3600,1WS,1TP"
+    result = execution.run(Source("a.mcl", text), cache=False, until=4000.0)
+    assert result.output == ["01 3600"]
+    assert 3601.0 <= result.time < 3601.01
+    assert resumed < 500
+
+
+@pytest.mark.parametrize("step", [1e-5, 0.1, 3.0, 2.0**-16, 2.0**-16 * 1.5])
+def test_many_sums_at_once_are_the_same_to_the_last_bit(step: float) -> None:
+    for begin in (0.0, 1e-9, 0.37, 1.0, 3.9999, 12345.6789):
+        time = begin
+        for _ in range(20_000):
+            time += step
+        assert advanced(begin, step, 20_000) == time
+
+
+def test_a_sum_that_no_longer_changes_is_the_same() -> None:
+    assert advanced(2.0**60, 1.0, 10**6) == 2.0**60
