@@ -12,6 +12,7 @@ const element = (id) => document.getElementById(id);
 const FILES = ["program", "machine"];
 const SUFFIX = { mint: ".mnt", mccl: ".mcl" };
 const FIRST = "ballscrew.mnt";
+const LOADING = "Loading Python …"; // as in index.html
 const HOW = { ended: "The program has ended.", until: "The time of the run was up.", fault: "The program did not end as it should; see the errors." };
 
 const run = { key: "Ctrl-Enter", mac: "Cmd-Enter", run: () => (start(), true) };
@@ -104,8 +105,9 @@ function busy(is) {
 const HEARD = {
   ready: ({ loaded }) => {
     measure("loaded", loaded);
-    if (!python.running) say("Ready. Press Run, or Ctrl-Enter.");
-    else say("Running …");
+    if (python.running) say("Running …");
+    // Any other sentence stays, such as why a run was ended or what is wrong with a link.
+    else if (element("status").textContent === LOADING) say("Ready. Press Run, or Ctrl-Enter.");
   },
   output: ({ text }) => results.print(text),
   asks: ({ question }) => {

@@ -61,7 +61,7 @@ export class Results {
     text("wrong", [diagnostics, complaints.join("\n")].filter(Boolean).join("\n"));
     text("table", table);
     const shown = events.map(({ time, line, kind, text }) => [
-      time.toPrecision(7).replace(/\.?0+$/, ""),
+      String(Number(time.toPrecision(7))),
       this.line(line),
       text ? `${kind}: ${text}` : kind,
     ]);
