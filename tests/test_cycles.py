@@ -45,7 +45,7 @@ GROUPS: dict[tuple[str, str], str] = {
     ("mint/syntax", "chain given node nodes"): "each kind of node contains expressions, which are nodes",
     ("planners", "crossing cubics curve formula sequence"):
         "the kinds of profile are made from each other: a sequence of formulas, the cubics of a curve",
-    ("repl", "commands session"): "a command changes the session that runs it",
+    ("repl", "commands debugging session"): "a command changes the session that runs it",
 }  # fmt: skip
 
 

@@ -52,8 +52,6 @@ LAZY = {
     "mint/compile/loops.py": "compile.statements",
     "planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.
-    "cli/mcapi.py": "mcapi_run",
-    "cli/verify.py": "verify_log",
     "client/client.py": "virtual",
     "client/mint.py": "virtual",
     "log/stream.py": "records",

@@ -33,7 +33,11 @@ NAMED = {
     "views/servo.py": "DAC",
     "views/servo_plot.py": "DAC",
     "lang/machine/nonvolatile.py": "NVLONG",
+    # Commands of the editor of a controller's prompt, which are no keywords of a program.
+    "client/mint.py": "CON EDIT NEW PROG",
+    "mint/hosts/editor.py": "CON EDIT NEW PROG",
     # Commands that the code around them reports to the user, or that open a block.
+    "mccl/lint/running.py": "WS",
     "mccl/motion/joystick.py": "JN",
     "mint/compile/keyword_use.py": "IDLE VEL",
     "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",

@@ -213,7 +213,8 @@ def test_the_stop_is_the_first_statement_after_a_moment_of_several() -> None:
     debugger.searches = [search("position(0) > 20")]
     stop = debugger.start(False)
     assert stop is not None
-    assert (stop.line, stop.time) == (6, pytest.approx(2.10005, abs=1e-4))
+    assert stop.line == 6
+    assert stop.time == pytest.approx(2.10005, abs=1e-4)
     assert debugger.go_on() is None
     stop = debugger.reverse()
     assert stop is not None

@@ -69,8 +69,8 @@ def _check(line: Line, begin: int, k: int, add: Add) -> None:
     else:
         message = f"{word} repeats the line forever, without a wait or an exit"
         hint = "add WA0.1 before it"
-        if word == "RP":
-            hint += ", or end after ten repetitions with RP10"
+        if _verb(line.commands[k]) == "repeat":
+            hint += f", or end after ten repetitions with {word}10"
         add(line.places[k], Fault(0, message, hint, "endless-loop"))
 
 

@@ -28,6 +28,8 @@ _OPPOSITE = {"=": "<>", "<>": "=", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 _MIRRORED = {"=": "=", "<>": "<>", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _POSITIONS = frozenset(("position", "demand"))
 _LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label, nodes.Run)
+# The subjects whose settings let something other than the program stop an axis.
+_MAY_STOP = frozenset(("buffer", "homing", "latches", "limits"))
 _WAIT = re.compile(r"(\w+)[ \t]*=?[ \t]*")
 # A position counts as out of reach if it is further away than this fraction of the distance moved: a motor
 # overshoots, and a target is rounded to whole counts.
@@ -230,8 +232,7 @@ def _limited(facts: Facts, settings: Mapping[str, object]) -> set[Key]:
     """Return the axes that something other than the program may stop."""
     found: set[Key] = set()
     for _, _, act in facts.all_acts():
-        word = act.row.name if act.row is not None and act.role != "read" else ""
-        if "INPUT" in word or word.startswith(("SOFTLIMIT", "LATCH", "TRIGGER")):
+        if act.row is not None and act.role != "read" and act.row.group in _MAY_STOP:
             found.update(act.axes or (None,))
     found.update(int(key.split(".")[1]) for key in settings if key.startswith("axis."))
     return found
