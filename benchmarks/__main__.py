@@ -28,7 +28,7 @@ from growth import GROWTH
 FOLDER = Path(__file__).parent
 # Order: the ones that take seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "growth", "debug",
+         "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "editor", "growth", "debug",
          "proof")  # fmt: skip
 
 
@@ -74,6 +74,12 @@ BARS: dict[str, Bar] = {
     "compile_runnable": _most(3.0),
     "compile_everything": _most(3.8),
     "compile_over_cached_load": _least(80.0),
+    # Typing in an editor, 10 000 lines, against their parse.
+    "editor_key": _most(0.1),
+    "editor_key_95": _most(0.5),
+    "editor_names": _most(2.2),
+    "editor_tokens_of_60_lines": _most(0.15),
+    "editor_memory": _most(1.1),
     # A process against an empty Python.
     "start_cached": _most(3.0),
     "start_import": _most(1.3),

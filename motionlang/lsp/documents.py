@@ -8,6 +8,7 @@ nearest one in it, one inside a surrogate pair to the begin of the pair.
 from __future__ import annotations
 
 import re
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from lsprotocol import types
@@ -57,7 +58,8 @@ class Document:
         """Apply the changes of an editor, each to the text after the one before."""
         for each in changes:
             if isinstance(each, types.TextDocumentContentChangePartial):
-                start, end = self._raw(each.range.start), self._raw(each.range.end)
+                starts = line_starts(self.text)
+                start, end = self._raw(each.range.start, starts), self._raw(each.range.end, starts)
                 if end < start:
                     start, end = end, start
                 self.text = self.text[:start] + each.text + self.text[end:]
@@ -66,9 +68,8 @@ class Document:
             self._starts = None
         self.version, self._source = version, None
 
-    def _raw(self, position: types.Position) -> int:
+    def _raw(self, position: types.Position, starts: list[int]) -> int:
         """Return the offset of a position in the text with its own line ends."""
-        starts = [0, *(match.end() for match in _LINE_END.finditer(self.text))] if position.line > 0 else [0]
         if position.line >= len(starts):
             return len(self.text)
         start = starts[max(position.line, 0)]
@@ -115,8 +116,15 @@ class Document:
 
     def _line_starts(self) -> list[int]:
         if self._starts is None:
-            self._starts = [0, *(match.end() for match in re.finditer("\n", self.source.text))]
+            self._starts = line_starts(self.source.text)
         return self._starts
+
+
+def line_starts(text: str) -> list[int]:
+    """Return the offset of the begin of each line."""
+    if "\r" in text:
+        return [0, *(match.end() for match in _LINE_END.finditer(text))]
+    return [0, *accumulate([len(line) + 1 for line in text.split("\n")[:-1]])]
 
 
 def units(text: str) -> int:

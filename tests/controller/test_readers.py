@@ -123,7 +123,7 @@ def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
     assert place(inf) == 0.0  # at rest it is no new maximum
     controller.move_by(0, 20.0)
     assert place() == 0.0  # it may change at any time
-    assert place(0.6) == place((-0.6,)) == pytest.approx(0.5 + 4.0 / 8.0)
+    assert place(0.6) == place((0.6, 0.0)) == pytest.approx(0.5 + 4.0 / 8.0)
     assert place(2.5) == inf
     assert speed(0.4) == pytest.approx(0.25)
     controller.clock.advance(0.6)

@@ -159,9 +159,9 @@ class _Finder:
         return at == 1 or self.kinds[at - 2] in _BEFORE_LABELS
 
     def _use(self, at: int, skip: set[int]) -> Definition | None:
-        """Enter the use of a name; return its definition if other uses are to be entered, too.
+        """Enter the use of a name, and return its definition if the next uses are plain.
 
-        They have the same spelling, in the same function.
+        These have the same spelling and are in the same function.
         """
         text, before = self.texts[at], self.kinds[at - 1] if at else "_NL"
         if self._is_label(at) or self._is_line_label(at):
