@@ -215,7 +215,7 @@ class ExpectedMotion:
             path = order.path._replace(rests=order.path.rests or rests)
             order = order._replace(path=path)
             assert before.path is not None
-            # A stop that comes too late for it is judged by the present rates.
+            # A stop that comes too late for it is checked with the present rates.
             stops = path.rests and not before.path.rests
             running[each] = order if stops or self._is_planned_now(each) else _gentler(order, before)
             found.append(running[each])

@@ -927,7 +927,7 @@ def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:
 
 
 def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
-    """Axis 1 brakes at 50 over its 3, from sqrt(2 * 50 * 3); axis 0 brakes to that at 100.
+    """Axis 1 brakes at 50 over 3, from sqrt(2 * 50 * 3), axis 0 to that at 100.
 
     The stop is planned from 20 at 1.6 s on, which a suspension at 1.61 s cannot hasten.
     """
@@ -963,7 +963,7 @@ def test_a_path_that_is_changed_a_thousand_times(path: str, length: float, ends:
 
 
 def test_a_path_is_slowed_down_just_as_it_continues_in_the_log() -> None:
-    """After 498 changes and 798 ms it is at 20 and 13.96; the next one begins another entry.
+    """After 498 changes and 798 ms it is at 20 and 13.96; one more is too many.
 
     That is a SPEED of 10, which takes 0.1 s and 1.5; the last ramp takes 0.1 s and 0.5.
     """
@@ -980,7 +980,7 @@ def test_a_path_is_slowed_down_just_as_it_continues_in_the_log() -> None:
     [("", 0.4), ("PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n", 0.45)],
 )
 def test_a_stop_keeps_its_rate_through_a_corner(ramps: str, needed: float) -> None:
-    """MAXDECEL 50 of axis 0 applies to the path that is stopped, 3 before its corner at 20.
+    """Axis 0 has a MAXDECEL of 50; its path is stopped at 20, 3 before a corner.
 
     The stop takes 20/50 s, with a jerk of 1000 another 50/1000 s; axis 1 alone might brake harder.
     """
@@ -1003,7 +1003,7 @@ def test_a_blended_path_that_new_rates_make_too_late_to_stop_ends_as_it_was_plan
 
 
 def test_the_peak_of_a_shear_that_ends_as_its_master_steps() -> None:
-    """A cam takes 10 in 2 and the next 15 in 2: at 20 its axis runs at 100, then at 150.
+    """A cam takes 10 in 2, then 15 in 2: its axis runs at 100, then at 150.
 
     The shear of 2 in 10 ends there with a ratio of 2 * 2/10, so at 40, and the next one begins at 60.
     """
@@ -1018,7 +1018,7 @@ def test_the_peak_of_a_shear_that_ends_as_its_master_steps() -> None:
 
 
 def test_a_path_that_another_one_is_blended_onto_continues_in_the_log() -> None:
-    """The first 50 have 5 left after 2.35 s; the next 50 take 50/20 + 20/100 s from there.
+    """The first 50 have 5 left after 2.35 s; the next take 50/20 + 20/100 s.
 
     A MAXSPEED of 100 or 101 is no limit, but each is a new plan of both: 500 of them end an entry.
     """

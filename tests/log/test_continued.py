@@ -25,7 +25,7 @@ End While
 
 
 def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Five entries of 500 changes are packed with those in progress, which are read and continued.
+    """Entries of 500 changes are packed, and the last is read and continued.
 
     50 at 20 with 100 take 50/20 + 20/100 s, without a gap between the entries.
     """

@@ -189,6 +189,6 @@ def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
 
 
 def _counts(a: WholeTrack, order: Order) -> float:
-    """Return the counts per unit of an order's rates: those of a path are in user units."""
+    """Return the counts per unit of rates: those of a path are in user units."""
     path = order.path
     return 1.0 if path is None else abs(path.scales[path.members.index(a.index)])

@@ -208,7 +208,7 @@ class Run:
             self._ends[axis] = list(accumulate(ends, max))
 
     def _add_path(self, move: Move, before: Move | None) -> None:
-        """Add a path entry to the list of its axis; `before` is the entry that it continues."""
+        """Add a path entry to those of its axis; it continues `before`."""
         entries, chains = self.paths.setdefault(move.axis, []), self._chains.setdefault(move.axis, [])
         self._numbers[id(move)] = len(entries)
         entries.append(move)

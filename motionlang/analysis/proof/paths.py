@@ -321,7 +321,7 @@ def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
 
 
 def _plan_before(run: Run, master: WholeTrack, i: int, order: Order) -> Order | None:
-    """Return the order of a path before it was stopped or suspended; None if it was not.
+    """Return the order of a path before its stop or suspension, if any.
 
     None too if its rates are the same as before.
     """
@@ -369,7 +369,7 @@ def _enters_too_fast(order: Order, way: PathLayout, along: list[Span]) -> bool:
 
 
 def _gentlest_before(run: Run, master: WholeTrack, i: int, order: Order) -> float:
-    """Return the lowest deceleration of a stop that began on an earlier path; infinite without one."""
+    """Return the lowest deceleration of a stop begun earlier; infinite if none."""
     records, rate = run.orders.of[master.index], inf
     while i and order.path is not None and order.path.rests:
         i -= 1

@@ -184,7 +184,7 @@ class Playback(Action):
 
 
 class _StoppingOnPath(Stopping):
-    """Coming to rest on a profile, whose accelerations may exceed the rates of the axis."""
+    """Coming to rest on a profile that may exceed the rates of the axis."""
 
     __slots__ = ()
     keeps_rates = False
