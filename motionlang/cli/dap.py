@@ -20,8 +20,8 @@ An editor starts this command and talks to it in the Debug Adapter Protocol. It 
 The program, its machine file and its inputs are arguments of the editor's launch request.
 
 examples:
-  motionlang dap                                 on standard input and output
-  motionlang dap --listen 127.0.0.1:4711         for an editor that connects
+  motionlang dap                       on standard input and output
+  motionlang dap --tcp 127.0.0.1:4711  for an editor that connects
 """
 
 
@@ -29,7 +29,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang dap` and its options."""
     parser = add_command(commands, "dap", summary, _dap, EPILOG)
     parser.add_argument(
-        "--listen",
+        "--tcp",
         type=_address,
         metavar="HOST:PORT",
         help=(
@@ -47,13 +47,13 @@ def _address(text: str) -> tuple[str, int]:
 
 
 def _dap(arguments: argparse.Namespace) -> int:
-    if arguments.listen is None:
+    if arguments.tcp is None:
         serve_stdio()
         return 0
     try:
-        listener = listen(*arguments.listen)
+        listener = listen(*arguments.tcp)
     except OSError as error:
-        message = f"cannot listen on {shown(*arguments.listen)}: {error.strerror or error}"
+        message = f"cannot listen on {shown(*arguments.tcp)}: {error.strerror or error}"
         complain([Diagnostic("file", message)], None, "")
         return 2
     host, port = listener.getsockname()[:2]

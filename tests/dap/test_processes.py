@@ -85,7 +85,7 @@ def test_a_session_over_stdio(stdio: subprocess.Popen[bytes], tmp_path: Path) ->
 
 
 def test_a_session_over_tcp(tmp_path: Path) -> None:
-    process = start("--listen", "127.0.0.1:0")
+    process = start("--tcp", "127.0.0.1:0")
     assert process.stderr is not None
     port = int(process.stderr.readline().decode().rpartition(":")[2])
     with (
