@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from os.path import expanduser
+from textwrap import wrap
 
 from motionlang.errors import Diagnostic, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
@@ -89,7 +90,8 @@ def _help(session: Session, word: str) -> None:
         return
     width = max(len(command.usage) for command in COMMANDS.values())
     for command in COMMANDS.values():
-        session.say(f"{command.usage.ljust(width)}  {command.help}\n")
+        lines = wrap(command.help, min(session.width, 80) - width - 2)
+        session.say(f"{command.usage.ljust(width)}  {(chr(10) + ' ' * (width + 2)).join(lines)}\n")
 
 
 def _help_on(session: Session, word: str) -> None:

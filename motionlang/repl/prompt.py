@@ -43,8 +43,8 @@ def converse(session: Session) -> int:
     session.ask = _answer
     print(
         f"motionlang {__version__}, {dialect_name(session.dialect.name)}, "
-        f"{len(session.machine.controller.axes)} axes. Tab completes, .help lists commands, Ctrl-D "
-        "leaves."
+        f"{len(session.machine.controller.axes)} axes. Tab completes, .help lists commands, "
+        "Ctrl-D ends."
     )
     while not session.over:
         try:
