@@ -125,9 +125,7 @@ def run(
         source, overrides, remarks, wrong = _with_literals(source, language, overrides)
     settings = checked_settings(machine) if machine is not None else settings_next_to(program)
     if inputs or analog or answers or keys:
-        from motionlang.lang.machine.entries import with_entries
-
-        settings = with_entries(settings, inputs, analog, answers, keys)
+        settings = _with_entries(settings, inputs, analog, answers, keys)
     virtual = Machine(
         settings,
         first_axis=language.first_axis,
@@ -156,6 +154,15 @@ def run(
             _keep(compiled, entry)
     _finish(result, settings)
     return result
+
+
+def _with_entries(
+    settings: dict[str, object], inputs: Given, analog: Given, answers: Given, keys: Given
+) -> dict[str, object]:
+    """Return settings with inputs, answers and keys that were given for one run."""
+    from motionlang.lang.machine.entries import with_entries
+
+    return with_entries(settings, inputs, analog, answers, keys)
 
 
 def _perform(

@@ -473,18 +473,8 @@ def _check_along(
                 jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
                 jerk = max(jerk, least_jerk)
                 uses.compare("path jerk", max(abs(left[3]), abs(right[3])), jerk)
-            first, last = left[0], right[0]
-            slowed = [
-                max(x, came * s)
-                for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
-            ]
-            for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
-                uses.compare(f"speed on paths of axis {number}", fast * slope * k, most)
-            limits = path.most_decel if side else path.most_accel
-            own = way.rates(first, last, rate, fast)
-            came_with = way.rates(first, last, max(bent, braking) if side and excused else bent, came)
-            for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
-                uses.compare(f"rate on paths of axis {number}", figure * k, max(most, other * k))
+            came_with = max(bent, braking) if side and excused else bent
+            _check_axes(uses, path, way, axes, (left[0], right[0]), side, (fast, rate), (came, came_with))
     uses.tell(order.line, where, "")
     took = along[-1].begin + along[-1].length
     reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
@@ -492,6 +482,32 @@ def _check_along(
         words = f"it does not slow down: {reached:g} after {took:g} s, expected {due:g}"
         proof.breaks(order.line, f"{where}: {words}")
     _judge_joins(proof, order, along, slow.came, where)
+
+
+def _check_axes(
+    uses: Uses,
+    path: PathOrder,
+    way: PathLayout,
+    axes: list[tuple[int, float]],
+    ends: tuple[float, float],
+    side: int,
+    own: tuple[float, float],
+    excused: tuple[float, float],
+) -> None:
+    """Check each axis between the `ends` of a stretch of a path.
+
+    `own` are the speed and the acceleration along it, `excused` those that it began with, and `side` is 1
+    where it slows down. `axes` have their counts per unit.
+    """
+    (fast, rate), (came, bent) = own, excused
+    slopes = way.slopes(*ends)
+    slowed = [max(x, came * s) for x, s in zip(path.most, _counts(slopes, axes), strict=True)]
+    for (number, k), slope, most in zip(axes, slopes, slowed, strict=True):
+        uses.compare(f"speed on paths of axis {number}", fast * slope * k, most)
+    limits = path.most_decel if side else path.most_accel
+    rates, came_with = way.rates(*ends, rate, fast), way.rates(*ends, bent, came)
+    for (number, k), figure, most, other in zip(axes, rates, limits, came_with, strict=True):
+        uses.compare(f"rate on paths of axis {number}", figure * k, max(most, other * k))
 
 
 def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, where: str) -> None:
