@@ -239,7 +239,8 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
         left += before.length
     by = _least(wanted, way)[1]
     by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))
-    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] < left
+    # A path that does stop has just the distance left that it needs.
+    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] <= left * (1.0 + SLACK)
 
 
 def check_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
