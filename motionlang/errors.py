@@ -283,6 +283,7 @@ LIBRARIES = {
     "mcap": ("mcap", "mcap"),
     "can": ("can", "python-can"),
     "canopen": ("can", "canopen"),
+    "msgpack": ("can", "msgpack"),
     "pygls": ("lsp", "pygls"),
     "serial": ("serial", "pyserial"),
     "shtab": ("completion", "shtab"),

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 
 import motionlang.mcapi.calls  # noqa: F401
 from motionlang.execution import accelerators, checked_settings
+from motionlang.files import replacing
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import Machine
 from motionlang.mcapi import constants as mc
@@ -254,8 +255,8 @@ class Binding:
     def SaveAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
         """Write the settings of the axis, or of all for 0, into a file (MCDLG_SaveAxis)."""
         text = self._get("MCDLG_SaveAxis", axis, flags, 1)
-        with open(path, "w", encoding="latin-1", newline="\n") as file:
-            file.write(text)
+        with replacing(path) as file:
+            file.write(text.encode("latin-1"))
 
     def RestoreAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
         """Set what SaveAxis has written into a file (MCDLG_RestoreAxis)."""

@@ -19,7 +19,7 @@ from motionlang.source import Source
 # Assumptions about the line or bus of a host, which no program on a controller can settle.
 ON_THE_LINE = 20
 # Open assumptions about a controller without an alternative, and those without a probe.
-WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 184 + ON_THE_LINE
+WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 185 + ON_THE_LINE
 # The number of assumptions that no controller can confirm, because they are choices of this program.
 OWN = 63
 # The assumptions about PMC's library for hosts. A log that it records answers them, not a program on a controller.

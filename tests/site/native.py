@@ -12,11 +12,10 @@ import time
 from pathlib import Path
 from typing import Any
 
-from motionlang.views.highlight import pieces
-
 from motionlang.cli import main
 from motionlang.execution import run
 from motionlang.lang.dialect import dialect
+from motionlang.lang.highlight import pieces
 from motionlang.source import Source
 from motionlang.views.table import render
 

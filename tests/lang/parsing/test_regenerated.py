@@ -79,7 +79,7 @@ def test_another_comment_sign_of_mccl(product: Product) -> None:
 def test_a_mistake_is_found_with_the_changed_grammar(product: Product) -> None:
     changes = {"/[, \\t]/": "/[, \\t|]/", "[, \\t\\n;]|$": "[, \\t\\n;|]|$"}
     ran = product("mccl.lark", changes, "a.mcl", "1MN|1MR1x|1TP\n", "check")
-    assert "a.mcl:1:5" in ran.stderr  # the command after the first |
+    assert "a.mcl:1:5" in ran.stdout  # the command after the first |
 
 
 def test_another_keyword_of_mint(product: Product) -> None:

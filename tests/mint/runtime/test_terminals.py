@@ -141,7 +141,7 @@ def test_a_row_of_an_operator_panel_takes_what_print_takes() -> None:
 def test_the_signs_between_printed_values_belong_to_no_other_word() -> None:
     found = run(Source("a.mnt", "Sub Show\nEnd Sub\nShow 1; 2\nMOVER 1 USING 4\nLINE 3 USING 5"), cache=False)
     assert [(each.line, each.message) for each in found.diagnostics] == [
-        (3, "USING and ; stand among the values of PRINT and LINE, not of Show"),
-        (4, "USING and ; stand among the values of PRINT and LINE, not of MOVER"),
+        (3, "USING and ; belong among the values of PRINT and LINE, not of Show"),
+        (4, "USING and ; belong among the values of PRINT and LINE, not of MOVER"),
         (5, "LINE needs the number of a row"),
     ]
