@@ -41,7 +41,7 @@ def add_parser(family: Commands, summary: str) -> None:
     )
     parser = add_command(commands, "build", "compile the C library into the user's cache", build_command)
     _add_target(parser)
-    parser.add_argument("--folder", metavar="DIR", help="put the library into this folder instead")
+    parser.add_argument("--out", metavar="DIR", help="put the library into this folder instead")
     parser = add_command(commands, "path", "print where the compiled C library is", path_command)
     _add_target(parser)
     _add_run(commands)
@@ -95,7 +95,7 @@ def build_command(args: argparse.Namespace) -> int:
     from motionlang.mcapi.build import CannotBuild, build
 
     try:
-        path = build(BUILT[args.target], Path(args.folder) if args.folder is not None else None)
+        path = build(BUILT[args.target], Path(args.out) if args.out is not None else None)
     except CannotBuild as problem:
         return _refuse(str(problem), problem.hint)
     print(path)

@@ -38,9 +38,10 @@ ALL = list(parsers(build_parser("*")))
 
 @pytest.mark.parametrize(("old", "new"), OLD_OPTIONS.items())
 def test_each_old_option_has_become_one_option_and_is_hidden(old: str, new: str) -> None:
-    assert [each.prog for each in ALL if new.partition("=")[0] in each._option_string_actions]
-    assert not [each.prog for each in ALL if old in each._option_string_actions]
-    assert not [each.prog for each in ALL if f"{old} " in each.format_help()]
+    renamed = [each for each in ALL if new.partition("=")[0] in each._option_string_actions]
+    assert renamed
+    assert not [each.prog for each in renamed if old in each._option_string_actions]
+    assert not [each.prog for each in renamed if f"{old} " in each.format_help()]
 
 
 def test_an_old_option_does_what_the_new_one_does_with_one_note(cell: Cell) -> None:
