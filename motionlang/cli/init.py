@@ -12,7 +12,7 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritte
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.options import REPORTS, Options
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
 from motionlang.cli.run_options import machine_time
@@ -57,6 +57,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         help=f"the time limit of the machine file, in seconds of machine time ({UNTIL:g})",
     )
     add_format(parser, REPORTS, "what follows the program's own output, as in run")
+    arrange(parser, {"program": "dialect until", "report": "format quiet output"})
 
 
 def init_command(arguments: argparse.Namespace) -> int:

@@ -13,7 +13,7 @@ from motionlang.assumptions.reading import SETTLED
 from motionlang.cli.format_options import add_format
 from motionlang.cli.keyword_search import search
 from motionlang.cli.machine_options import add_dialect
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
 from motionlang.views import readings
@@ -47,6 +47,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     add_dialect(parser, "the language; default: both")
     add_format(parser)
+    arrange(parser, {"language": "dialect", "report": "format output"})
 
 
 def _keywords(arguments: argparse.Namespace) -> int:

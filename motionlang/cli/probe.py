@@ -13,7 +13,7 @@ from motionlang.assumptions.probe import Motion, alone, asked, written
 from motionlang.assumptions.questions import of_word, questions
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import add_command, arrange
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
 from motionlang.source import STDIN, STDIN_NAME, name_of
@@ -77,6 +77,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     add("--axis", type=int, metavar="N", help="the axis to test; default: the first")
     add("--skip", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated")
+    arrange(parser, {"questions": "list skip motion axis", "answers": "answers"})
 
 
 def _distance(text: str) -> float:
