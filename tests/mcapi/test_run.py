@@ -45,7 +45,10 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def motionlang(cache: Path, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
     environment = {**os.environ, "MOTIONLANG_CACHE": str(cache), **more}
     command = [sys.executable, "-m", "motionlang", "mcapi", *words]
-    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=100, check=False)
+    # Hosts write files into their folder.
+    return subprocess.run(
+        command, env=environment, capture_output=True, text=True, timeout=100, check=False, cwd=cache
+    )
 
 
 @needs_compiler
