@@ -35,9 +35,8 @@ function mintToken(stream, state) {
   if (begins && stream.match(/rem\b/i)) return stream.skipToEnd(), "comment";
   if (stream.match(/"(?:[^"\\]|\\.)*(?:"|$)/) || stream.match(/`(?:[^`\\]|\\.)`/)) return "string";
   if (stream.match(/0[xX][0-9a-fA-F]+|0[bB][01]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/)) return "number";
-  if (stream.match(/[A-Za-z_]\w*(?:\.\d+)+/)) return "name";
-  const word = stream.match(/[A-Za-z_]\w*/);
-  if (word) return MINT.get(word[0].toLowerCase()) ?? "name";
+  const word = stream.match(/([A-Za-z_]\w*)(?:\.\d+)*/); // POS.0 of Mint v4 is the keyword POS
+  if (word) return MINT.get(word[1].toLowerCase()) ?? "name";
   state.begins = stream.next() === ":";
   return null;
 }
