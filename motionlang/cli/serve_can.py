@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import logging
-import signal
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.output_queue import dropped
-from motionlang.cli.serve_hosts import say, warn
+from motionlang.cli.serve_hosts import say, until_signal, warn
 from motionlang.errors import Diagnostic, need
 from motionlang.files import reason, replacing
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Mapping
-    from types import FrameType
 
     from motionlang.cli.output_queue import OutputQueue
     from motionlang.copley.switches import Switches
@@ -48,16 +46,7 @@ def serve_can(args: argparse.Namespace, settings: Mapping[str, object], queues: 
     with server:
         nodes = "node 1" if args.drives == 1 else f"nodes 1 to {args.drives}"
         say(f"CANopen drives, {nodes}, on {interface} {channel}; Ctrl-C ends it\n")
-
-        def stop(number: int, frame: FrameType | None) -> None:
-            server.stop()
-
-        before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
-        try:
-            server.run()
-        finally:
-            for number, handler in before.items():
-                signal.signal(number, handler)
+        until_signal(server)
         say(f"received {server.frames} frames; machine time {server.now:.3f} s{dropped(queues)}\n")
     return 0
 

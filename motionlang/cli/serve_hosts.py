@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from types import FrameType
     from typing import TextIO
 
+    from motionlang.copley.served import DriveServer
     from motionlang.serve import Server
     from motionlang.serve.server import MakeHost
 
@@ -57,7 +58,7 @@ def listen(server: Server, host: str, port: int, *, echo: bool = False, make: Ma
     return True
 
 
-def until_signal(server: Server) -> None:
+def until_signal(server: Server | DriveServer) -> None:
     """Serve until Ctrl-C or SIGTERM, each of them a normal end."""
 
     def stop(number: int, frame: FrameType | None) -> None:

@@ -9,20 +9,17 @@ from collections import deque
 from typing import TYPE_CHECKING, Self
 
 from motionlang.client.answer import ASKED, CANCELLED, code_of, end_of, lines_of, number_of, version_in
+from motionlang.client.connection import TIMEOUT, Connection
 from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.client.status import Status
-from motionlang.client.wire import SerialWire, TcpWire
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Mapping
-    from types import TracebackType
 
     from motionlang.client.wire import Wire
     from motionlang.mccl.hosts.console import Console
 
-TIMEOUT = 5.0
 # Seconds of silence after which the answer of a board without a prompt is complete, and a line has been
 # drained.
 QUIET = 0.05
@@ -35,7 +32,7 @@ ATTEMPTS = 3
 MAX_UNASKED = 1000
 
 
-class Client:
+class Client(Connection):
     """A connection to a board, one line at a time; not thread-safe.
 
     Opening it sends ESC, to clear any unfinished line of an earlier host, and asks for the version. `version`
@@ -44,11 +41,10 @@ class Client:
     """
 
     def __init__(self, wire: Wire, timeout: float = TIMEOUT) -> None:
-        self.timeout = timeout
+        super().__init__(wire, timeout)
         self.version = ""
         self.prompts = True
         self.unasked: deque[str] = deque(maxlen=MAX_UNASKED)
-        self._wire = wire
         self._rest = b""
         try:
             self._find_board()
@@ -57,16 +53,6 @@ class Client:
             raise
 
     # -------------------------------------------------------------------------------------------- connecting
-
-    @classmethod
-    def tcp(cls, host: str, port: int, timeout: float = TIMEOUT) -> Self:
-        """Connect to a board on the network, or to `motionlang serve --tcp`."""
-        return cls(TcpWire(host, port, timeout), timeout)
-
-    @classmethod
-    def serial(cls, path: str | os.PathLike[str], baud: int = 9600, timeout: float = TIMEOUT) -> Self:
-        """Connect to a board at a serial device, or to `motionlang serve --pty`."""
-        return cls(SerialWire(str(path), baud, timeout), timeout)
 
     @classmethod
     def virtual(
@@ -99,25 +85,8 @@ class Client:
 
     @classmethod
     def open(cls, where: str, timeout: float = TIMEOUT) -> Self:
-        """Connect to `HOST:PORT`, a serial device, a URL of pyserial, or `virtual`."""
-        host, colon, port = where.rpartition(":")
-        if where == "virtual":
-            return cls.virtual(timeout=timeout)
-        if colon and port.isdecimal() and "://" not in where:
-            return cls.tcp(host.strip("[]") or "127.0.0.1", int(port), timeout)
-        return cls.serial(where, timeout=timeout)
-
-    def close(self) -> None:
-        """Disconnect from the board; motion and background tasks continue."""
-        self._wire.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
-        self.close()
+        """Connect as `Connection.open` does; `virtual` makes a virtual board."""
+        return cls.virtual(timeout=timeout) if where == "virtual" else super().open(where, timeout)
 
     # ---------------------------------------------------------------------------------------------- commands
 

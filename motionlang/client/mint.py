@@ -18,20 +18,17 @@ import re
 from collections import deque
 from typing import TYPE_CHECKING, Self
 
+from motionlang.client.connection import TIMEOUT, Connection
 from motionlang.client.errors import FrameRejected, LineRejected, NoReply
-from motionlang.client.wire import SerialWire, TcpWire
 from motionlang.mint.hosts import hcp
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Callable, Mapping
-    from types import TracebackType
 
     from motionlang.client.wire import Wire
     from motionlang.mint.hosts.console import MintConsole
 
-TIMEOUT = 5.0
 # Characters of output that are stored.
 MAX_OUTPUT = 100_000
 # The most bytes that may come before an answer.
@@ -42,7 +39,7 @@ _BREAK = re.compile(rb"Break[^\r\n]*[\r\n]+(?:[PC]|\d+)?>\Z")
 _REPLY = re.compile(rb"[\x06\x15]")
 
 
-class MintClient:
+class MintClient(Connection):
     """A connection to a Mint controller; not thread-safe.
 
     `card` is the number of the controller in HCP frames. Time-outs are in seconds, for a virtual controller in
@@ -50,19 +47,9 @@ class MintClient:
     """
 
     def __init__(self, wire: Wire, timeout: float = TIMEOUT, card: int = 0) -> None:
-        self.timeout, self.card = timeout, card
-        self._wire = wire
+        super().__init__(wire, timeout)
+        self.card = card
         self._output: deque[str] = deque(maxlen=MAX_OUTPUT)
-
-    @classmethod
-    def tcp(cls, host: str, port: int, timeout: float = TIMEOUT) -> Self:
-        """Connect to a controller on the network, or to `motionlang serve --tcp`."""
-        return cls(TcpWire(host, port, timeout), timeout)
-
-    @classmethod
-    def serial(cls, path: str | os.PathLike[str], baud: int = 9600, timeout: float = TIMEOUT) -> Self:
-        """Connect to a controller at a serial device, or to `motionlang serve --pty`."""
-        return cls(SerialWire(str(path), baud, timeout), timeout)
 
     @classmethod
     def virtual(
@@ -88,26 +75,6 @@ class MintClient:
         if program:
             console.load(program if isinstance(program, Source) else Source("program", program))
         return cls(MintWire(console, step), timeout)
-
-    @classmethod
-    def open(cls, where: str, timeout: float = TIMEOUT) -> Self:
-        """Connect to `HOST:PORT`, a serial device, or a URL of pyserial."""
-        host, colon, port = where.rpartition(":")
-        if colon and port.isdecimal() and "://" not in where:
-            return cls.tcp(host.strip("[]") or "127.0.0.1", int(port), timeout)
-        return cls.serial(where, timeout=timeout)
-
-    def close(self) -> None:
-        """Disconnect; the program continues."""
-        self._wire.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     # ------------------------------------------------------------------------------------------ comms array
 

@@ -49,7 +49,7 @@ def definition_page(page: Page, definition: Definition) -> str:
         lines += ["", comment]
     about = [definition.kind + (f" of {definition.home}" if definition.home else "")]
     if definition.kind == "define":
-        about.append(f"stands for `{definition.value}`")
+        about.append(f"replaced by `{definition.value}`")
     elif definition.value:
         about.append(f"value `{definition.value}`")
     others = len(definition.uses) - (definition.span is not None)

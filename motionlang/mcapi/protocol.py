@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 VERSION = 1
 # The longest line, in characters.
 MAX_LINE = 32_768
-# What stands for a NULL pointer, and for a result that there is room for.
+# The words for a NULL pointer, and for a result that the host has room for.
 NULL, ROOM = "-", "+"
 _TOKEN = re.compile(r'"((?:[^"\\]|\\.)*)"(?=\s|$)|(\S+)')
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|.)", re.DOTALL)
