@@ -92,6 +92,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "run_errors",
             "dialect",
             "typography",
+            "typed_line",
         ),
         (
             "dependencies",

@@ -9,6 +9,7 @@ with at least one line, then the prompt.
 from __future__ import annotations
 
 from motionlang.lang.task import Wait
+from motionlang.lang.typed_line import BLANK, CR, LF, TypedLine
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.line import line_of, too_long
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 
 
 INFINITY = float("inf")
-CTRL_B, BACKSPACE, LF, CR, ESC, BLANK, DELETE = 2, 8, 10, 13, 27, 32, 127
+CTRL_B, ESC = 2, 27
 # Characters that a port accepts while it carries out a line, in addition to ESC: Ctrl-B, XON, XOFF and the
 # blank.
 AT_ONCE = (CTRL_B, 17, 19, BLANK)
@@ -63,11 +64,10 @@ class Port:
         if echo:
             board.echo = True
         self._waiting = bytearray()
-        self._typed = bytearray()
-        self._dropped = 0
+        self._typed = TypedLine(MAX_LINE)
         self._out = bytearray()
         self._held = False
-        self._after_cr = self._closed = False
+        self._closed = False
         # True if the last entry of `next_entry` ended with CR.
         self._entered_cr = False
         # True if the end of the current line has been echoed.
@@ -221,7 +221,6 @@ class Port:
     def _escape(self) -> None:
         self._waiting.clear()
         self._typed.clear()
-        self._dropped = 0
         self._held = False
         self.task.set_stepping(False)
         if self.busy:
@@ -232,29 +231,12 @@ class Port:
 
     def _idle(self, code: int) -> None:
         """Process a character of a line."""
-        after_cr, self._after_cr = self._after_cr, code == CR
-        if code in (CR, LF):
-            if not (code == LF and after_cr):
-                self._enter()
-        elif code in (BACKSPACE, DELETE):
-            if self._typed:
-                self._typed.pop()
-                self._echo("\b \b")
-        elif code >= BLANK or code == 9:
-            if len(self._typed) >= MAX_LINE:
-                self._dropped += 1
-            else:
-                self._typed.append(code)
-            self._echo(chr(code))
-
-    def _enter(self) -> None:
-        """Process the end of a line."""
-        self._ended = self._echoes and self.board.echo
-        self._echo("\n")
-        text, dropped = self._typed.decode("latin-1"), self._dropped
-        self._typed.clear()
-        self._dropped = 0
-        self.task.enter_text(text, dropped)
+        echo = self._typed.type(code)
+        if echo == "\n":
+            self._ended = self._echoes and self.board.echo
+        self._echo(echo)
+        if echo == "\n":
+            self.task.enter_text(*self._typed.take())
 
     def _echo(self, text: str) -> None:
         if self._echoes and self.board.echo:

@@ -12,6 +12,7 @@ Characters that come while a line is carried out wait. Lines end with CR, LF or 
 
 from __future__ import annotations
 
+from motionlang.lang.typed_line import BLANK, CR, LF, TypedLine
 from motionlang.mint.hosts.editor import Editor
 from motionlang.mint.hosts.hcp import ENQ, EOT, Receiver
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.lang.task import Wait
     from motionlang.mint.hosts.console import MintConsole
 
-CTRL_E, BACKSPACE, TAB, LF, CR, BLANK, DELETE = ENQ, 8, 9, 10, 13, 32, 127
+CTRL_E = ENQ
 # The longest line that is carried out.
 MAX_LINE = 1000
 # Characters that wait for the end of a line; further ones are lost.
@@ -42,9 +43,7 @@ class MintPort:
         # The lines of a block that is not complete.
         self.block: list[str] = []
         self._frames = Receiver(console.elements)
-        self._typed = bytearray()
-        self._dropped = 0
-        self._after_cr = False
+        self._typed = TypedLine(MAX_LINE)
         self._waiting = bytearray()
         self._out = bytearray()
 
@@ -85,7 +84,7 @@ class MintPort:
             return bytes(data[:1]), True
         for k, code in enumerate(data):
             if code in (CR, LF):
-                alone = not (code == LF and self._after_cr and k == 0)
+                alone = not (code == LF and self._typed.after_cr and k == 0)
                 return bytes(data[: k + 1]), alone
             if code in (EOT, CTRL_E):
                 return bytes(data[:k]), False
@@ -133,20 +132,11 @@ class MintPort:
 
     def type(self, code: int) -> None:
         """Take a character of a line."""
-        after_cr, self._after_cr = self._after_cr, code == CR
-        if code in (CR, LF):
-            if not (code == LF and after_cr):
-                self._enter()
-        elif code in (BACKSPACE, DELETE):
-            if self._typed:
-                self._typed.pop()
-                self._echo("\b \b")
-        elif code >= BLANK or code == TAB:
-            if len(self._typed) < MAX_LINE:
-                self._typed.append(code)
-            else:
-                self._dropped += 1
-            self._echo(chr(code))
+        echo = self._typed.type(code)
+        if echo == "\n":
+            self._enter()
+        else:
+            self._echo(echo)
 
     # ---------------------------------------------------------------------------------------------- private
 
@@ -171,15 +161,12 @@ class MintPort:
     def _break(self) -> None:
         self._waiting.clear()
         self._typed.clear()
-        self._dropped = 0
         self.block.clear()
         self.editor.leave()
         self.console.break_off(self)
 
     def _enter(self) -> None:
-        text, dropped = self._typed.decode("latin-1"), self._dropped
-        self._typed.clear()
-        self._dropped = 0
+        text, dropped = self._typed.take()
         if self.console.asks:
             self.console.answer(text)
             return

@@ -1,0 +1,45 @@
+"""The line that a host types: characters, backspace, a limit, a line end."""
+
+from __future__ import annotations
+
+BACKSPACE, TAB, LF, CR, BLANK, DELETE = 8, 9, 10, 13, 32, 127
+
+
+class TypedLine:
+    """The characters of one line since the last line end, at most `limit` of them."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._typed = bytearray()
+        self._dropped = 0
+        # True if the last character was a CR; an LF behind it ends no second line.
+        self.after_cr = False
+
+    def type(self, code: int) -> str:
+        """Take a character and return its echo, a line feed at the end of the line."""
+        after_cr, self.after_cr = self.after_cr, code == CR
+        if code in (CR, LF):
+            return "" if code == LF and after_cr else "\n"
+        if code in (BACKSPACE, DELETE):
+            if not self._typed:
+                return ""
+            self._typed.pop()
+            return "\b \b"
+        if code < BLANK and code != TAB:
+            return ""
+        if len(self._typed) < self._limit:
+            self._typed.append(code)
+        else:
+            self._dropped += 1
+        return chr(code)
+
+    def take(self) -> tuple[str, int]:
+        """Begin a new line; return the last one and how many characters it lacks."""
+        text, dropped = self._typed.decode("latin-1"), self._dropped
+        self.clear()
+        return text, dropped
+
+    def clear(self) -> None:
+        """Forget what was typed."""
+        self._typed.clear()
+        self._dropped = 0
