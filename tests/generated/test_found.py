@@ -1065,3 +1065,17 @@ def test_a_stop_by_a_lower_jerk_does_not_run_back_along_its_path() -> None:
     assert result.time == pytest.approx(1.15 + 0.1, abs=1e-6)
     way = 18.0 + 1.875 + 0.5 / 3.0
     assert places(result, 0, 1) == pytest.approx([0.6 * way, 0.8 * way], abs=1e-5)
+
+
+def test_a_trapezoid_that_stops_as_planned_is_left_for_an_s_curve_at_once() -> None:
+    """After 0.1 s up, 0.05 s at 1000 and 1 s down at 500, ST with PS0 keeps the trapezoid: no stop is shorter.
+
+    0.5 s later it is at 250. A half sine has no flank that the 500 could fall along, so the change to 100
+    begins at once: pi/2 * 150/500 s, at 175 on average.
+    """
+    move = "1MN,1SV1000,1SA10000,1DS500,1MR1100,WA1.15,1PS0,1ST,WA0.5,1SV100\n"
+    result = proved(f"{move}1VM,1GO,WA1,1TP\n1AB\n", "mcl")
+    change = 0.5 * pi * 150.0 / 500.0
+    way = 50.0 + 50.0 + 1.5 * 625.0 + change * 175.0 + (1.0 - change) * 100.0
+    assert result.output == ["01 1173"]
+    assert result.controller.axes[1].position(2.65) == pytest.approx(way, abs=1e-4)

@@ -76,6 +76,14 @@ def last_change(profile: Profile) -> float:
     return knots[-1] if isfinite(knots[-1]) else knots[-2]
 
 
+def is_without_flank(profile: Profile, elapsed: float) -> bool:
+    """True if an acceleration is constant to its end, as in a trapezoid."""
+    knots = profile.knots
+    k = min(max(0, bisect_right(knots, elapsed) - 1), len(profile.pieces) - 1)
+    _, _, half, slope, amplitude, _, _ = profile.pieces[k]
+    return bool(half and not slope and not amplitude and _flank(profile, elapsed) is None)
+
+
 def _flank(profile: Profile, elapsed: float) -> tuple[Piece, float, float] | None:
     """Return the flank of a profile's ramp: its curve, its start, and its duration.
 

@@ -48,6 +48,7 @@ from motionlang.analysis.proof.axes import PLANNED, check_profile
 from motionlang.analysis.proof.blends import check_blend
 from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
 from motionlang.analysis.proof.entries import Ends, check_ends, take_entry
+from motionlang.analysis.proof.flanks import is_without_flank
 from motionlang.analysis.proof.followers import check_points, check_reference, check_tie
 from motionlang.analysis.proof.offsets import check_missing
 from motionlang.analysis.proof.outputs import check_report, check_trace
@@ -171,6 +172,8 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
     elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
         bend = abs(after.acceleration - before.acceleration)
+        if earlier.kind == "stop" and is_without_flank(a.profiles[i - 1], time - a.starts[i - 1]):
+            bend = min(bend, abs(after.acceleration))  # it stopped as planned before, by a trapezoid
         jerk = order.jerks[0] if order.jerks[0] < inf else abs(before.jerk)
         if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
