@@ -1079,3 +1079,17 @@ def test_a_trapezoid_that_stops_as_planned_is_left_for_an_s_curve_at_once() -> N
     way = 50.0 + 50.0 + 1.5 * 625.0 + change * 175.0 + (1.0 - change) * 100.0
     assert result.output == ["01 1173"]
     assert result.controller.axes[1].position(2.65) == pytest.approx(way, abs=1e-4)
+
+
+def test_a_suspended_slave_comes_to_rest_whatever_its_master_does() -> None:
+    """At 9.995 its master has slowed down from 20 to 1 at 100, on the way to -20.
+
+    A jerk of 1000 takes the 100 back in 0.1 s, at -4 and 0.1 - 0.5 + 1/6 farther on, then the -4 in twice
+    sqrt(4/1000) s. Beyond its reversal it exceeds ACCEL, which STOP of its master does not change.
+    """
+    ramps = "PROFILEMODE(1) = 1 : ACCELJERK(1) = 1000 : DECELJERK(1) = 1000 : ACCEL(1) = 50\n"
+    follow = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
+    suspend = "JOG(0) = -20\nWAIT = 190\nSUSPEND(1) = 1\nWAIT = 20\nSTOP(0)\nWAIT = 300\n"
+    result = proved(RATES + ramps + follow + suspend)
+    rest = 9.995 + 0.1 - 0.5 + 1.0 / 6.0 - 4.0 * sqrt(0.004)
+    assert places(result, 1) == pytest.approx([rest], abs=1e-6)

@@ -264,7 +264,7 @@ class Gear(Follow):
     With `ramp` the slave first ramps to that velocity at its own rates.
     """
 
-    __slots__ = ("_chased_at", "_halt", "_later", "_locks_at", "_paused", "ramp", "ratio")
+    __slots__ = ("_chased_at", "_halt", "_later", "_locks_at", "_paused", "keeps_rates", "ramp", "ratio")
 
     def __init__(
         self, controller: Core, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool
@@ -273,6 +273,8 @@ class Gear(Follow):
         self.ratio, self.ramp = ratio, ramp
         # The time at which the slave has the velocity of the ratio.
         self._locks_at = INFINITY if ramp else 0.0
+        # True once a suspension has planned its rest, at its own rates.
+        self.keeps_rates = False
         # The remaining distance of the offset for the end of the suspension, and the offsets that wait for
         # it.
         self._paused = 0.0
@@ -297,7 +299,13 @@ class Gear(Follow):
         self._locks_at = INFINITY if ramp else 0.0
         self.renew()
 
+    def renew(self) -> None:
+        # A suspended slave comes to rest whatever its master does.
+        if not (self.a.suspended and self.keeps_rates):
+            super().renew()
+
     def suspend(self, controller: Core, a: Axis) -> bool:
+        self.keeps_rates = False
         self._pause_offset()
         self.renew()
         return True
@@ -354,7 +362,10 @@ class Gear(Follow):
 
     def base(self, coming: Profile, position: float) -> Profile:
         if self.a.suspended:
-            return halt.standing(self.controller, self.a)
+            standing = halt.standing(self.controller, self.a)
+            self.keeps_rates = True
+            return standing
+        self.keeps_rates = False
         if self._locks_at > self.controller.clock.now:
             return self._chased(coming, position)
         return self._geared(coming, position)
