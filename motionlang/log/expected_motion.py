@@ -106,7 +106,10 @@ class ExpectedMotion:
                 order = self._steps.setdefault(move, order)
             elif move is not None and isinstance(move.action, Stopping):
                 halt = self._halts.get(a.index)
-                order = halt[1] if halt is not None and halt[0] is move.action else order
+                if halt is not None and halt[0] is move.action:
+                    order = halt[1]
+                elif a.datum != self.data[a.index][-1]:
+                    order = self.of[a.index][-1]  # a table that comes to rest on itself, at a new zero
                 self._halts[a.index] = move.action, order
             elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
                 # The same motion at a new zero: settings that were written since do not act.

@@ -192,13 +192,13 @@ STEEP = "Dim way(2) As Float = 1, 10\nDim slow(2) As Float = 1, 0\n"
 STEEP += "SPLINETABLE(0, way, slow, NULL) : SPLINETIME(0) = 20\nSPLINE(0) = 0 : GO(0)\nWAIT = 2\n"
 
 
-@pytest.mark.parametrize("stop", ["", "STOP(0)\n"])
+@pytest.mark.parametrize("stop", ["", "STOP(0)\n", "STOP(0)\nPOS(0) = 5\n"])
 def test_a_jog_takes_over_from_a_spline_at_no_more_than_the_rate_of_the_axis(stop: str) -> None:
     """The cubic of 10 in 20 ms from rest to rest has a high acceleration at 2 ms.
 
     It is 6 * 10/0.02² * (1 - 2 * 0.1) = 120 000, which a jerk of 1000 reduces to zero in two minutes, on the
     way to a velocity of 7 million. The jog takes over the 100 of ACCEL, which take 0.1 s and add 5 to the
-    velocity. A spline that has just been stopped has the same acceleration.
+    velocity. A spline that has just been stopped has the same acceleration, at another zero, too.
     """
     result = proved(f"{RATES}{S_RAMPS}{STEEP}{stop}JOG(0) = 0\nPAUSE IDLE(0)\n")
     jog = next(each for each in result.controller.axes[0].profiles if each.shape == "jog")
