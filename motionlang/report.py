@@ -293,7 +293,7 @@ def axes(run: Run) -> list[Row]:
 def assumptions(run: Run) -> list[str]:
     """List the unconfirmed assumptions that the program depended on.
 
-    They have their names in docs/fidelity.md.
+    They have their names in docs/contributing/assumptions.md.
     """
     from motionlang.assumptions.used import depended_on
 

@@ -19,7 +19,7 @@ Each page is a program that runs, with what it shows beside it; a test runs all 
 what the terminal shows, `'?` a diagnostic and its line, `'|` a line of the machine file that the program runs on, `'!`
 what the report says that the run could not know. The words themselves are in
 [docs/keywords/mint.md](../../../docs/keywords/mint.md), the readings chosen where sources are silent in
-[docs/fidelity.md](../../../docs/fidelity.md).
+[docs/contributing/assumptions.md](../../../docs/contributing/assumptions.md).
 """
 
 # Titles of chapters, each with its pages in reading order.

@@ -1,4 +1,4 @@
-"""The recipe of docs/contributing/architecture.md with a made-up keyword.
+"""The documented recipe for adding a keyword works with a made-up keyword.
 
 The keyword is added to both languages.
 """

@@ -55,8 +55,8 @@ def commands(block: str) -> Iterator[tuple[str, str]]:
 
 def matches(shown: str, output: str) -> bool:
     """True if `output` matches the shown text, in which `…` lines match anything."""
-    pattern = re.escape(shown.rstrip("\n")).replace(re.escape("\n…\n"), r"\n(?:.*\n)*")
-    return re.fullmatch(pattern, output.rstrip("\n")) is not None
+    pattern = re.escape(shown.rstrip("\n") + "\n").replace(re.escape("\n…\n"), r"\n(?:.*\n)*")
+    return re.fullmatch(pattern, output.rstrip("\n") + "\n") is not None
 
 
 @pytest.fixture

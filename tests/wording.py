@@ -31,7 +31,7 @@ from tests.trees import text_of, tree_of
 ROOT = Path(__file__).parent.parent
 FOLDERS = ("motionlang", "benchmarks", "tests")
 # Pages that quote programs, and pages of the manuals, which are derived.
-DERIVED = ("docs/keywords", "docs/fidelity.md")
+DERIVED = ("docs/keywords", "docs/contributing/assumptions.md")
 MAX_FIRST_LINE = 80
 # Docstrings may not begin with these.
 FIRST_WORDS = re.compile(r"(What|Whether|Where|Whoever|The same)\b")

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 ROOT = Path(__file__).parent.parent
-# The files of evidence, in the order of the chapters of docs/fidelity.md.
+# The files of evidence, in the order of the chapters of docs/contributing/assumptions.md.
 FILES = (
     "mint/evidence/language.toml",
     "mint/evidence/machine.toml",

@@ -1,18 +1,25 @@
-"""docs/fidelity.md, made from the assumptions."""
+"""Pages of the documentation that are made from the assumptions.
+
+These are docs/contributing/assumptions.md and the tables of docs/fidelity.md.
+"""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from motionlang.assumptions.entries import Chapter, Section, chapters
+from motionlang.assumptions.facts import of_word
 from motionlang.assumptions.reading import Reading
+from motionlang.lang.dialect import dialect
 
 HEAD = """\
-# Accuracy: unconfirmed behaviour and its assumptions
+# Assumptions
 
-Nothing here has been checked on a real controller. `motionlang keywords KEYWORD` shows what is known about a keyword
-and from which source. This page lists the rest: each assumption that was made where the sources are silent, with the
-reason why a user of the real controller would expect it. `python -m tests.derived` writes it from the evidence files.
+[What is confirmed](../fidelity.md) is the short version of this page. Nothing here has been checked on a real
+controller. `motionlang keywords KEYWORD` shows what is known about a keyword and from which source. This page lists the
+rest: each assumption that was made where the sources are silent, with the reason why a user of the real controller
+would expect it. `python -m tests.derived` writes it from the evidence files.
 
 The column *evidence* is a *manual*, running *code*, a *sibling* (another product of the same maker, or one in the same
 style whose rule is printed), *memory* (high, medium or low confidence) or a *choice* where there was no evidence.
@@ -26,6 +33,14 @@ Assumptions based on a manual or on code are confirmed, all others are open. The
 
 The alternatives are what the sources leave possible; each is a guess.
 """
+# Titles of the strengths that the meaning of a simulated keyword may have.
+MEANINGS = {
+    "manual": "printed in a manual",
+    "code": "read in running code",
+    "memory high": "memory, high confidence",
+    "memory medium": "memory, medium confidence",
+    "memory low": "memory, low confidence",
+}
 TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 
 
@@ -36,6 +51,36 @@ def markdown() -> str:
     for chapter in chapters():
         parts += _chapter(chapter)
     return "".join(parts)
+
+
+def summary() -> str:
+    """Count keywords by source and assumptions by subject, for docs/fidelity.md."""
+    lines = ["\n| source of the meaning | Mint keywords | MCCL commands |\n|---|---|---|\n"]
+    counts = [_strengths(language) for language in ("mint", "mccl")]
+    for strength, title in MEANINGS.items():
+        lines.append(f"| {title} | {' | '.join(str(each[strength]) for each in counts)} |\n")
+    assert all(each.keys() <= MEANINGS.keys() for each in counts)
+    lines.append("\nThe assumptions by subject:\n\n")
+    lines.append("| subject | assumptions | confirmed | a probe settles | the machine file sets |\n")
+    lines.append("|---|---|---|---|---|\n")
+    for chapter in chapters():
+        found = [each for section in chapter.sections for each in section.readings if not each.own]
+        if found:
+            numbers = (
+                len(found),
+                len([each for each in found if not each.is_open]),
+                len([each for each in found if each.probe is not None]),
+                len([each for each in found if each.key]),
+            )
+            link = f"[{chapter.title}](contributing/assumptions.md#{_anchor(chapter.title)})"
+            lines.append(f"| {link} | {' | '.join(map(str, numbers))} |\n")
+    return "".join(lines) + "\n"
+
+
+def _strengths(language: str) -> Counter[str]:
+    """Count the simulated keywords of a language by the strength of their meaning."""
+    rows = (row for row in dialect(language).table() if row.simulated)
+    return Counter(of_word(language, row)["meaning"].strength for row in rows)
 
 
 def rests_on(reading: Reading) -> str:

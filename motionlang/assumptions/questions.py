@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def questions() -> Mapping[str, Reading]:
     """Return every assumption by its name: the entries, then the facts.
 
-    The entries are in the order of docs/fidelity.md, the facts in that of the tables.
+    The entries are in the order of docs/contributing/assumptions.md, the facts in that of the tables.
     """
     facts = (
         fact

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) -> list[str]:
-    """Return the open assumptions of a program, in the order of docs/fidelity.md.
+    """Return the open assumptions of a program, in the order of the list.
 
     Those that the machine file sets are settled. A setting at power-up counts only for a program that never
     writes it; those settings that affect every move, for one that moves an axis.

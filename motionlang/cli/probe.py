@@ -33,7 +33,7 @@ machine file that make the virtual controller give the same answers. Mint probes
 
 Questions that write settings or may end with an error have programs of their own, by name; comments in the program say
 what to do first and what each answer means. --list shows all questions, or those about a keyword. docs/fidelity.md
-explains the assumptions.
+says what is confirmed, docs/contributing/assumptions.md lists every assumption.
 
 exit status: 0 every answer was read; 1 answers are missing, cut off or contradictory; 2 the command line is invalid
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-# Bits of `Axis.faults`, in the order that MintMT users know from AXISERROR (docs/fidelity.md).
+# Bits of `Axis.faults`, in the order that MintMT users know from AXISERROR (docs/contributing/assumptions.md).
 ABORT = 1
 ERROR_INPUT = 2
 LIMIT_FORWARD = 4

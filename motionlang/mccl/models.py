@@ -1,6 +1,6 @@
 """The boards: differences between models, as switches for the rest of the dialect.
 
-The facts are those of docs/fidelity.md. Unless a source says otherwise, an older board behaves like the
+The facts are those of docs/contributing/assumptions.md. Unless a source says otherwise, an older board behaves like the
 MultiFlex.
 """
 

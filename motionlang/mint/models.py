@@ -1,8 +1,8 @@
 """The controllers that run Mint, by name, and its two generations.
 
 v4 has dots and labels, MintMT has brackets and tasks. The names are those of the host library. The generation
-of each is from memory (docs/fidelity.md). Further facts about products come from MN1270, which covers v4, and
-AN00198, which covers the shared memory.
+of each is from memory (docs/contributing/assumptions.md). Further facts about products come from MN1270, which covers
+v4, and AN00198, which covers the shared memory.
 """
 
 from __future__ import annotations

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 from motionlang.assumptions.entries import chapters, entries_naming, readings
 from motionlang.assumptions.page import markdown
 from motionlang.execution import dialect, dialects
+from tests.fidelity_page import LIST, PAGE, written
 
-PAGE = Path(__file__).parents[2] / "docs" / "fidelity.md"
 # Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.
 BESIDE = {"@motor", "@always", "ONERROR"}
+# Of docs/fidelity.md, which a user reads in five minutes.
+MAX_WORDS = 1200
 
 
 def test_every_reading_is_whole() -> None:
@@ -39,8 +40,20 @@ def test_what_a_reading_depends_on_are_words_of_a_language() -> None:
             assert {kind for kind, _, _ in dialect("mint").tokens(word)} <= signs, (name, word)
 
 
-def test_the_page_is_what_the_entries_say() -> None:
-    assert PAGE.read_text(encoding="utf-8") == markdown(), "python -m tests.derived writes it"
+def test_the_list_is_what_the_entries_say() -> None:
+    assert LIST.read_text(encoding="utf-8") == markdown(), "python -m tests.derived writes it"
+
+
+def test_the_short_page_has_the_figures_of_the_entries() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    assert text == written(text), "python -m tests.derived writes it"
+    asked = [each for each in readings().values() if each.probe is not None and not each.own]
+    rows = re.findall(r"^\| \[.+\| (\d+) \| \d+ \|$", text, re.MULTILINE)
+    assert sum(map(int, rows)) == len(asked)
+
+
+def test_the_short_page_is_short() -> None:
+    assert len(PAGE.read_text(encoding="utf-8").split()) <= MAX_WORDS
 
 
 def test_no_run_loads_the_evidence() -> None:

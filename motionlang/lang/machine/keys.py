@@ -81,8 +81,8 @@ KEYS: dict[str, tuple[str, str]] = {
     "assumptions.NAME": (
         "reading",
         "The behaviour of this controller where the sources leave a question open, such as "
-        '"mint.homespeed-default" = 1000. [fidelity.md](fidelity.md) lists the assumptions that can be set; '
-        "`motionlang probe` finds their values.",
+        '"mint.homespeed-default" = 1000. [The list](contributing/assumptions.md) marks those that can be set, '
+        "and `motionlang probe` finds their values.",
     ),
 }
 # The sections of a simulated motor and its servo loop; their keys are in `servo/settings.py`.

@@ -13,6 +13,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+# The list of all assumptions, with their names and alternatives.
+LIST = "docs/contributing/assumptions.md"
+
 
 class Switch:
     """The values of an assumption: one of `choices`, or a number in a range.
@@ -50,10 +53,10 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     found = switch(name)
     if found is not None:
         wrong = found.problem(value)
-        hint = "motionlang probe finds the value of a controller; docs/fidelity.md lists the assumptions"
+        hint = f"motionlang probe finds the value of a controller; {LIST} has the choices"
         return None if wrong is None else (f"the assumption {name} {wrong}, not {shown(value)}", hint)
     near = nearest(name, switches())
-    hint = f"did you mean {near}?" if near else "docs/fidelity.md lists the assumptions and their values"
+    hint = f"did you mean {near}?" if near else f"{LIST} marks the ones that can be set"
     return f"no assumption {name} can be set", hint
 
 

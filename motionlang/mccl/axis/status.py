@@ -1,7 +1,7 @@
 """The status words: the meaning of each bit and its computation.
 
 Word 0 has the flags of MCAPI's MC_STAT list by their numbers, 0 to 30. The flags above 30 are in the
-auxiliary, profile and mode words of a MultiFlex. Their bits there are our choice (docs/fidelity.md).
+auxiliary, profile and mode words of a MultiFlex. Their bits there are our choice (docs/contributing/assumptions.md).
 """
 
 from __future__ import annotations

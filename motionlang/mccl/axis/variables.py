@@ -1,6 +1,6 @@
 """Variables of an axis: a program looks up names and reads and writes addresses.
 
-The names are ours unless a source gives them (docs/fidelity.md). The addresses are all ours. An
+The names are ours unless a source gives them (docs/contributing/assumptions.md). The addresses are all ours. An
 address of one board is not valid on another, so programs look them up.
 """
 

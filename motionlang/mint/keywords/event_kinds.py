@@ -1,6 +1,6 @@
 """The kinds of event that a program may handle: names, order of urgency, numbers.
 
-The sources give the order only from memory (docs/fidelity.md).
+The sources give the order only from memory (docs/contributing/assumptions.md).
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Every error has the same modes: 0 nothing, 1 a crash stop, 2 a crash stop and the drive off, 3 a stop at
 ERRORDECEL, 4 the same and then the drive off, 5 only the event ONERROR. Their numbers and the defaults are
-from memory (docs/fidelity.md).
+from memory (docs/contributing/assumptions.md).
 """
 
 from __future__ import annotations

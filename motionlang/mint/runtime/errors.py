@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
 # Diagnostic code -> number of the synchronous error and its short text. Numbers up to 999 are MintMT's:
-# positions in a table, see docs/fidelity.md. Errors of the virtual machine have no number that could be read.
-# They are numbered from 1001 here, in the order of the manual's list.
+# positions in a table, see docs/contributing/assumptions.md. Errors of the virtual machine have no number that could be
+# read. They are numbered from 1001 here, in the order of the manual's list.
 NUMBERS: dict[str, tuple[int, str]] = {
     "axis": (2, "axis number invalid"),
     "range": (3, "value invalid"),

@@ -2,7 +2,7 @@
 
 `USING width` and `USING width, decimals`. A negative width prints the sign of positive numbers, too. Negative
 decimals select the exponent form. A number that is too long for its width is printed in full, never cut
-(docs/fidelity.md).
+(docs/contributing/assumptions.md).
 """
 
 from __future__ import annotations

@@ -39,7 +39,7 @@ def overflow(value: float) -> int:
 def integer(value: float) -> int:
     """Convert a number to an Integer: cut off the fraction and check the range.
 
-    For the fraction see docs/fidelity.md.
+    For the fraction see docs/contributing/assumptions.md.
     """
     try:
         whole = int(value)

@@ -1,7 +1,7 @@
 """Format values as Mint prints them.
 
 A Float has four decimals, C's `%.4f`. From a billion on, or below a ten-thousandth, it has C's `%e`; the
-thresholds are not documented (docs/fidelity.md). Values are joined without spaces.
+thresholds are not documented (docs/contributing/assumptions.md). Values are joined without spaces.
 """
 
 from __future__ import annotations

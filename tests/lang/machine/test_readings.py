@@ -59,7 +59,7 @@ def test_readings_of_a_board() -> None:
             "mint.homespeed-default",
         ),
         ('"mint.home-types" = 1', "no assumption mint.home-types can be set", "did you mean"),
-        ('"other.thing" = 1', "no assumption other.thing can be set", "fidelity.md"),
+        ('"other.thing" = 1', "no assumption other.thing can be set", "docs/contributing/assumptions.md"),
         ('"mint.idletime-default" = 7.5', "must be a whole number, not 7.5", "motionlang probe"),
         ('"mint.idletime-default" = "x"', "must be a number, not 'x'", "motionlang probe"),
         ('"mint.idletime-default" = -1', "must be 0 to 60000, not -1", "motionlang probe"),

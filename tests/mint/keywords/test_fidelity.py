@@ -1,4 +1,4 @@
-"""docs/fidelity.md lists every simulated keyword of Mint that depends on memory."""
+"""Every simulated keyword of Mint that depends on memory has an assumption."""
 
 from __future__ import annotations
 
