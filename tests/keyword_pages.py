@@ -1,16 +1,25 @@
-"""Writer of docs/keywords/ from the tables: `python -m tests.keyword_pages`."""
+"""Writer of docs/keywords/ and of its menu: `python -m tests.keyword_pages`.
+
+The menu is that of the site, in mkdocs.yml. Pages of groups that no longer exist are deleted.
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang import run
 from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.source import Source
-from motionlang.views.keyword_pages import markdown
+from motionlang.views.keyword_pages import menu, pages
+from motionlang.views.words import dialect_name
 
-FOLDER = Path(__file__).parent.parent / "docs" / "keywords"
+ROOT = Path(__file__).parent.parent
+FOLDER = ROOT / "docs" / "keywords"
+MENU = ROOT / "mkdocs.yml"
+_PART = re.compile(r"( *# keywords\n).*?( *# end of keywords\n)", re.DOTALL)
 # The time limit of an example, seconds of machine time.
 UNTIL = 60.0
 
@@ -33,17 +42,36 @@ def shown(row: Keyword, language: str) -> list[str]:
     return run(source, dialect=language, machine=machine_of(row), cache=False, until=UNTIL).output
 
 
-def page(language: str) -> str:
-    """Return the required text of a language's page."""
-    return markdown(dialect(language).table().rows, language, lambda row: shown(row, language))
+def written(language: str) -> dict[str, str]:
+    """Return the required pages of a language by their path in docs/keywords."""
+    return pages(dialect(language).table().rows, language, lambda row: shown(row, language))
 
 
-def path(language: str) -> Path:
-    """Return the file of a language's page."""
-    return FOLDER / f"{language}.md"
+def stored(language: str) -> dict[str, str]:
+    """Return the pages of a language as they are in docs/keywords."""
+    paths = [FOLDER / f"{language}.md", *sorted((FOLDER / language).glob("*.md"))]
+    return {each.relative_to(FOLDER).as_posix(): each.read_text(encoding="utf-8") for each in paths}
+
+
+def with_menu(text: str) -> str:
+    """Return the configuration of the site with the menu of the keyword pages."""
+    return _PART.sub(lambda found: found[1] + "".join(_menu()) + found[2], text)
+
+
+def _menu() -> Iterator[str]:
+    for language in dialects():
+        yield f"      - {dialect_name(language)}:\n"
+        for title, path in menu(dialect(language).table().rows, language):
+            yield f'          - "{title}": keywords/{path}\n'
 
 
 if __name__ == "__main__":
-    FOLDER.mkdir(exist_ok=True)
     for name in dialects():
-        path(name).write_text(page(name), encoding="utf-8")
+        (FOLDER / name).mkdir(parents=True, exist_ok=True)
+        required = written(name)
+        for path in (FOLDER / name).glob("*.md"):
+            if path.relative_to(FOLDER).as_posix() not in required:
+                path.unlink()
+        for path_, text_ in required.items():
+            (FOLDER / path_).write_text(text_, encoding="utf-8")
+    MENU.write_text(with_menu(MENU.read_text(encoding="utf-8")), encoding="utf-8")

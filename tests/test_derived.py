@@ -55,6 +55,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
             folder / name,
             ignore=shutil.ignore_patterns("__pycache__", "golden", "node_modules", "dist"),
         )
+    shutil.copy(ROOT / "mkdocs.yml", folder)
     mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
     row = (
         '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", Actions(read=of(Environment, halfway)),\n'
@@ -94,8 +95,8 @@ def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown
 
 @pytest.mark.parametrize("word", ["HALFWAY", "HY"])
 def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
-    page = copy / "docs/keywords" / ("mccl.md" if word == "HY" else "mint.md")
-    assert f"### {word}\n" in page.read_text(encoding="utf-8").replace(" · HFW", "")
+    page = copy / "docs/keywords" / ("mccl/reports.md" if word == "HY" else "mint/state-of-an-axis.md")
+    assert f"## {word}\n" in page.read_text(encoding="utf-8").replace(" · HFW", "")
     assert "known from  made up (from memory" in python(copy, "-m", "motionlang", "keywords", word)
 
 

@@ -47,7 +47,7 @@ TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 def markdown() -> str:
     """Return the complete page."""
     parts = [HEAD, "\n## Contents\n\n"]
-    parts += [f"* [{each.title}](#{_anchor(each.title)})\n" for each in chapters()]
+    parts += [f"* [{each.title}](#{anchor(each.title)})\n" for each in chapters()]
     for chapter in chapters():
         parts += _chapter(chapter)
     return "".join(parts)
@@ -72,7 +72,7 @@ def summary() -> str:
                 len([each for each in found if each.probe is not None]),
                 len([each for each in found if each.key]),
             )
-            link = f"[{chapter.title}](contributing/assumptions.md#{_anchor(chapter.title)})"
+            link = f"[{chapter.title}](contributing/assumptions.md#{anchor(chapter.title)})"
             lines.append(f"| {link} | {' | '.join(map(str, numbers))} |\n")
     return "".join(lines) + "\n"
 
@@ -120,6 +120,8 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|").replace("\n", " ")
 
 
-def _anchor(title: str) -> str:
+def anchor(title: str) -> str:
     """Return the anchor of a heading in Markdown."""
-    return "".join(letter for letter in title.lower() if letter.isalnum() or letter in " -").replace(" ", "-")
+    return "".join(letter for letter in title.lower() if letter.isalnum() or letter in " -_").replace(
+        " ", "-"
+    )
