@@ -95,8 +95,8 @@ def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown
 
 @pytest.mark.parametrize("word", ["HALFWAY", "HY"])
 def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
-    page = copy / "docs/keywords" / ("mccl/reports.md" if word == "HY" else "mint/state-of-an-axis.md")
-    assert f"## {word}\n" in page.read_text(encoding="utf-8").replace(" · HFW", "")
+    pages = (copy / "docs/keywords" / ("mccl" if word == "HY" else "mint")).glob("*.md")
+    assert len([page for page in pages if f"## {word}\n" in page.read_text(encoding="utf-8")]) == 1
     assert "known from  made up (from memory" in python(copy, "-m", "motionlang", "keywords", word)
 
 

@@ -1,0 +1,41 @@
+"""README leads a reader to the first program, and its picture is of a program of the gallery."""
+
+from __future__ import annotations
+
+import re
+
+from tests.scope_picture import PICTURE, PROGRAM, ROOT, digest, recorded, with_digest
+
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+ORDER = ["Install", "The first program", "Six things it does", "Accuracy", "Documentation", "Built with"]
+
+
+def test_a_sentence_and_the_picture_come_first() -> None:
+    title, sentence, picture = README.split("\n\n")[:3]
+    assert title == "# motionlang"
+    assert len(sentence) <= 240
+    assert sentence.count(". ") == 0
+    assert re.fullmatch(r"!\[[^\]]+\]\((.+)\)", picture), picture
+    assert PICTURE.relative_to(ROOT).as_posix() in picture
+    assert PROGRAM.name in picture
+
+
+def test_a_diagnostic_comes_before_the_installation() -> None:
+    assert 0 < README.index("\nerror[") < README.index("\n## Install")
+
+
+def test_the_sections_are_in_the_order_of_use() -> None:
+    assert re.findall(r"^## (.+)$", README, re.MULTILINE) == ORDER
+
+
+def test_the_picture_is_of_the_program_as_it_is() -> None:
+    png = PICTURE.read_bytes()
+    assert recorded(png) == digest(), "python -m tests.scope_picture draws it again"
+    assert len(png) < 200_000
+
+
+def test_a_picture_without_a_digest_is_noticed() -> None:
+    png = PICTURE.read_bytes()
+    plain = png[:33] + png[33 + 12 + len(b"Program digest\0") + len(digest()) :]
+    assert recorded(plain) is None
+    assert with_digest(plain) == png
