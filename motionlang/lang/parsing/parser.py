@@ -13,8 +13,9 @@ states there are, what they shift and what they reduce. This module does the res
 
 from __future__ import annotations
 
-import gc
 import re
+
+from motionlang.lang.collector import CollectorOff
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -282,10 +283,5 @@ class Tables(Automaton):
 
     def parse(self, texts: list[str], kinds: list[str]) -> Any:
         """The value of the start rule; raises `Stuck` or `TooDeep`."""
-        collecting = gc.isenabled()
-        gc.disable()  # a tree has no cycles, and the collector would scan it again and again
-        try:
+        with CollectorOff():  # a tree has no cycles
             return self._driver(self.start.moves, [*kinds, END], texts)
-        finally:
-            if collecting:
-                gc.enable()

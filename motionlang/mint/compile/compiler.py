@@ -9,10 +9,10 @@ as the session.
 
 from __future__ import annotations
 
-import gc
 from marshal import dumps
 
 from motionlang.errors import ProgramError, Spellings
+from motionlang.lang.collector import CollectorOff
 from motionlang.lang.nesting import StackSpace
 from motionlang.mint.compile import jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
@@ -185,20 +185,14 @@ def compile_text(
 
     For `given` see `override`.
     """
-    collecting = gc.isenabled()
-    gc.disable()  # the objects made here are permanent or freed without the collector, which would check them each time
-    try:
-        with StackSpace():
-            module = _parsed(source, settings)
-            if overrides or given:
-                override(module, overrides or {}, given)
-            blocks = blocks_of(module)
-            compiled = compile_module(module, settings, ranges, debug)
-            compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
-            return compiled
-    finally:
-        if collecting:
-            gc.enable()
+    with CollectorOff(), StackSpace():
+        module = _parsed(source, settings)
+        if overrides or given:
+            override(module, overrides or {}, given)
+        blocks = blocks_of(module)
+        compiled = compile_module(module, settings, ranges, debug)
+        compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
+        return compiled
 
 
 def _parsed(source: Source, settings: dict[str, object] | None) -> Module:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.collector import CollectorOff
 from motionlang.lang.lint import has_host, silence
 from motionlang.lang.nesting import StackSpace
 from motionlang.mint.compile.compiler import compile_module
@@ -41,7 +42,7 @@ COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORE
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """Return all errors of a program and, if it compiles, all warnings."""
-    with StackSpace():
+    with CollectorOff(), StackSpace():
         return _check(source, dict(settings or {}))
 
 

@@ -8,6 +8,7 @@ looked up in the scope of the sub around it, which is how the resolver finds it.
 from __future__ import annotations
 
 from motionlang.errors import ProgramError
+from motionlang.lang.collector import CollectorOff
 from motionlang.lang.names import NO_NAMES, Block, Definition, Names
 from motionlang.lang.nesting import StackSpace
 from motionlang.mint.keywords import table
@@ -44,7 +45,7 @@ _NOT_RENAMED = "an event handler has the name of its event"
 
 def names(source: Source) -> Names:
     """Return the names of a program; unreadable lines have none."""
-    with StackSpace():
+    with CollectorOff(), StackSpace():
         complete = True
         try:
             module = parse(source)

@@ -1,0 +1,22 @@
+"""A pause of Python's garbage collector, for passes that make many objects and drop few."""
+
+from __future__ import annotations
+
+import gc
+
+
+class CollectorOff:
+    """A block in which the collector does not run.
+
+    What such a block makes is in use, so the collector would only scan it repeatedly.
+    """
+
+    __slots__ = ("_was_on",)
+
+    def __enter__(self) -> None:
+        self._was_on = gc.isenabled()
+        gc.disable()
+
+    def __exit__(self, *_: object) -> None:
+        if self._was_on:
+            gc.enable()
