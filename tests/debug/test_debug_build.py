@@ -84,6 +84,29 @@ def test_functions_without_statements_are_debug_builds_too(text: str) -> None:
     assert whole(run(source, cache=False, hook=Hook(_nothing))) == whole(run(source, cache=False))
 
 
+@pytest.mark.parametrize("branch", ["done = done + 1", "Print TIME"])
+def test_a_call_in_a_condition_begins_at_the_same_time(branch: str) -> None:
+    """`If` is paid for after the call, or before it if its branch reads the time; a debug build does the same."""
+    text = f"""\
+Dim done As Integer
+Repeat
+  If done + Late(1) > 1 Then
+    {branch}
+  End If
+Until TIME > 20
+Function Late(ByVal k As Integer) As Integer
+  WAIT(2)
+  Late = k
+End Function
+Task Other
+  Repeat
+  Until TIME > 20
+End Task
+"""
+    source = Source("a.mnt", f"Run Other\n{text}")
+    assert whole(run(source, cache=False, hook=Hook(_nothing))) == whole(run(source, cache=False))
+
+
 def test_an_empty_loop_can_be_stopped() -> None:
     hook = Hook(_nothing)
     run(Source("a.mnt", "TIME = 0\nWhile TIME < 5\nEnd While\n"), cache=False, hook=hook)

@@ -28,7 +28,10 @@ STEPS = 12
 
 
 def snapshot(debugger: Debugger) -> object:
-    """Return everything that a debugger shows at a stop."""
+    """Return everything that a debugger shows at a stop.
+
+    The motion at an earlier moment depends on why the program stopped there.
+    """
     state = debugger.state()
     tasks = state.tasks()
     calls = [
@@ -38,8 +41,14 @@ def snapshot(debugger: Debugger) -> object:
     ]
     scopes = [
         (each.name, shown(each.value))
-        for scope in (state.module(), state.axes(), state.inputs(), state.outputs())
+        for scope in (state.module(), state.inputs(), state.outputs())
         for each in scope
+    ]
+    scopes += [
+        (f"{axis.name} {each.name}", shown(each.value))
+        for axis in state.axes()
+        for each in axis.value  # type: ignore[attr-defined]
+        if " at " not in each.name
     ]
     return state.time, [(each.name, each.why) for each in tasks], calls, scopes
 

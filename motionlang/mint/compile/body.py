@@ -279,6 +279,7 @@ class Body:
         "deepest",
         "facts",
         "function",
+        "hooked",
         "indent",
         "levels",
         "lines",
@@ -350,8 +351,9 @@ class Body:
         # The sub that was called last.
         self.callee: Function | None = None
         # For the function so far: True if `t` was used as an absolute time, and True if it contains a
-        # `yield`.
-        self.noted = self.waits = False
+        # `yield`. `hooked` is True after the hook of a debug build, which needs `t` too but may not change when it is
+        # brought up to date.
+        self.noted = self.waits = self.hooked = False
 
     # -------------------------------------------------------------------------------------------- lines
 

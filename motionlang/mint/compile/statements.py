@@ -18,8 +18,9 @@ from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.calls import call
 from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import condition, place, unknown, value
-from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP
+from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, NONE, Line
 from motionlang.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
+from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant
 
@@ -312,7 +313,8 @@ def _if(b: Body, node: nodes.If) -> None:
     test = condition(b, node.condition)
     b.settle()
     b.pending += 1
-    noted, b.noted = b.noted, False
+    calls = b.calls
+    noted, b.noted, hooked, b.hooked = b.noted, False, b.hooked, False
     outer, b.lines = b.lines, []
     owed, b.pending = b.pending, 0
     at = b.at
@@ -325,10 +327,14 @@ def _if(b: Body, node: nodes.If) -> None:
     written, b.lines = b.lines, outer
     b.pending = owed
     b.at = at
-    if b.noted:
+    if b.hooked and calls and not b.noted:  # without hooks the call begins before this statement is paid for
+        known, first = b.temp(SCRATCH), written[0]
+        b.lines.append(Line(first.indent, f"{known} = {first.text[3:-1]}", first.at, first.kind, first.names))
+        first.text, first.names = f"if {known}:", NONE
+    if b.noted or b.hooked:
         b.flush()
     b.lines += written
-    b.noted = b.noted or noted
+    b.noted, b.hooked = b.noted or noted, b.hooked or hooked
 
 
 def _long_if(b: Body, node: nodes.If) -> None:

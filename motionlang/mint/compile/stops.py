@@ -72,7 +72,7 @@ def in_empty_loop(b: Body, body: Sequence[nodes.Stmt]) -> None:
 def _hook(b: Body, at: int) -> None:
     assert b.whole.debugging is not None
     b.whole.debugging.places.add(at)
-    b.noted = True  # `t` is used as an absolute time
+    b.hooked = True
     time = f"t + {b.pending}.0" if b.pending else "t"
     b.names += COUNTING
     b.emit(f"if (n := n + 1) >= N or (D is not None and {at} in D): B({time}, {at})")
