@@ -15,7 +15,17 @@ from motionlang.dap.arguments import Arguments, Refused
 from motionlang.dap.breaking import Breaking
 from motionlang.dap.launch import Launch, problems
 from motionlang.dap.showing import Showing
-from motionlang.dap.tables import CONFIGURING, ENDED, NEED_A_STOP, NEW, PHASES, READY, RUNNING, STOPPED
+from motionlang.dap.tables import (
+    CONFIGURING,
+    ENDED,
+    NEED_A_STOP,
+    NEW,
+    PHASES,
+    READS,
+    READY,
+    RUNNING,
+    STOPPED,
+)
 from motionlang.debug.debugger import Debugger, NotStopped, Stop
 from motionlang.debug.expressions import WrongExpression
 from motionlang.errors import ProgramError
@@ -90,15 +100,15 @@ class Adapter:
             if body is not None:
                 response["body"] = body
         except Refused as refused:
-            response |= _failure(str(refused), refused.code)
+            response |= _failure(name, str(refused), refused.code)
         except NotStopped:
-            response |= _failure("the program is not stopped", "notStopped")
+            response |= _failure(name, "the program is not stopped", "notStopped")
         except ProgramError as error:
-            response |= _failure(problems(error))
+            response |= _failure(name, problems(error))
         except (WrongExpression, WrongEntry, ValueError) as error:
-            response |= _failure(str(error))
+            response |= _failure(name, str(error))
         except Exception as error:  # a client must not end the session of the user
-            response |= _failure(f"internal error: {type(error).__name__}: {error}")
+            response |= _failure(name, f"internal error: {type(error).__name__}: {error}")
         self._send(response)
         after, self._after = self._after, []
         for each in after:
@@ -380,6 +390,8 @@ class Adapter:
         raise Refused(f"there is no command .{word[:40]} with these values; .help lists the commands")
 
 
-def _failure(text: str, code: str = "") -> Message:
-    error = {"id": 1, "format": text.replace("{", "(").replace("}", ")"), "showUser": True}
+def _failure(command: str, text: str, code: str = "") -> Message:
+    """Return what a response has after an error; the client's own requests open no message box."""
+    plain = text.replace("{", "(").replace("}", ")")
+    error = {"id": 1, "format": plain, "showUser": command not in READS}
     return {"success": False, "message": code or text, "body": {"error": error}}

@@ -1,6 +1,7 @@
 """The state at a stop in the protocol: threads, frames, scopes, variables.
 
-References to frames and variables are valid until the program goes on. A reference has the path of what it refers to,
+References to frames and variables are valid until the program goes on, and none is used twice: a client may still ask
+for one of an earlier stop, and takes equal numbers for the same thing. A reference has the path of what it refers to,
 which is looked up when the client asks.
 """
 
@@ -40,10 +41,14 @@ class Showing:
         self._threads: dict[str, int] = {}
         self._frames: list[tuple[str, int]] = []
         self._references: list[tuple[Path, int | None, Variable | None]] = []
+        # The last numbers of frames and of references at earlier stops.
+        self._old_frames = self._old_references = 0
         self._known: list[Body] = [{"id": 1, "name": "program"}]
 
     def forget(self) -> None:
         """Invalidate all references, because the program goes on."""
+        self._old_frames += len(self._frames)
+        self._old_references += len(self._references)
         self._frames.clear()
         self._references.clear()
 
@@ -84,8 +89,8 @@ class Showing:
         self._frames.append(("", 0))
         lines = self._debugger.lines
         frame = {
-            "id": len(self._frames), "name": "end of the program", "line": (lines[-1] if lines else 1) - self._line,
-            "column": 1 - self._column, "source": self._source(),
+            "id": self._old_frames + len(self._frames), "name": "end of the program", "source": self._source(),
+            "line": (lines[-1] if lines else 1) - self._line, "column": 1 - self._column,
         }  # fmt: skip
         return {"stackFrames": [frame], "totalFrames": 1}
 
@@ -93,7 +98,7 @@ class Showing:
         self._frames.append((task, depth))
         line, column, length = self._debugger.place_of(frame.place)
         return {
-            "id": len(self._frames), "name": frame.name, "source": self._source(),
+            "id": self._old_frames + len(self._frames), "name": frame.name, "source": self._source(),
             "line": line - self._line, "column": column - self._column,
             "endLine": line - self._line, "endColumn": column + length - self._column,
         }  # fmt: skip
@@ -105,9 +110,9 @@ class Showing:
 
     def scopes(self, given: Arguments) -> list[Body]:
         """Return the scopes of a frame: its variables, those of the program, the machine."""
-        number = given.number("frameId")
+        number = given.number("frameId") - self._old_frames
         if not 1 <= number <= len(self._frames):
-            raise Refused(f"there is no frame {number}")
+            raise Refused(f"there is no frame {number + self._old_frames} at this stop")
         task, depth = self._frames[number - 1]
         found = []
         if task and self._local(number - 1):
@@ -129,12 +134,12 @@ class Showing:
         if len(self._references) >= MAX_REFERENCES:
             return 0
         self._references.append((path, frame, variable))
-        return len(self._references)
+        return self._old_references + len(self._references)
 
     def _referred(self, given: Arguments) -> tuple[Path, int | None, list[Variable]]:
-        number = given.number("variablesReference")
+        number = given.number("variablesReference") - self._old_references
         if not 1 <= number <= len(self._references):
-            raise Refused(f"there is no variablesReference {number}")
+            raise Refused(f"there is no variablesReference {number + self._old_references} at this stop")
         path, frame, variable = self._references[number - 1]
         state = self._debugger.state()
         if variable is not None and isinstance(variable.value, list):

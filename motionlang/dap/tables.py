@@ -73,3 +73,16 @@ PHASES: dict[str, frozenset[str]] = {
 }
 # Requests that need a stop; in other phases the protocol has a code for that.
 NEED_A_STOP = frozenset(name for name, phases in PHASES.items() if phases == _STOPPED)
+# Requests that a client makes on its own to show the state; it may send one just when the program goes on.
+READS = frozenset(
+    (
+        "threads",
+        "stackTrace",
+        "scopes",
+        "variables",
+        "evaluate",
+        "exceptionInfo",
+        "breakpointLocations",
+        "completions",
+    )
+)

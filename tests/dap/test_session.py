@@ -53,6 +53,25 @@ def test_breakpoints_stack_scopes_and_steps_both_ways(client: Client, program: P
     assert client.scopes(stop)["Variables"]["total"] == "0"
 
 
+def test_references_of_an_earlier_stop_are_refused_without_a_message_box(
+    client: Client, program: Path
+) -> None:
+    """Clients ask for the scopes of a frame while the next step already runs, as VS Code does."""
+    client.launch(program, stopOnEntry=True)
+    stop = client.begin()
+    thread = stop["body"]["threadId"]
+    old = client.ask("stackTrace", threadId=thread)["stackFrames"][0]["id"]
+    variables = client.ask("scopes", frameId=old)["scopes"][0]["variablesReference"]
+    client.go("next")
+    new = client.ask("stackTrace", threadId=thread)["stackFrames"][0]["id"]
+    assert new != old
+    assert client.ask("scopes", frameId=new)["scopes"][0]["variablesReference"] != variables
+    for request, number in (("scopes", {"frameId": old}), ("variables", {"variablesReference": variables})):
+        error = client.request(request, **number)["body"]["error"]
+        assert "at this stop" in error["format"]
+        assert not error["showUser"]
+
+
 def test_output_comes_once_and_the_end_is_reported(client: Client, program: Path) -> None:
     client.launch(program, stopAtEnd=True)
     stop = client.begin()
