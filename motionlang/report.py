@@ -249,7 +249,7 @@ def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[
         is_late |= move is run.controller.axes[move.axis].move
     ended = move.ended
     if is_late and (is_running or move.overlaid):
-        profile, ended = profile.cut(run.time - move.start_time), END_OF_RUN
+        profile, ended = move.until(run.time), END_OF_RUN
     return profile if begin is None else profile.scaled(begin, 1.0), ended
 
 

@@ -294,7 +294,7 @@ class Core(Readings):
         """Replace the rest of a move by `profile` in the log only."""
         assert move.profile is not None
         now = self.clock.now
-        done = move.profile.cut(now - move.start_time)
+        done = move.until(now)
         self.log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
         if not ended and len(done.knots) > MAX_PIECES:
             self.log.moves.split(move, done, now)
@@ -310,7 +310,7 @@ class Core(Readings):
         if move is not None and move.profile is not None:
             if move.action is not None:
                 move.action.leave(self, a, ended)
-            done = move.profile.cut(self.clock.now - move.start_time)
+            done = move.until(self.clock.now)
             exact = a.here(self.clock.now) - move.offset
             # An axis that has not moved is where it was; one on two blended paths is not where either of them
             # has it.

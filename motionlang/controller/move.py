@@ -69,6 +69,11 @@ class Move:
         self.ended = ""
         self.offset = 0.0
 
+    def until(self, time: float) -> Profile:
+        """Return its motion up to a machine time."""
+        assert self.profile is not None
+        return self.profile.cut(time - self.start_time)
+
 
 def keeps_rates(move: Move | None) -> bool:
     """True if a move uses the rates of its axis, unlike a table or a master."""

@@ -1093,3 +1093,17 @@ def test_a_suspended_slave_comes_to_rest_whatever_its_master_does() -> None:
     result = proved(RATES + ramps + follow + suspend)
     rest = 9.995 + 0.1 - 0.5 + 1.0 / 6.0 - 4.0 * sqrt(0.004)
     assert places(result, 1) == pytest.approx([rest], abs=1e-6)
+
+
+def test_a_slave_that_a_limit_stops_as_its_master_reverses_never_had_the_new_speed() -> None:
+    """24 by 18 at 20 is 16 on axis 0, and the path runs through its corner to -20.
+
+    Its slave is outside its limits, so it may not run back: it stops at once, 50 * 0.8 * 0.023² short of 24.
+    """
+    follow = "MASTERSOURCE(2) = _msPOS : MASTERCHANNEL(2) = 0 : CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 180\n"
+    path = "VECTORR(0, 1) = 24, 18\nVECTORR(0, 1) = -10, 0\nGO(0)\nWAIT = 23\nFOLLOW(2) = 1\n"
+    limits = "SOFTLIMITFORWARD(2) = 1000 : SOFTLIMITREVERSE(2) = 500\nPAUSE IDLE(0)\nEnd\nEvent ONERROR\nEnd Event\n"
+    result = proved(RATES + follow + path + limits)
+    slave = next(each for each in result.report["moves"] if each["axis"] == 2)
+    assert (slave["ended"], slave["peak_speed"]) == ("fault", 16.0)
+    assert slave["distance"] == pytest.approx(24.0 - 40.0 * 0.023**2, abs=1e-5)

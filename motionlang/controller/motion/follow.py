@@ -38,6 +38,8 @@ more than `MAX_FOLLOWED` profiles continues as a further entry.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
@@ -83,24 +85,27 @@ class FollowMove(Move):
     def begin_new_entry(self, controller: Core, now: float) -> None:
         """Become a new entry of the log, because this one is long."""
         if len(self.parts) > MAX_FOLLOWED and self.profile is not None:
-            controller.log.moves.split(self, self.profile.cut(now - self.start_time), now)
+            controller.log.moves.split(self, self.until(now), now)
             self.parts = []
 
     @property
     def profile(self) -> Profile | None:
         """The sequence of all profiles."""
-        if not self.parts:
-            return None
-        starts = [time for time, _ in self.parts]
-        cuts = [
-            profile.cut(finish - start)
-            for (start, profile), finish in zip(self.parts, starts[1:], strict=False)
-        ]
-        return ProfileSequence(self.shape, [*cuts, self.parts[-1][1]], self.shape)
+        return self._sequence(self.parts) if self.parts else None
 
     @profile.setter
     def profile(self, profile: Profile | None) -> None:
         self.parts = [] if profile is None else [(self.start_time, profile)]
+
+    def until(self, time: float) -> Profile:
+        # A profile that begins then has not moved it, although rounding may leave a moment of it.
+        is_late = len(self.parts) > 1 and self.parts[-1][0] >= time
+        begun = self.parts[:-1] if is_late else self.parts
+        return self._sequence(begun).cut(time - self.start_time)
+
+    def _sequence(self, parts: list[tuple[float, Profile]]) -> Profile:
+        cuts = [profile.cut(following[0] - start) for (start, profile), following in pairwise(parts)]
+        return ProfileSequence(self.shape, [*cuts, parts[-1][1]], self.shape)
 
 
 class Follow(Action):
@@ -220,7 +225,7 @@ class Follow(Action):
         """Close the log entry of an offset that does not reach its end."""
         entry, self.offset_entry = self.offset_entry, None
         if entry is not None and entry.profile is not None:
-            entry.profile = entry.profile.cut(self.controller.clock.now - entry.start_time)
+            entry.profile = entry.until(self.controller.clock.now)
             entry.ended = ended
 
     def carry(self, profile: Profile, began: float, entry: Move | None = None) -> None:
@@ -357,7 +362,7 @@ class Gear(Follow):
         entry = self.offset_entry
         if entry is None or entry.profile is None:
             return
-        before = entry.profile.cut(self.controller.clock.now - entry.start_time)
+        before = entry.until(self.controller.clock.now)
         entry.profile = before.then(profile.scaled(before.end, 1.0))
 
     def base(self, coming: Profile, position: float) -> Profile:

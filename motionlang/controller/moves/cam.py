@@ -127,9 +127,7 @@ class CurveFollow(Follow):
             return
         end = self._at(self.curve.duration)
         move = self.move
-        whole = move.profile
-        assert whole is not None
-        move.profile = whole.cut(controller.clock.now - move.start_time)
+        move.profile = move.until(controller.clock.now)
         a.move = None
         a.target = move.target = end
         controller.extend_track(a, hold(end))
@@ -281,9 +279,7 @@ class Shear(CurveFollow):
         """Close this segment's entry of the log."""
         self.detach()
         move, now = self.move, self.controller.clock.now
-        whole = move.profile
-        assert whole is not None
-        move.profile = whole.cut(now - move.start_time)
+        move.profile = move.until(now)
         self.a.move = None
 
 

@@ -189,8 +189,7 @@ class Course:
         """Close the log entries of the present path now."""
         now = self._controller.clock.now
         for move in self.here.moves:
-            assert move.profile is not None
-            move.profile = move.profile.cut(now - move.start_time)
+            move.profile = move.until(now)
 
     def begin_next(self) -> None:
         """Enter the next path."""
