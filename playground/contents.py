@@ -1,4 +1,4 @@
-"""The contents of the playground: `python contents.py FOLDER` writes the wheel and `contents.json`.
+"""The contents of the playground: `python contents.py FOLDER` writes the packages and `contents.json`.
 
 The programs are those of `scripts/`. Each is run once without numpy, as in a browser, to find those that need
 it.
@@ -6,22 +6,27 @@ it.
 
 from __future__ import annotations
 
+import gzip
+import io
 import json
 import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 # The parts of the tree that a wheel is built from.
 SOURCES = ("motionlang", "grammars", "pyproject.toml", "README.md", "LICENSE")
+# The libraries of the language server with their versions and hashes.
+LIBRARIES = ROOT / "playground" / "requirements.txt"
 BUILD = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
 
 
-def build_wheel(folder: Path) -> str:
-    """Build the wheel of the tree in `folder` and return its name."""
+def build_wheel(folder: Path) -> Path:
+    """Build the wheel of the tree in `folder`."""
     with tempfile.TemporaryDirectory() as scratch:
         copy = Path(scratch)
         for name in SOURCES:
@@ -31,7 +36,32 @@ def build_wheel(folder: Path) -> str:
                 shutil.copy(ROOT / name, copy / name)
         command = [sys.executable, "-c", BUILD, str(folder.resolve())]
         subprocess.run(command, cwd=copy, check=True, stdout=subprocess.DEVNULL)
-    return next(each.name for each in folder.glob("*.whl"))
+    return next(folder.glob("*.whl"))
+
+
+def fetch_libraries(folder: Path) -> list[Path]:
+    """Download the wheels of the language server to `folder`."""
+    command = [
+        sys.executable, "-m", "pip", "download", "--quiet", "--disable-pip-version-check", "--no-deps",
+        "--only-binary=:all:", "--require-hashes", "--requirement", str(LIBRARIES), "--dest", str(folder),
+    ]  # fmt: skip
+    subprocess.run(command, check=True)
+    return sorted(folder.glob("*.whl"))
+
+
+def pack(wheels: list[Path], file: Path) -> str:
+    """Write the files of wheels into one archive, compressed as a whole; return its name.
+
+    A wheel compresses each file by itself, which makes it a quarter larger.
+    """
+    plain = io.BytesIO()
+    with zipfile.ZipFile(plain, "w", zipfile.ZIP_STORED) as archive:
+        for wheel in wheels:
+            with zipfile.ZipFile(wheel) as source:
+                for each in source.infolist():
+                    archive.writestr(zipfile.ZipInfo(each.filename), source.read(each))
+    file.write_bytes(gzip.compress(plain.getvalue(), mtime=0))
+    return file.name
 
 
 def gallery() -> list[dict[str, str]]:
@@ -71,10 +101,21 @@ def commit() -> str:
 
 def main(folder: Path) -> None:
     """Write everything into `folder`."""
-    wheel, programs = build_wheel(folder), gallery()
+    programs = gallery()
+    with tempfile.TemporaryDirectory() as scratch:
+        wheel = build_wheel(Path(scratch))
+        package = pack([wheel], folder / f"{wheel.name}.gz")
+    with tempfile.TemporaryDirectory() as scratch:
+        server = pack(fetch_libraries(Path(scratch)), folder / "language-server.zip.gz")
     from motionlang import __version__
 
-    contents = {"version": __version__, "commit": commit(), "wheel": wheel, "gallery": programs}
+    contents = {
+        "version": __version__,
+        "commit": commit(),
+        "wheel": package,
+        "server": server,
+        "gallery": programs,
+    }
     (folder / "contents.json").write_text(json.dumps(contents, ensure_ascii=False), encoding="utf-8")
 
 

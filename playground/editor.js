@@ -4,7 +4,7 @@
 import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { HighlightStyle, bracketMatching, syntaxHighlighting } from "@codemirror/language";
-import { lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { forEachDiagnostic, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState } from "@codemirror/state";
 import { EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
@@ -41,10 +41,13 @@ const LOOK = EditorView.theme({
 });
 
 export class Editor {
-  // `extensions` are further ones of CodeMirror, such as a client of a language server.
-  constructor(parent, label, { keys = [], changed = () => {}, extensions = [] } = {}) {
+  // `file` is its name in the page. `changed` is called after each change of the text, `marked` with the marks of the server whenever they change.
+  constructor(parent, label, { file, keys = [], changed = () => {}, marked = () => {} }) {
+    this.file = file;
     const root = parent.attachShadow({ mode: "open" });
     this.language = new Compartment();
+    this.server = new Compartment();
+    this.marked = marked;
     this.extensions = [
       lineNumbers(),
       history(),
@@ -57,9 +60,9 @@ export class Editor {
       EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", spellcheck: "false", autocapitalize: "off" }),
       EditorView.updateListener.of((update) => update.docChanged && changed()),
       keymap.of([...keys, ...closeBracketsKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
-      extensions,
     ];
     this.mode = [];
+    this.client = [];
     this.view = new EditorView({ root, parent: root });
     this.text = "";
   }
@@ -70,7 +73,9 @@ export class Editor {
 
   // A new text has no history: undo does not bring back another program.
   set text(text) {
-    this.view.setState(EditorState.create({ doc: text, extensions: [this.extensions, this.language.of(this.mode)] }));
+    const extensions = [this.extensions, this.language.of(this.mode), this.server.of(this.client)];
+    this.view.setState(EditorState.create({ doc: text, extensions }));
+    this.marked(this, []);
   }
 
   set syntax(mode) {
@@ -78,16 +83,50 @@ export class Editor {
     this.view.dispatch({ effects: this.language.reconfigure(mode) });
   }
 
+  // The client of a language server, as extensions of CodeMirror; [] for none.
+  connect(client) {
+    this.client = client;
+    this.view.dispatch({ effects: this.server.reconfigure(client) });
+  }
+
   // Marks of a run: line and column count from 1, line 0 is the whole file.
-  mark(marks) {
+  markRun(marks) {
     const { doc } = this.view.state;
     const found = marks.map(({ line, column, length, severity, message, hint }) => {
       const { from, to } = doc.line(Math.min(Math.max(line, 1), doc.lines));
       const begin = Math.min(from + Math.max(column - 1, 0), to);
       const end = column ? Math.min(begin + length, to) : to;
-      return { from: begin, to: end, severity, message: hint ? `${message}\n${hint}` : message };
+      return { from: begin, to: end, severity, message: hint ? `${message}\nhint: ${hint}` : message };
     });
-    this.view.dispatch(setDiagnostics(this.view.state, found));
+    this.mark(found, this.marks.server);
+  }
+
+  // Marks of the language server, which has read the present text.
+  markServer(marks) {
+    this.mark(this.marks.run, marks);
+    this.marked(this, this.marks.server);
+  }
+
+  // The marks at their present positions. Those of the server have a `fixes`.
+  get marks() {
+    const found = { run: [], server: [] };
+    forEachDiagnostic(this.view.state, (mark, from, to) => found["fixes" in mark ? "server" : "run"].push({ ...mark, from, to }));
+    return found;
+  }
+
+  // What both report is marked once.
+  mark(run, server) {
+    const known = new Set(server.map(({ from, message }) => `${from} ${message}`));
+    const own = run.filter(({ from, message }) => !known.has(`${from} ${message}`));
+    this.view.dispatch(setDiagnostics(this.view.state, [...own, ...server]));
+  }
+
+  lineOf(offset) {
+    return this.view.state.doc.lineAt(Math.min(offset, this.view.state.doc.length)).number;
+  }
+
+  get line() {
+    return this.lineOf(this.view.state.selection.main.head);
   }
 
   goTo(line) {

@@ -4,6 +4,7 @@ import { StreamLanguage } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { Editor } from "./editor.js";
 import { LANGUAGES } from "./highlight.js";
+import { Problems } from "./problems.js";
 import { Python } from "./python.js";
 import { Results } from "./results.js";
 import { BadLink, fromFragment, toFragment } from "./share.js";
@@ -13,19 +14,22 @@ const FILES = ["program", "machine"];
 const SUFFIX = { mint: ".mnt", mccl: ".mcl" };
 const FIRST = "ballscrew.mnt";
 const LOADING = "Loading Python …"; // as in index.html
+const READY = "Ready. Press Run, or Ctrl-Enter.";
 const HOW = { ended: "The program has ended.", until: "The time of the run was up.", fault: "The program did not end as it should; see the errors." };
 
-const run = { key: "Ctrl-Enter", mac: "Cmd-Enter", run: () => (start(), true) };
-const editors = {
-  program: new Editor(element("panel-program"), "Program", { keys: [run] }),
-  machine: new Editor(element("panel-machine"), "Machine file", { keys: [run] }),
-};
-editors.machine.syntax = StreamLanguage.define(toml);
-
+const problems = new Problems(element("problems"), (editor, line) => {
+  choose(editor.file);
+  editor.goTo(line);
+});
 const results = new Results((line) => {
   choose("program");
   editors.program.goTo(line);
 });
+const editors = {
+  program: newEditor("program", "Program"),
+  machine: newEditor("machine", "Machine file"),
+};
+editors.machine.syntax = StreamLanguage.define(toml);
 
 let name = FIRST;
 let answers = [];
@@ -33,6 +37,7 @@ let shared = "";
 let python = null;
 let runs = 0;
 let began = 0;
+let server = null;
 
 // ---------------------------------------------------------------------- the files
 
@@ -54,9 +59,10 @@ function open(file) {
   stop("");
   name = named(file);
   element("dialect").value = file.dialect;
-  editors.program.text = file.program;
   editors.machine.text = file.machine;
+  editors.program.text = file.program;
   editors.program.syntax = LANGUAGES[file.dialect];
+  server?.open(request());
   results.clear();
   choose("program");
 }
@@ -67,6 +73,18 @@ function named({ name, dialect }) {
   const suffix = /\.\w+$/.exec(name)?.[0] ?? "";
   const known = { mint: [".mnt", ".mntx", ".prg"], mccl: [".mcl", ".mccl"] }[dialect];
   return plain + (known.includes(suffix) ? suffix : SUFFIX[dialect]);
+}
+
+function newEditor(file, label) {
+  const line = () => {
+    if (!problems.focus(editors[file])) say(server === null ? "Problems are looked for once the first run is over." : "No problem is known in this line.");
+    return true;
+  };
+  const keys = [
+    { key: "Ctrl-Enter", mac: "Cmd-Enter", run: () => (start(), true) },
+    { key: "Mod-.", run: line },
+  ];
+  return new Editor(element(`panel-${file}`), label, { file, keys, marked: (editor, marks) => problems.show(editor, marks) });
 }
 
 function choose(file) {
@@ -84,7 +102,7 @@ function start(given = []) {
   if (python === null || python.running) return;
   answers = given;
   results.clear();
-  for (const editor of Object.values(editors)) editor.mark([]);
+  for (const editor of Object.values(editors)) editor.markRun([]);
   element("ask").hidden = true;
   busy(true);
   say(python.ready ? "Running …" : "Loading Python; the program runs as soon as it is there …");
@@ -104,10 +122,10 @@ function busy(is) {
 
 const HEARD = {
   ready: ({ loaded }) => {
-    measure("loaded", loaded);
+    if (!("loaded" in document.documentElement.dataset)) measure("loaded", loaded);
     if (python.running) say("Running …");
     // Any other sentence stays, such as why a run was ended or what is wrong with a link.
-    else if (element("status").textContent === LOADING) say("Ready. Press Run, or Ctrl-Enter.");
+    else if (element("status").textContent === LOADING) say(READY);
   },
   output: ({ text }) => results.print(text),
   asks: ({ question }) => {
@@ -119,7 +137,7 @@ const HEARD = {
   },
   result: (result) => {
     results.result(result);
-    for (const file of FILES) editors[file].mark(result.marks.filter(({ tab }) => tab === file));
+    for (const file of FILES) editors[file].markRun(result.marks.filter(({ tab }) => tab === file));
     if (result.marks.some(({ tab }) => tab === "machine")) choose("machine");
     measure("table", performance.now() - began);
     if (!("first" in document.documentElement.dataset)) measure("first", performance.now());
@@ -129,16 +147,33 @@ const HEARD = {
   done: () => {
     busy(false);
     measure("runs", ++runs);
+    // What follows takes seconds of the processor, so the page is painted first.
+    if (runs === 1) requestAnimationFrame(() => setTimeout(() => python.serve(served)));
   },
-  failed: ({ text }) => {
+  failed: ({ text, loaded }) => {
     busy(false);
-    say(python.ready ? `The program could not be run: ${text}.` : `Python could not be loaded: ${text}. Run tries again.`);
+    say(loaded ? `The program could not be run: ${text}.` : `Python could not be loaded: ${text}. Run tries again.`);
   },
   ended: ({ why }) => {
     busy(false);
     if (why) say(why);
   },
 };
+
+// ---------------------------------------------------------------------- the language server
+
+// A server is there, or null: it is gone.
+async function served(transport) {
+  server?.close();
+  server = null;
+  for (const editor of Object.values(editors)) editor.markServer([]);
+  element("keys").hidden = true;
+  if (transport === null) return;
+  const { connect } = await import("./lsp.js");
+  server = connect(transport, editors);
+  server.open(request());
+  element("keys").hidden = false;
+}
 
 // ---------------------------------------------------------------------- links
 
@@ -184,6 +219,7 @@ function listen() {
   element("dialect").addEventListener("change", ({ target }) => {
     name = named({ name, dialect: target.value });
     editors.program.syntax = LANGUAGES[target.value];
+    server?.open(request());
   });
   element("ask").addEventListener("submit", (event) => {
     event.preventDefault();

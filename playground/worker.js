@@ -1,11 +1,22 @@
-// The Python of the page. It runs one program at a time; to stop one, the page ends this worker.
+// A Python of the page. It runs one program at a time; to stop one, the page ends this worker.
 //
-// From the page: a request, see `start` of runner.py. To the page: {type: "ready"}, then the messages of
-// runner.py, then {type: "done"}; or {type: "failed", text} if Python could not be started or ran out of memory.
+// From the page:
+//   {type: "run", request}   run a program, see `start` of runner.py
+//   {type: "warm"}           import what a run needs, before there is one
+//   {type: "serve"}          start the language server
+//   {type: "tell", text}     a message to the language server
+// To the page: {type: "ready"}, then the messages of runner.py, then {type: "done"}; {type: "failed", text} if Python
+// could not be started or ran out of memory; {type: "serves"} once the language server is there, {type: "told", text}
+// with its messages, {type: "unserved", text} if it could not be started.
 
 const NO_MEMORY = "the program needs more memory than the browser gives it";
 
 const PYODIDE = ["pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"];
+// One move of each language; nothing of the runs is shown.
+const WARM = [
+  { name: "warm.mnt", dialect: "mint", program: "MOVER(0) = 1 : GO(0)\nPRINT 1\n", machine: "" },
+  { name: "warm.mcl", dialect: "mccl", program: "1MR1\n", machine: "" },
+];
 
 const here = (name) => new URL(name, import.meta.url);
 
@@ -19,10 +30,18 @@ async function bytes(name) {
   return (await found(name)).arrayBuffer();
 }
 
+// An archive that was compressed as a whole. Some servers and browsers undo that by themselves.
+async function archive(name) {
+  const packed = new Uint8Array(await bytes(name));
+  if (packed[0] !== 0x1f || packed[1] !== 0x8b) return packed.buffer;
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+
+const contents = found("contents.json").then((answer) => answer.json());
+
 async function start() {
   const began = performance.now();
-  const contents = found("contents.json").then((answer) => answer.json());
-  const files = contents.then(({ wheel }) => Promise.all([bytes(wheel), bytes("runner.py")]));
+  const files = contents.then(({ wheel }) => Promise.all([archive(wheel), bytes("runner.py")]));
   // Pyodide waits for ever for a file that it cannot load, so a missing one is found out here.
   const there = PYODIDE.map((name) => found(`pyodide/${name}`, { method: "HEAD" }));
   const missing = new Promise((_, reject) => Promise.all([files, ...there]).catch(reject));
@@ -36,27 +55,59 @@ async function start() {
   python.unpackArchive(wheel, "wheel");
   python.FS.writeFile("/home/pyodide/runner.py", new Uint8Array(runner));
   const run = python.runPython("import runner\nlambda request, send: runner.start(request.to_py(), send)");
-  return { run, loaded };
+  return { python, run, loaded };
+}
+
+async function serve(python) {
+  const { server } = await contents;
+  const [program, libraries] = await Promise.all([bytes("language.py"), archive(server)]);
+  python.unpackArchive(libraries, "zip", { extractDir: python.runPython("import site\nsite.getsitepackages()[0]") });
+  python.FS.writeFile("/home/pyodide/language.py", new Uint8Array(program));
+  const begin = python.runPython("import importlib\nimportlib.invalidate_caches()\nimport language\nlanguage.serve");
+  return begin((text) => postMessage({ type: "told", text }));
 }
 
 const started = start();
+let tell = Promise.resolve(() => {});
 started.then(
   ({ loaded }) => postMessage({ type: "ready", loaded }),
-  (error) => postMessage({ type: "failed", text: String(error.message || error) }),
+  (error) => postMessage({ type: "failed", text: reason(error) }),
 );
 
+// What of a message of Python is of use: its last line.
+function reason(error) {
+  return String(error.message || error).trim().split("\n").at(-1);
+}
+
+const TODO = {
+  run: ({ run }, { request }) => {
+    try {
+      run(request, (message) => postMessage(message.toJs({ dict_converter: Object.fromEntries })));
+      postMessage({ type: "done" });
+    } catch (error) {
+      const text = reason(error);
+      postMessage({ type: "failed", text: text.startsWith("MemoryError") ? NO_MEMORY : text });
+    }
+  },
+  warm: ({ run }) => {
+    for (const request of WARM) run(request, () => {});
+  },
+  serve: ({ python }) => {
+    tell = serve(python);
+    tell.then(
+      () => postMessage({ type: "serves" }),
+      (error) => postMessage({ type: "unserved", text: reason(error) }),
+    );
+  },
+  tell: async (_, { text }) => (await tell)(text),
+};
+
 addEventListener("message", async ({ data }) => {
-  let run;
+  let python;
   try {
-    ({ run } = await started);
+    python = await started;
   } catch {
     return; // already reported
   }
-  try {
-    run(data, (message) => postMessage(message.toJs({ dict_converter: Object.fromEntries })));
-    postMessage({ type: "done" });
-  } catch (error) {
-    const text = String(error.message || error).trim().split("\n").at(-1);
-    postMessage({ type: "failed", text: text.startsWith("MemoryError") ? NO_MEMORY : text });
-  }
+  TODO[data.type](python, data);
 });

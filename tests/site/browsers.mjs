@@ -15,7 +15,7 @@ const BROWSERS = {
 
 export const { SITE, PLAYGROUND, NATIVE } = process.env;
 // Loading Python takes seconds, and a loaded machine several times as long.
-export const PATIENCE = { timeout: 180_000 };
+export const PATIENCE = { timeout: Number(process.env.PATIENCE ?? 180_000) };
 
 // The installed browser of a name, or null.
 export async function launch(name) {
@@ -56,7 +56,10 @@ export function fragment(text) {
 // Follow a link with a program.
 export async function enter(page, { name = "program.mnt", dialect = "mint", program, machine = "" }) {
   const next = fragment(JSON.stringify({ name, dialect, program, machine }));
-  await page.evaluate((text) => (location.hash = text), next);
+  await page.evaluate((text) => {
+    document.querySelector("#status").textContent = ""; // of a link before this one
+    location.hash = text;
+  }, next);
   await page.waitForFunction(() => /came with the link/.test(document.querySelector("#status").textContent));
 }
 
