@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.errors import Diagnostic
 
-SCHEMA = "motionlang.check/2"
+SCHEMA = "motionlang.check/3"
 GROUPS = {
     "program": "dialect machine model",
     "checks": "strict fix evidence literals",

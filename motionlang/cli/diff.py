@@ -55,6 +55,7 @@ examples:
   motionlang diff pick.mnt --variant-a 0 --variant-b 12   compare two variants of pick.sweep.toml
   motionlang diff pick.mnt drive.csv --map position.0=PosAct --tolerance position=0.05uu
 """
+SCHEMA = "motionlang.diff/2"
 # The suffixes of a recording; any other file is a program or a report.
 RECORDED = (".csv", ".tsv", ".dat")
 
@@ -137,17 +138,17 @@ def diff_command(arguments: argparse.Namespace) -> int:
         sides.reverse()  # the old one comes first
     (old, old_run), (new, new_run) = sides
     found = difference(old, new, tolerance)
-    parted, charges, changed = None, [], []
+    diverged, charges, changed = None, [], []
     if old_run is not None and new_run is not None:
-        from motionlang.analysis.diff.motion import parting
+        from motionlang.analysis.diff.motion import divergence
 
-        parted = parting(old_run, new_run, tolerance.size("position"))
+        diverged = divergence(old_run, new_run, tolerance.size("position"))
         charges = charged(old_run, new_run) if found.time is not None else []
         changed = changed_literals(old_run, new_run)
     if arguments.format == "json":
-        sys.stdout.write(json.dumps(_data(found, parted, charges, changed), default=vars) + "\n")
+        sys.stdout.write(json.dumps(_data(found, diverged, charges, changed), default=vars) + "\n")
     else:
-        _print(found, parted, charges, changed, arguments.all)
+        _print(found, diverged, charges, changed, arguments.all)
     status = 0 if found.same else 1
     if arguments.plot is not None:
         status = max(status, _plot(old_run, new_run, arguments.plot, parser))
@@ -274,34 +275,36 @@ def _report(path: str) -> tuple[dict[str, Any], None] | None:
 
 
 def _data(
-    found: Any, parted: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral]
+    found: Any, diverged: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral]
 ) -> dict[str, Any]:
     return {
-        "schema": "motionlang.diff/1",
-        "same": found.same,
+        "schema": SCHEMA,
+        "equal": found.same,
         "literals": [as_dict(each) for each in changed],
         "time": found.time,
-        "charged": [as_dict(each) for each in charges],
+        "time_by_line": [as_dict(each) for each in charges],
         "status": found.status,
         "lines": [as_dict(each) for each in found.lines],
-        "gone": found.gone,
-        "new": found.new,
-        "prints": [dict(zip(("old", "new", "was", "is"), each, strict=True)) for each in found.prints],
-        "events": [dict(zip(("was", "is", "later"), each, strict=True)) for each in found.events],
-        "errors": [{"how": how, "what": what} for how, what in found.errors],
-        "others": found.others,
-        "parting": None if parted is None else as_dict(parted),
+        "removed_moves": found.gone,
+        "added_moves": found.new,
+        "prints": [
+            dict(zip(("old", "new", "old_text", "new_text"), each, strict=True)) for each in found.prints
+        ],
+        "events": [dict(zip(("old", "new", "shift"), each, strict=True)) for each in found.events],
+        "errors": [{"change": change, "message": message} for change, message in found.errors],
+        "other_differences": found.others,
+        "divergence": None if diverged is None else as_dict(diverged),
     }
 
 
 def _print(
-    found: Any, parted: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral], everything: bool
+    found: Any, diverged: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral], everything: bool
 ) -> None:
     from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines
     from motionlang.views.terminal import draws, plain, wants_colour
 
     most = 1_000_000 if everything else MAX_LINES
-    lines = diff_lines(found, parted, charges, colour=wants_colour(sys.stdout), most=most) or [
+    lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most) or [
         "no difference"
     ]
     text = "\n".join([*literal_lines(changed, most), *lines]) + "\n"

@@ -33,7 +33,7 @@ MEANING = (
     "its meaning is unconfirmed, too: run the example here and on a controller whose axes may "
     "move, and compare"
 )
-SCHEMA = "motionlang.keywords/1"
+SCHEMA = "motionlang.keywords/2"
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -79,7 +79,10 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
                 return _unknown(name, nearest(name, words))
     if as_json:
         rows = [
-            {**as_dict(row, each), "open": [readings.as_dict(open_one) for open_one in of_word(each, row)]}
+            {
+                **as_dict(row, each),
+                "assumptions": [readings.as_dict(open_one) for open_one in of_word(each, row)],
+            }
             for each, rows in found.items()
             for row in rows
         ]

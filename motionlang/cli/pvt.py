@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 OK, WRONG, USAGE = 0, 1, 2
-SCHEMA = "motionlang.pvt/1"
+SCHEMA = "motionlang.pvt/2"
 NOISE = 1e-6
 """Counts below which a difference is rounding."""
 GROUPS = {

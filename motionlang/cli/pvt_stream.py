@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.copley.master import Streamed
     from motionlang.copley.point import WirePoint
 
-SCHEMA = "motionlang.pvt/1"
+SCHEMA = "motionlang.pvt/2"
 FIXED = ("0", "-1")
 LINEAR = (*FIXED, "-2")
 
@@ -106,7 +106,7 @@ def _report(
         content = {
             "schema": SCHEMA,
             "move": move.name,
-            "by": args.transfer,
+            "transfer": args.transfer,
             "points": len(wire),
             "sent": done.sent if done else None,
             "resent": done.resent if done else None,
@@ -115,7 +115,7 @@ def _report(
             "time": drive.now,
             "position": drive.position,
             "error": error,
-            "log": [{"time": time, "what": what} for time, what in drive.log],
+            "log": [{"time": time, "event": event} for time, event in drive.log],
         }
         print(json.dumps(content, indent=2))
     elif args.format == "table":

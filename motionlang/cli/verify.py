@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.result import Run
 
-SCHEMA = "motionlang.verify/1"
+SCHEMA = "motionlang.verify/2"
 KINDS = ("program", "scenario", "sweep", "log")
 LOG_SUFFIX = ".mcapi-log"
 GROUPS = {"checks": "update review", "report": "format quiet output jobs"}
@@ -135,13 +135,13 @@ def _review(program: str, verdict: Verdict) -> None:
             )
         elif verdict.kind == "program":
             result = run(program, cache=False)
-            as_golden = review(program, result)
-            verdict.failed = not as_golden or bool(expectations(result))
+            matches = review(program, result)
+            verdict.failed = not matches or bool(expectations(result))
         elif os.path.exists(golden_files(verdict.name)[0]):
             scenario = Scenario(program, verdict.name)
             result = scenario.run()
-            as_golden = review(verdict.name, result)
-            verdict.failed = not as_golden or bool(unmet(result, scenario.expected))
+            matches = review(verdict.name, result)
+            verdict.failed = not matches or bool(unmet(result, scenario.expected))
     except (OSError, ValueError, ProgramError) as error:
         sys.stderr.write(f"{verdict.name}: nothing written: {error}\n")
 
@@ -165,7 +165,7 @@ def _count(verdicts: Sequence[Verdict], kind: str) -> str:
 
 def _row(verdict: Verdict) -> dict[str, object]:
     found = [each.as_dict() for each in verdict.findings()]
-    return {verdict.kind: verdict.name, "as_golden": not verdict.failed, "diagnostics": found}
+    return {verdict.kind: verdict.name, "matches_golden": not verdict.failed, "diagnostics": found}
 
 
 def _judged(rewrite: bool, program: str) -> list[Verdict]:

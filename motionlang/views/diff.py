@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from motionlang.analysis.diff.accept import Change
     from motionlang.analysis.diff.charged import Charge
     from motionlang.analysis.diff.literals import ChangedLiteral
-    from motionlang.analysis.diff.motion import Parting
+    from motionlang.analysis.diff.motion import Divergence
     from motionlang.analysis.diff.reports import Difference, LineChange
 
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
@@ -30,7 +30,7 @@ MAX_LINES, MAX_CHARGED = 12, 4
 
 def diff_lines(
     found: Difference,
-    parted: Parting | None = None,
+    diverged: Divergence | None = None,
     charges: Sequence[Charge] = (),
     *,
     colour: bool = False,
@@ -57,10 +57,10 @@ def diff_lines(
     out += _first([_event(*each) for each in found.events], most, "events")
     out += _first([_error(*each) for each in found.errors], most, "errors")
     out += _first(found.others, most, "others")
-    if parted is not None:
+    if diverged is not None:
         out.append(
-            f"the motion diverges at {parted.time:.6f} s: axis {parted.axis}, by at most "
-            f"{parted.largest:.6g} uu (at {parted.largest_at:.6f} s)"
+            f"the motion diverges at {diverged.time:.6f} s: axis {diverged.axis}, by at most "
+            f"{diverged.max_difference:.6g} uu (at {diverged.max_difference_at:.6f} s)"
         )
     elif found.first is not None and out:
         out.append(f"the motion first differs at {found.first[0]:.6f} s, on axis {found.first[1]}")
@@ -106,7 +106,7 @@ def _together(changes: Sequence[LineChange]) -> list[list[LineChange]]:
     """
     found: dict[tuple[object, ...], list[LineChange]] = {}
     for each in sorted(changes, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis)):
-        same = each.old, each.new, each.command, each.count, each.first, each.duration, each.wait
+        same = each.old, each.new, each.command, each.count, each.first_time, each.duration, each.wait
         found.setdefault(same, []).append(each)
     return list(found.values())
 
@@ -189,8 +189,8 @@ def _tail(seconds: float) -> str:
     return f"the run ends {seconds:+.6f} s after its last motion"
 
 
-def _error(how: str, what: str) -> str:
-    return f"{'missing' if how == 'gone' else 'new'}: {printable(what)}"
+def _error(change: str, message: str) -> str:
+    return f"{'missing' if change == 'removed' else 'new'}: {printable(message)}"
 
 
 def _event(was: Any, is_: Any, later: float) -> str:

@@ -54,6 +54,18 @@ def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: boo
     return "\n".join(_page(row, dialect, width, colour) for row in rows)
 
 
+# Fields of a row with another name in JSON.
+FIELDS = {
+    "below": "excludes_high",
+    "driven": "machine_section",
+    "every": "true_of_all",
+    "gives": "sets",
+    "meant": "synonyms",
+    "solved": "solvable",
+    "tunes": "servo_gain",
+}
+
+
 def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
     """Return a row as JSON data."""
     names = (name for name in type(row).__slots__ if name not in ("actions", "simulated", "verb"))
@@ -61,10 +73,10 @@ def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
     evidence = {fact: {"strength": each.strength, "source": each.source} for fact, each in known.items()}
     return {
         "dialect": dialect,
-        **{name: getattr(row, name) for name in names},
+        **{FIELDS.get(name, name): getattr(row, name) for name in names},
         "simulated": row.simulated,
         "source": known["meaning"].source,
-        "trust": known["meaning"].strength,
+        "strength": known["meaning"].strength,
         "evidence": evidence,
     }
 

@@ -29,7 +29,7 @@ def test_nothing_is_wrong(cell: Cell) -> None:
 
 def test_json(cell: Cell) -> None:
     document = json.loads(cell("check", "wrong.mcl", "--format", "json").out)
-    assert document["schema"] == "motionlang.check/2"
+    assert document["schema"] == "motionlang.check/3"
     (file,) = document["files"]
     assert (file["program"], file["dialect"]) == ("wrong.mcl", "mccl")
     assert file["diagnostics"][0]["code"] == "unknown-word"

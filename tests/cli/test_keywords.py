@@ -82,7 +82,7 @@ def test_json_has_every_field_of_the_table(cell: Cell) -> None:
     document = json.loads(cell("keywords", "SV", "--dialect", "mccl", "--format", "json").out)
     (row,) = document["keywords"]
     assert (row["dialect"], row["name"], row["unit"], row["simulated"]) == ("mccl", "SV", "uu/s", True)
-    assert row["trust"] in STRENGTHS
+    assert row["strength"] in STRENGTHS
 
 
 def test_a_word_that_no_language_has(cell: Cell) -> None:
@@ -161,6 +161,6 @@ def test_what_no_program_tells_names_its_alternatives(capsys: pytest.CaptureFixt
 def test_the_document_of_a_word_has_its_open_questions(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["keywords", "HOMESPEED", "--format", "json"]) == 0
     (row,) = json.loads(capsys.readouterr().out)["keywords"]
-    found = {each["name"]: each for each in row["open"]}
+    found = {each["name"]: each for each in row["assumptions"]}
     assert found["mint.homespeed-default"]["alternatives"] == ["any other number"]
-    assert found["mint.homespeed-scale"]["asked_by_name"] is True
+    assert found["mint.homespeed-scale"]["probe_by_name"] is True

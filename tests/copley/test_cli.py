@@ -178,7 +178,7 @@ def test_linear_and_relative_exports() -> None:
 
 def test_reports_as_json() -> None:
     plot = json.loads(pvt("plot", "--scurve", "1000", "--time", "100", "--format", "json").out)
-    assert plot["schema"] == "motionlang.pvt/1"
+    assert plot["schema"] == "motionlang.pvt/2"
     assert [round(s["jerk"]) for s in plot["segments"]] == [500_000, -500_000, -500_000, 500_000]
     words = ["--positions", "0,5000,15000,20000", "--time", "10", "--format", "json"]
     refined = json.loads(pvt("refine", *words).out)
@@ -253,7 +253,7 @@ def test_a_program_is_streamed() -> None:
     file = str(SCRIPTS / "mint" / "shuttle.mnt")
     report = json.loads(pvt("stream", file, "--tolerance", "2", "--format", "json").out)
     assert report["error"] < 1e-6
-    assert report["log"][-1]["what"] == "move ended at 0"
+    assert report["log"][-1]["event"] == "move ended at 0"
 
 
 @pytest.mark.parametrize(

@@ -45,7 +45,7 @@ def test_an_altered_log_fails_at_its_line(tmp_path: Path, capsys: pytest.Capture
     ]
     assert main(["verify", str(log), "--format", "json"]) == 1
     (row,) = json.loads(capsys.readouterr().out)["programs"]
-    assert (row["log"], row["as_golden"]) == (str(log), False)
+    assert (row["log"], row["matches_golden"]) == (str(log), False)
 
 
 def test_the_machine_file_next_to_it_is_used(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 MICRO = 1e6
+# The lane of the critical path.
+PATH = "critical path"
 # The suffixes of `--profile-to`, the longest first, and the output of each.
 FORMATS = (".speedscope.json", ".trace.json", ".json")
 
@@ -46,10 +48,10 @@ def json_pieces(made: TimeProfile) -> Iterator[str]:
 
     Of links that differ in their times alone one is written out; the end of one is the begin of the next.
     """
-    document = made.report(chain=False)
+    document = made.report(critical_path=False)
     written: dict[int, str] = {}  # the other fields of a link, by the identity of their source
     yield json.dumps(document, indent=1).removesuffix("\n}")
-    yield ',\n "chain": ['
+    yield ',\n "critical_path": ['
     separator = "\n"
     before, text = -1.0, ""
     for begin, end, about in made.spans():
@@ -90,7 +92,13 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
         if number is None:
             number = lanes[lane] = len(lanes) + 1
             yield {"name": "thread_name", "ph": "M", "pid": 1, "tid": number, "args": {"name": lane}}
-        row = {"name": name, "cat": lane.partition(" ")[0], "ph": "X", "pid": 1, "tid": number}
+        row = {
+            "name": name,
+            "cat": lane if lane == PATH else lane.partition(" ")[0],
+            "ph": "X",
+            "pid": 1,
+            "tid": number,
+        }
         yield row | {"ts": begin * MICRO, "dur": (end - begin) * MICRO, "args": about}
 
 
@@ -99,7 +107,7 @@ def _stretches(made: TimeProfile, places: SourcePositions) -> Iterator[tuple[str
     run = made.run
     for begin, end, (cause, place, task, axes, _) in made.spans():
         name = f"{cause}, line {place.line}" if place.line else cause
-        yield "chain", name, begin, end, {"line": place.line, "axes": axes, "task": task}
+        yield PATH, name, begin, end, {"line": place.line, "axes": axes, "task": task}
     for task, waits in made.waits().items():
         for wait in waits:
             what = wait.why or f"for {wait.until - wait.since:.6g} s"

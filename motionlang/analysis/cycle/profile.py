@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.log.records import Waited
     from motionlang.result import Run
 
-SCHEMA = "motionlang.cycle/1"
+SCHEMA = "motionlang.cycle/2"
 # The root of all calls, which contains the lines outside subs.
 PROGRAM = "the program"
 
@@ -114,8 +114,8 @@ class TimeProfile:
         """
         return slacks(self._chain.motions, self._waits)
 
-    def report(self, *, chain: bool = True) -> dict[str, Any]:
-        """Return the profile as plain data, schema `motionlang.cycle/1`.
+    def report(self, *, critical_path: bool = True) -> dict[str, Any]:
+        """Return the profile as plain data, schema `motionlang.cycle/2`.
 
         The critical path, if requested, comes last.
         """
@@ -132,8 +132,8 @@ class TimeProfile:
             "waits": list(map(_share, self.held())),
             "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
         }
-        if chain:
-            document["chain"] = [
+        if critical_path:
+            document["critical_path"] = [
                 {"begin": begin, "end": end, **about_link(about)} for begin, end, about in self.spans()
             ]
         return document
@@ -212,4 +212,4 @@ def about_link(about: About) -> dict[str, Any]:
     """Return the fields of a link in a report other than its times."""
     cause, place, task, axes, waited = about
     where = {"line": place.line, "sub": place.sub, "callers": place.callers}
-    return {"cause": cause, **where, "task": task, "axes": axes, "waited": waited}
+    return {"cause": cause, **where, "task": task, "axes": axes, "wait_line": waited}

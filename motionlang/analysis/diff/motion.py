@@ -33,7 +33,7 @@ TOGETHER = 50_000
 
 
 @record
-class Parting:
+class Divergence:
     """The machine `time` at which `axis` first differs, and the largest distance, uu.
 
     The distance has its time.
@@ -41,26 +41,26 @@ class Parting:
 
     axis: int
     time: float
-    largest: float
-    largest_at: float
+    max_difference: float
+    max_difference_at: float
 
 
-def parting(old: Run, new: Run, tolerance: float = 0.0) -> Parting | None:
+def divergence(old: Run, new: Run, tolerance: float = 0.0) -> Divergence | None:
     """Return the first divergence of all common axes; None if there is none.
 
     Only the time up to the end of both runs counts.
     """
     end = min(old.time, new.time)
     found = [
-        parted
+        diverged
         for number, a in old.controller.axes.items()
         if number in new.controller.axes
-        and (parted := _of_axis(a, new.controller.axes[number], end, tolerance)) is not None
+        and (diverged := _of_axis(a, new.controller.axes[number], end, tolerance)) is not None
     ]
     return min(found, key=lambda each: (each.time, each.axis), default=None)
 
 
-def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
+def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | None:
     def apart(time: float) -> float:
         one, other = a.scale.position_to_user(a.position(time)), b.scale.position_to_user(b.position(time))
         return max(abs(one - other) - ROUNDING * max(abs(one), abs(other), 1.0), 0.0)
@@ -80,7 +80,7 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
             if distance > largest[0]:
                 largest = (distance, times[k])
         before = times[-1]
-    return None if first is None else Parting(a.index, first, *largest)
+    return None if first is None else Divergence(a.index, first, *largest)
 
 
 def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:

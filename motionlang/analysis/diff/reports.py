@@ -45,10 +45,11 @@ class LineChange:
     of the moves themselves, and of the time between them and the ones before.
     """
 
-    __slots__ = ("axis", "command", "count", "duration", "figures", "first", "new", "old", "wait")
+    __slots__ = ("axis", "command", "count", "duration", "figures", "first_time", "new", "old", "wait")
 
-    def __init__(self, old: int, new: int, axis: int, command: str, first: float) -> None:
-        self.old, self.new, self.axis, self.command, self.first = old, new, axis, command, first
+    def __init__(self, old: int, new: int, axis: int, command: str, first_time: float) -> None:
+        self.old, self.new, self.axis, self.command = old, new, axis, command
+        self.first_time = first_time
         self.count = 0
         self.figures: dict[str, tuple[Any, Any]] = {}
         self.duration = self.wait = 0.0
@@ -118,7 +119,7 @@ class Difference:
     def first(self) -> tuple[float, int] | None:
         """Time and axis of the first difference in motion, as far as reports show it."""
         times = [(each["start_time"], each["axis"]) for each in (*self.gone, *self.new)]
-        times += [(each.first, each.axis) for each in self.lines if each.is_motion]
+        times += [(each.first_time, each.axis) for each in self.lines if each.is_motion]
         return min(times, default=None)
 
     @property
@@ -382,9 +383,9 @@ def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
     for i, j in aligned(told, tells, str):
         found.told.append((i, j, len(found.errors) if i is None or j is None else None))
         if j is None and i is not None:
-            found.errors.append(("gone", told[i]))
+            found.errors.append(("removed", told[i]))
         elif i is None and j is not None:
-            found.errors.append(("new", tells[j]))
+            found.errors.append(("added", tells[j]))
 
 
 def _others(place: str, old: object, new: object, tolerance: Tolerance, field: str = "") -> Iterator[str]:

@@ -179,8 +179,8 @@ def test_other_programs_read_it() -> None:
     ]
     events = list(trace_events(made))
     lanes = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
-    assert lanes == ["chain", "task ParentTask", "axis 0", "axis 1"]
-    chain = {event["name"] for event in events if event.get("cat") == "chain"}
+    assert lanes == ["critical path", "task ParentTask", "axis 0", "axis 1"]
+    chain = {event["name"] for event in events if event.get("cat") == "critical path"}
     assert {"accelerating, line 4", "dwell, line 6", "waiting for an input, line 9"} <= chain
     assert max(event["ts"] + event["dur"] for event in events if event["ph"] == "X") == pytest.approx(
         made.run.time * 1e6
@@ -251,7 +251,7 @@ def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
     assert main(["run", "cycle.mnt", "--format", "json", "--profile-to", "x.json"]) == 0
     assert json.loads(capsys.readouterr().out)["status"] == "ended"
-    assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang.cycle/1"
+    assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang.cycle/2"
 
 
 def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

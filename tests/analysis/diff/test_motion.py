@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.analysis.diff import motion
-from motionlang.analysis.diff.motion import LOOKS, ROUNDING, Parting, parting
+from motionlang.analysis.diff.motion import LOOKS, ROUNDING, Divergence, divergence
 from motionlang.controller.axis import Axis
 from motionlang.execution import run, settings_next_to
 from motionlang.log.track import WholeTrack
@@ -26,7 +26,7 @@ CHANGES = {
 }
 
 
-def looked(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
+def looked(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | None:
     """Return the divergence by checking each time in order."""
     edges = sorted({*WholeTrack(a).starts, *WholeTrack(b).starts, end})
     first, largest = None, (0.0, 0.0)
@@ -42,7 +42,7 @@ def looked(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
                 first = time
             if distance > largest[0]:
                 largest = distance, time
-    return None if first is None else Parting(a.index, first, *largest)
+    return None if first is None else Divergence(a.index, first, *largest)
 
 
 def pair(name: str) -> tuple[Run, Run]:
@@ -68,9 +68,9 @@ def test_it_is_what_looking_everywhere_finds(
         found = looked(a, new.controller.axes[number], end, tolerance)
         if found is not None:
             expected.append(found)
-    told = parting(old, new, tolerance)
+    told = divergence(old, new, tolerance)
     assert told is not None
     (mine,) = (each for each in expected if each.axis == told.axis)
-    assert (told.largest, told.largest_at) == (mine.largest, mine.largest_at)
+    assert (told.max_difference, told.max_difference_at) == (mine.max_difference, mine.max_difference_at)
     # The exact time is between the differing sample and the one before it.
     assert min(each.time for each in expected) >= told.time

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from motionlang.analysis.diff.motion import parting
+from motionlang.analysis.diff.motion import divergence
 from motionlang.analysis.diff.reports import Difference, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.execution import run
@@ -51,7 +51,7 @@ def test_a_line_that_is_put_in_somewhere_is_no_difference() -> None:
     assert found.same
     assert lines == []
     assert found.moved == {6: 8, 8: 10, 9: 11}
-    assert parting(old, new) is None
+    assert divergence(old, new) is None
 
 
 def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None:
@@ -68,10 +68,10 @@ def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None
     assert found.time[1] - found.time[0] == pytest.approx(change.duration, abs=1e-6)
     assert lines[0].startswith("time: ")
     assert re.match(r"line 8: MOVEA of axis 1, 3 moves: duration 0.45 → 0.4 s, accel 0.2 → 0.1 s, ", lines[1])
-    parted = parting(old, new)
-    assert parted is not None
-    assert parted.axis == 1
-    assert parted.time == pytest.approx(old.controller.log.moves[1].start_time, abs=1e-4)
+    diverged = divergence(old, new)
+    assert diverged is not None
+    assert diverged.axis == 1
+    assert diverged.time == pytest.approx(old.controller.log.moves[1].start_time, abs=1e-4)
 
 
 def test_the_segment_of_a_path_is_told_once_with_its_axes_and_what_only_one_of_them_does_otherwise() -> None:
@@ -181,9 +181,9 @@ ONLY_COMMANDED = [
 def test_a_speed_that_no_move_reaches_is_commanded_and_no_motion() -> None:
     old, new = ran(SHORT), ran(SHORT.replace("90", "99"))
     found = difference(build(old), build(new))
-    assert parting(old, new) is None
+    assert divergence(old, new) is None
     assert found.first is None
-    assert diff_lines(found, parting(old, new)) == ONLY_COMMANDED
+    assert diff_lines(found, divergence(old, new)) == ONLY_COMMANDED
     assert diff_lines(found) == ONLY_COMMANDED  # two reports without their runs
 
 
