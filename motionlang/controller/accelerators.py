@@ -26,9 +26,10 @@ class Accelerators:
     * `counted(counters, steps, levels)`: how many iterations of a loop with counters may be skipped
     * `rounds(board)`: what skips rounds of several MCCL tasks, by its method `jumped(task)`
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
+    * `ticks(events)`: what runs the ticks of a Mint program's timer while all tasks wait, by its method `run`
     """
 
-    __slots__ = ("axes", "counted", "ranges", "rounds", "scheduler", "servo")
+    __slots__ = ("axes", "counted", "ranges", "rounds", "scheduler", "servo", "ticks")
 
     def __init__(
         self,
@@ -39,9 +40,10 @@ class Accelerators:
         rounds: Callable[[Any], Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
+        ticks: Callable[[Any], Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
-        self.rounds, self.scheduler, self.servo = rounds, scheduler, servo
+        self.rounds, self.scheduler, self.servo, self.ticks = rounds, scheduler, servo, ticks
 
 
 NO_ACCELERATORS = Accelerators()

@@ -128,6 +128,22 @@ class Clock:
             self.now = time
         return quiet
 
+    def second_time(self) -> float:
+        """Return the time of the event after the next one, which may have been cancelled."""
+        return min(self._heap[1:3])[0] if len(self._heap) > 1 else INFINITY
+
+    def reach(self, event: Event) -> bool:
+        """Advance to `event` without its call, if it is the next one and no other is at its time."""
+        heap = self._heap
+        time, _, first = heap[0]
+        if first is not event or self.second_time() <= time:
+            return False
+        heappop(heap)
+        self.horizon = heap[0][0] if heap else INFINITY
+        self.now = time
+        self.fired += 1
+        return True
+
     def ring(self, moment: float) -> bool:
         """Advance to the next event if it is at `moment`.
 

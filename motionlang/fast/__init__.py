@@ -23,6 +23,7 @@ def everything() -> Accelerators:
         rounds=_rounds,
         scheduler=TimeSlices,
         servo=_servo,
+        ticks=_ticks,
     )
 
 
@@ -54,3 +55,9 @@ def _servo(*given: Any, **columns: Any) -> Any:
     from motionlang.fast.closed_form import ClosedFormServo
 
     return ClosedFormServo(*given, **columns)
+
+
+def _ticks(events: Any) -> Any:
+    from motionlang.fast.timer_ticks import TimerTicks
+
+    return TimerTicks(events)

@@ -19,6 +19,7 @@ from __future__ import annotations
 from operator import attrgetter
 
 from motionlang.lang.scheduler import TURN, Scheduler
+from motionlang.lang.statement_time import NEVER
 from motionlang.lang.task import INFINITY, ROUNDING
 
 TYPE_CHECKING = False
@@ -92,6 +93,7 @@ class TimeSlices(Scheduler):
                     break
                 found, wait = tasks[place], known[place]
                 if place in resting:
+                    self.current = self._last_checked(resting)
                     if not clock.ring(first):
                         break
                     resting.discard(place)
@@ -131,6 +133,11 @@ class TimeSlices(Scheduler):
         if went:
             self._end, self._calm, self._stalls = 0.0, 0, 0
         return went > 0
+
+    def _last_checked(self, places: set[int]) -> Task:
+        """Return the task whose wait the scheduler checks last; it places the events that happen next."""
+        turn, count = self._turn, len(self.tasks)
+        return self.tasks[max(places, key=lambda k: (k - turn) % count) if len(places) > 1 else min(places)]
 
     def _list_waits(self) -> bool:
         """List the waits of all tasks and their ends.
@@ -180,6 +187,34 @@ class TimeSlices(Scheduler):
             recurrence.forget()  # tasks may have run since the last call
         recurrence.leap(self.tasks, self._turn, self.until)
 
+    def _jump(self, until: float) -> None:
+        """Jump to the next time at which something can change; ticks of a timer run on the way."""
+        due, ticks = self.next_change(), self.ticks
+        if ticks is None or not self.by_itself or self._left or not ticks.run(self, due, until):
+            self._jump_to(due, until)
+
+    def ran_handler(self, task: Task, until: float) -> bool:
+        """Let a handler interrupt the waiting tasks for a time slice; True if it has ended by then."""
+        clock, statements, interrupts = self.clock, self._statements, self.interrupts
+        several = len(self.tasks) > 1
+        interrupts.append(task)
+        statements.alone, statements.free = not several, NEVER
+        self.next_turn, self._known = -INFINITY, []
+        self.current, self._alone, self._turn, self._stalls = task, True, 0, 0
+        self.began = now = clock.now
+        event = clock.next_time()
+        event = horizon = event if event < until else until
+        if several:
+            self._end = now + min(TURN, task.turn)
+            horizon = min(horizon, self._end)
+        time, task.wait = task.resume(now, horizon)
+        if several or not task.done or not now <= time < clock.horizon:
+            self._leave(task, event, time, several)
+            return task.done and not interrupts
+        clock.now = time
+        interrupts.remove(task)
+        return not interrupts
+
     def invalidate_waits(self) -> None:
         """Invalidate the known ends of the waits."""
         super().invalidate_waits()
@@ -217,7 +252,11 @@ class TimeSlices(Scheduler):
         ):
             return 0.0
         if by_bell:
-            if not clock.ring(end):
+            running = self.current
+            self.current = self._last_checked({*self._resting, self._place})
+            rang = clock.ring(end)
+            self.current = running
+            if not rang:
                 return 0.0
         elif clock.horizon <= end and clock.next_time() <= end:
             return 0.0

@@ -133,29 +133,38 @@ class Dependencies:
 
 
 class Condition(Wait):
-    """A wait for a condition: checked at solved times, events, or ticks if unsolvable."""
+    """A wait for a condition: checked at solved times, events, or ticks if unsolvable.
 
-    __slots__ = ("_dependencies", "_looked", "_notes", "_solved", "_test")
+    `solved` is the time that `due` returned last.
+    """
+
+    __slots__ = ("_dependencies", "_looked", "_notes", "_test", "ignores_data", "solved")
 
     cause = "condition"
     what = ()
     ends = None
 
     def __init__(
-        self, dependencies: Dependencies, test: Callable[[], object], since: float, why: str
+        self,
+        dependencies: Dependencies,
+        test: Callable[[], object],
+        since: float,
+        why: str,
+        ignores_data: bool = False,
     ) -> None:
+        self.ignores_data = ignores_data
         self._dependencies, self._test, self.since, self.why = dependencies, test, since, why
         self._notes: list[Note] = []
         # When the dependencies were recorded, after how many events, and the time for which they were last
         # solved.
-        self._looked, self._solved = (-1.0, -1), -1.0
+        self._looked, self.solved = (-1.0, -1), -1.0
 
     def ready(self) -> bool:
         """Return if the condition is true now, or immediately after."""
         clock = self._dependencies.clock
         now = clock.now
         self._looked = now, clock.fired
-        looks = _AFTER if now == self._solved else _AFTER[:1]
+        looks = _AFTER if now == self.solved else _AFTER[:1]
         try:
             return any(self._evaluate(now + after * max(1.0, now)) for after in looks)
         finally:
@@ -168,11 +177,11 @@ class Condition(Wait):
         if self._looked != (now, clock.fired):
             self.ready()  # other tasks have run since
         # After the time that was just checked.
-        begin = now + 1e-7 * max(1.0, now) if now == self._solved else now
+        begin = now + 1e-7 * max(1.0, now) if now == self.solved else now
         moments = [self._dependencies.until(begin, [each]) for each in set(self._notes)]
         moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
-        self._solved = moment if moment > now else now + TICK
-        return self._solved
+        self.solved = moment if moment > now else now + TICK
+        return self.solved
 
     def _evaluate(self, moment: float) -> bool:
         """Evaluate the condition at a time, and store its dependencies."""

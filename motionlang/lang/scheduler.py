@@ -51,7 +51,7 @@ from motionlang.lang.task import INFINITY, ROUNDING
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Protocol
+    from typing import Any, Protocol
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
@@ -96,6 +96,8 @@ class Scheduler:
 
     # When another task continues, if that is known without checking each; in the past if not.
     next_turn = -INFINITY
+    # What runs the ticks of a timer while all tasks wait, if there is anything.
+    ticks: Any = None
 
     def __init__(
         self,
@@ -445,8 +447,11 @@ class Scheduler:
 
     def _jump(self, until: float) -> None:
         """Jump to the next time at which something can change, since all tasks wait."""
+        self._jump_to(self.next_change(), until)
+
+    def _jump_to(self, due: float, until: float) -> None:
+        """Jump to the time at which something can change, but not beyond `until`."""
         clock = self.clock
-        due = self.next_change()
         time = due if due < until else until
         if due == INFINITY and (self.outside is None or not self.outside.may_act()):
             waiting = (self.interrupts or self.tasks)[-1 if self.interrupts else 0]

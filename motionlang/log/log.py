@@ -151,7 +151,7 @@ class Log:
 
     def forget(self, kept: int, axes: Iterable[Axis]) -> None:
         """Drop all but about `kept` records of each kind, and ten times as many profiles."""
-        for stream in self._streams():
+        for stream in self.streams():
             stream.forget(kept)
         for a in axes:
             if len(a.starts) > 20 * kept:
@@ -161,14 +161,15 @@ class Log:
 
     def finish_updates(self, axes: Iterable[Axis]) -> None:
         """Complete partial packing after an interrupt."""
-        for stream in self._streams():
+        for stream in self.streams():
             stream.finish_updates()
         for a in axes:
             if a.older is not None:
                 a.older.complete(a)
                 a.older = a.older if a.older.count else None
 
-    def _streams(self) -> tuple[Stream[Any], ...]:
+    def streams(self) -> tuple[Stream[Any], ...]:
+        """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
                 self.analogue_outputs, self.settings, self.waits, self.loops, self.turns, self.prints, self.events,
                 *self.others)  # fmt: skip

@@ -15,7 +15,8 @@ file. Reading a packed record brings back its whole chunk.
 Data. `Store` has the bytes of all streams of a log. `Chunks` has the chunks of one stream: the number of the
 first record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written
 as a plain tuple and read as the named tuple of its kind (`records.py`). A subclass whose records are objects,
-such as moves, defines in `_rows` and `_records` how they become tuples and objects again.
+such as moves, defines in `_rows` and `_records` how they become tuples and objects again. A chunk may also be a
+template of records that repeat (`repeated.py`).
 
 Invariants.
 - Records are only appended, and packed ones never change. A record keeps its number when it is packed, and
@@ -41,8 +42,10 @@ from motionlang.controller.faults import Rejected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
     from typing import IO, Any, Generic, TypeVar, overload
+
+    from motionlang.log.repeated import Pace, Shape
 
     T = TypeVar("T")
     # The location of a packed chunk: its bytes, or offset and length in the file.
@@ -153,7 +156,7 @@ class Chunks:
         self._places: list[ChunkLocation] = []
         self.count = 0
         self._total = 0  # packed records plus those of a tail, while a chunk replaces some
-        self._cached: tuple[int, list[Any]] = (-1, [])
+        self._cached: tuple[int, Sequence[Any]] = (-1, [])
 
     def __len__(self) -> int:
         return len(self._places)
@@ -187,11 +190,24 @@ class Chunks:
                 del tail[: self.count + len(tail) - self._total]
             self._total = 0
 
-    def part(self, number: int) -> list[Any]:
+    def repeat(self, template: tuple[Shape, Pace], count: int) -> None:
+        """Store a chunk of `count` records that are made from a template when they are read."""
+        self._places.append(self._store.put(dumps(template)))
+        self.firsts.append(self.count)
+        self.count += count
+
+    def part(self, number: int) -> Sequence[Any]:
         """Return the records of a chunk."""
         first = self.firsts[number]
         if self._cached[0] != first:
-            self._cached = first, self._read(loads(self._store.get(self._places[number])), first)
+            rows: Any = loads(self._store.get(self._places[number]))
+            if rows.__class__ is tuple:
+                from motionlang.log.repeated import RepeatedRecords
+
+                rows = RepeatedRecords(rows, lambda made: self._read(made, first))
+            else:
+                rows = self._read(rows, first)
+            self._cached = first, rows
         return self._cached[1]
 
     def reread(self) -> None:
@@ -251,6 +267,14 @@ class Stream(_Of[T]):
         """Pack some records if there are many, for callers of `append`."""
         if len(self.tail) >= MAX_TAIL:
             self.pack(len(self.tail) - LEFT)
+
+    def repeat(self, shape: Shape, pace: Pace) -> None:
+        """Append the records of actions that repeat, as one chunk (`repeated.py`)."""
+        from motionlang.log.repeated import length
+
+        if length(shape):
+            self.pack(len(self.tail))
+            self._parts.repeat((shape, pace), length(shape))
 
     @property
     def first(self) -> int:

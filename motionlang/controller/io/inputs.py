@@ -39,6 +39,11 @@ class Channels:
         self._tell(channel)
 
     @property
+    def values(self) -> tuple[tuple[int, float], ...]:
+        """The channels that were ever set, with their values."""
+        return tuple(self._values.items())
+
+    @property
     def touched(self) -> list[int]:
         """The channels that ever had a value other than that at power-up, in order."""
         return sorted(self._values)

@@ -14,7 +14,7 @@ from marshal import dumps
 from motionlang.errors import ProgramError, Spellings
 from motionlang.lang.collector import CollectorOff
 from motionlang.lang.nesting import StackSpace
-from motionlang.mint.compile import jumps
+from motionlang.mint.compile import handler_counters, jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
 from motionlang.mint.compile.body import Body, SharedData
 from motionlang.mint.compile.overrides import override
@@ -143,6 +143,7 @@ def _function(whole: SharedData, function: Function) -> Body:
     block(b, function.body)
     b.flush()
     hear_of_errors(b)
+    handler_counters.describe(b)
     is_called = function.plain or b.waits
     if function.result is not None or not is_called:
         leave(b)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.traversal import meant
+from motionlang.mint.syntax.traversal import meant, walk
 from motionlang.mint.syntax.unparse import shown
 
 TYPE_CHECKING = False
@@ -27,11 +27,24 @@ def pause(b: Body, node: nodes.Pause) -> None:
     else:
         why = f"until {shown(node.condition)}"
         axes = _at_rest(node.condition)
-        arguments = f"t, lambda: {test}, {why!r}, {b.at}" + (f", {(*axes,)}" if axes else "")
+        ignores_data = bool(axes) or _ignores_data(node.condition)
+        arguments = f"t, lambda: {test}, {why!r}, {b.at}"
+        if ignores_data:
+            arguments += f", {(*axes,)}" + ("" if axes else ", True")
         pause = f"{b.whole.use('env', 'pause')}({arguments})"
         b.emit(f"if not ({test}): t, H = {pause} or (yield E.wait)")
     b.noted = True
     b.pending += 1
+
+
+def _ignores_data(node: nodes.Expr) -> bool:
+    """True if a condition reads the world alone, and no variable, setting or memory of the program."""
+    names = [each for each in walk([node]) if isinstance(each, nodes.Name)]
+    return all(
+        each.row is not None and each.symbol is None and each.definition is None
+        and each.row.kind == "reading" and each.row.access == "R" and each.row.group in ("io", "state")
+        for each in names
+    )  # fmt: skip
 
 
 def _at_rest(node: nodes.Expr) -> list[int]:

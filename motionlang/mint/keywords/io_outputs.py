@@ -25,7 +25,12 @@ def read_bank(environment: Environment, row: Keyword) -> Operation:
 @repeatable
 def write_bank(environment: Environment, row: Keyword) -> Operation:
     outputs = environment.controller.outputs
-    return lambda bank, bits: outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
+
+    def write(bank: int, bits: int) -> None:
+        outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
+        environment.switches += 1
+
+    return write
 
 
 def read_bit(environment: Environment, row: Keyword) -> Operation:
@@ -36,7 +41,12 @@ def read_bit(environment: Environment, row: Keyword) -> Operation:
 @repeatable
 def write_bit(environment: Environment, row: Keyword) -> Operation:
     set_output = environment.controller.set_output
-    return lambda channel, value: set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
+
+    def write(channel: int, value: float) -> None:
+        set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
+        environment.switches += 1
+
+    return write
 
 
 def write_active_level(environment: Environment, bank: int, bits: int) -> None:

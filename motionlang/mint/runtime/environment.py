@@ -92,6 +92,11 @@ class Environment(Waits):
         self.timer = [self.clock.now]
         # Counts the actions of the program. A polling loop performs none.
         self.acts = 0
+        # Counts the actions among them that did no more than write outputs.
+        self.switches = 0
+        # The counters of handlers by their events: variables that decide nothing except by comparison with the
+        # constants given.
+        self.handler_counters: dict[str, dict[str, tuple[float, ...]]] = {}
         # Counts writes to host memory that are no actions.
         self.copies = 0
         # Counts calls of subs that may wait, made with part of an expression evaluated.
@@ -195,6 +200,9 @@ class Environment(Waits):
             from motionlang.mint.runtime.loop_skipping import Site
 
             return Site(self, *details[:5])  # type: ignore[arg-type]
+        if how == "counters":
+            handler, names, levels = details
+            return self.handler_counters.setdefault(str(handler), dict(zip(names, levels, strict=True)))  # type: ignore[call-overload]
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "wait":

@@ -38,7 +38,9 @@ class Events:
         self.disabled = 0
         self.timer = 0
         self.listening: set[str] = set()  # kinds that the machine already reports
-        self._timer_event: ClockEvent | None = None
+        # The event of the next tick of the timer, which is number `ticks` since `started`.
+        self.tick_event: ClockEvent | None = None
+        self.started, self.ticks = 0.0, 0
         self._raised_here: set[tuple[int, int]] = set()
         self._rounds = 0
         self._handlers: dict[tuple[str, int], Make] = {}
@@ -50,6 +52,10 @@ class Events:
     def handles(self, kind: str, number: int = 0) -> bool:
         """True if the program has a handler for an event."""
         return (kind, number) in self._handlers or (kind, -1) in self._handlers
+
+    def handler(self, kind: str, number: int = 0) -> Make:
+        """Return the handler of an event that the program handles."""
+        return self._handlers.get((kind, number)) or self._handlers[kind, -1]
 
     def forget_handlers(self) -> None:
         """Forget all handlers, and the events that are active or pending."""
@@ -97,7 +103,7 @@ class Events:
                 self._rounds += 1
             if rank == 0:
                 self.environment.errors.call()
-            make = self._handlers.get((KINDS[rank], number)) or self._handlers[KINDS[rank], -1]
+            make = self.handler(KINDS[rank], number)
             scheduler = self.environment.machine.scheduler
             assert scheduler is not None
             scheduler.interrupt(EventTask(KINDS[rank], make, self.environment))
@@ -126,23 +132,31 @@ class Events:
     def set_timer(self, milliseconds: int) -> None:
         """Set the period of the timer event; 0 switches it off."""
         self.timer = milliseconds
-        if self._timer_event is not None:
-            self._timer_event.cancel()
-            self._timer_event = None
+        if self.tick_event is not None:
+            self.tick_event.cancel()
+            self.tick_event = None
         if milliseconds > 0:
-            at_once = self.environment.machine.readings.get("mint.timerevent") == "at once"
-            self._next_tick(self.environment.clock.now, 0 if at_once else 1)
+            clock, machine = self.environment.clock, self.environment.machine
+            self.started = clock.now
+            self.ticks = 0 if machine.readings.get("mint.timerevent") == "at once" else 1
+            self.tick_event = clock.at(self.tick_time(self.ticks), self._tick)
+            if machine.accelerators.ticks is not None and machine.scheduler is not None:
+                machine.scheduler.ticks = machine.accelerators.ticks(self)
 
-    def _next_tick(self, start: float, count: int) -> None:
-        """Schedule tick n at n periods after the start, so rounding does not accumulate."""
-        period = self.timer / 1000.0
+    def tick_time(self, number: int) -> float:
+        """Return the time of a tick; multiplied, so that rounding does not accumulate."""
+        return self.started + number * (self.timer / 1000.0)
 
-        def tick() -> None:
-            if self.environment.machine.readings.get("mint.timerevent") != "once":
-                self._next_tick(start, count + 1)
-            self.raise_("timer")
+    def schedule_tick(self, number: int) -> None:
+        """Schedule tick `number`, after the one that has just run."""
+        assert self.tick_event is not None
+        self.ticks = number
+        self.environment.clock.again(self.tick_event, self.tick_time(number))
 
-        self._timer_event = self.environment.clock.at(start + count * period, tick)
+    def _tick(self) -> None:
+        if self.environment.machine.readings.get("mint.timerevent") != "once":
+            self.schedule_tick(self.ticks + 1)
+        self.raise_("timer")
 
 
 def _never_ends(entry: tuple[int, int]) -> Rejected:

@@ -94,14 +94,14 @@ class Operations:
         dependencies, clock = environment.dependencies, environment.clock
 
         def write(*arguments: object) -> None:
-            acts = environment.acts
+            acts, switches = environment.acts, environment.switches
             if dependencies.notes is None:  # this iteration is unchecked
                 act(*arguments)
                 return
             before, made = held(*arguments), clock.made
             act(*arguments)
             if clock.made == made and held(*arguments) == before:
-                environment.acts = acts - 1
+                environment.acts, environment.switches = acts - 1, switches
 
         return self.timed(write)
 

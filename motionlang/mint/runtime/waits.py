@@ -110,9 +110,18 @@ class Waits:
         cost, waited = statements.cost, self._waited
 
         def pause(
-            t: float, ready: Callable[[], object], why: str, at: int, axes: tuple[int, ...] = ()
+            t: float,
+            ready: Callable[[], object],
+            why: str,
+            at: int,
+            axes: tuple[int, ...] = (),
+            ignores_data: bool = False,
         ) -> tuple[float, float] | None:
-            """Wait for a condition; `axes` are given if it only tests that these are at rest."""
+            """Wait for a condition.
+
+            `axes` are given if it only tests that these are at rest. `ignores_data`: no data of the program
+            can end it.
+            """
             environment.acts += 1
             task, scheduler = environment.task, machine.scheduler
             statements.count = t
@@ -133,7 +142,7 @@ class Waits:
                     return None
                 if scheduler.comes_to_rest(since, end):
                     return environment._gone_on(since, "condition", why, at, callers)
-            environment.wait = wait = environment._condition(ready, since, why)
+            environment.wait = wait = environment._condition(ready, since, why, ignores_data or bool(axes))
             if noted or scheduler is None or not scheduler.passes(wait):
                 return None
             return environment._gone_on(wait.since, wait.cause, why, at, callers)
@@ -145,7 +154,9 @@ class Waits:
         found = self._ends[axes] = self.controller.end_of_moves(axes)
         return found
 
-    def _condition(self, ready: Callable[[], object], since: float, why: str) -> Wait:
+    def _condition(
+        self, ready: Callable[[], object], since: float, why: str, ignores_data: bool
+    ) -> Condition:
         """Return the wait of the running task for a condition."""
         task = self.task
 
@@ -153,7 +164,7 @@ class Waits:
             self.task = task  # the condition may read the TIME of this task
             return ready()
 
-        return Condition(self.dependencies, test, since, why)
+        return Condition(self.dependencies, test, since, why, ignores_data)
 
     def _gone_on(
         self, since: float, cause: str, why: str, at: int, callers: tuple[int, ...]

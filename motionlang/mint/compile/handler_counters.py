@@ -1,0 +1,71 @@
+"""The counters of a handler: variables that it only counts and compares with constants."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from motionlang.mint.compile import operators
+from motionlang.mint.compile.polling import reached
+from motionlang.mint.resolve.symbols import NUMERIC
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body
+    from motionlang.mint.resolve.symbols import Symbol
+
+HANDLERS = ("timer",)
+
+
+def describe(b: Body) -> None:
+    """Pass the counters of a handler, with the constants compared, on to the run.
+
+        ticks = ticks + 1
+        If ticks >= 100 Then ticks = 0
+
+    A counter adds a constant to itself at one place. Elsewhere it is only set to constants.
+    """
+    if b.function.kind != "event" or b.function.name.lower() not in HANDLERS or b.whole.typed:
+        return
+    uses: Counter[Symbol] = Counter()
+    explained: Counter[Symbol] = Counter()
+    steps: Counter[Symbol] = Counter()
+    constants: dict[Symbol, list[float]] = {}
+    for node in reached(b, b.function.body):
+        own = _variable(node)
+        if own is not None:
+            uses[own] += 1
+        if isinstance(node, nodes.Binary) and node.op in operators.COMPARISONS:
+            for side, other in ((node.left, node.right), (node.right, node.left)):
+                own = _variable(side)
+                if own is not None and isinstance(other, nodes.Number):
+                    constants.setdefault(own, []).append(float(other.value))
+                    explained[own] += 1
+        elif isinstance(node, nodes.Assign) and len(node.values) == 1:
+            own, value = _variable(node.target), node.values[0]
+            if own is not None and isinstance(value, nodes.Number):
+                explained[own] += 1
+            elif own is not None and _is_step(own, value):
+                explained[own] += 2
+                steps[own] += 1
+    found = [own for own in steps if steps[own] == 1 and uses[own] == explained[own]]
+    if found:
+        names = tuple(own.python for own in found)
+        levels = tuple(tuple(constants.get(own, ())) for own in found)
+        b.whole.use("counters", b.function.name.lower(), names, levels)
+
+
+def _variable(node: object) -> Symbol | None:
+    """Return the numeric variable that functions share, if a node is its name."""
+    symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
+    if symbol is None or symbol.kind != "variable" or not symbol.shared or symbol.type.name not in NUMERIC:
+        return None
+    return None if symbol.boxed or symbol.by_ref or symbol.is_array else symbol
+
+
+def _is_step(own: Symbol, value: nodes.Expr) -> bool:
+    """True if an expression is a variable plus or minus a whole constant."""
+    if not isinstance(value, nodes.Binary) or value.op not in ("+", "-"):
+        return False
+    is_whole = isinstance(value.right, nodes.Number) and isinstance(value.right.value, int)
+    return is_whole and _variable(value.left) is own

@@ -1,0 +1,113 @@
+"""Ticks of TIMER that do the same are skipped, and the log has all of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.fast.timer_ticks import TimerTicks
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.cases import cases
+
+# A handler runs at this many ticks before a search has found that they repeat.
+FEW = 12
+
+
+@pytest.fixture
+def ticks(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """The times of the ticks whose handlers are executed."""
+    found: list[float] = []
+    tick = TimerTicks._tick
+
+    def counted(self: TimerTicks, scheduler: object, now: float, *given: object) -> bool:
+        found.append(now)
+        return tick(self, scheduler, now, *given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(TimerTicks, "_tick", counted)
+    return found
+
+
+def ran(handler: str, wait: str = "WAIT(10000)", period: int = 1, **machine: object) -> Run:
+    """Run a program that waits while a timer ticks, and prints the variables of its handler."""
+    text = (
+        "Dim n As Integer, m As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+        f"TIMEREVENT = {period}\n{wait}\nPRINT n, ' ', m\nEnd\nEvent TIMER\n{handler}\nEnd Event\n".replace(
+            "'", '"'
+        )
+    )
+    found = run(Source("a.mnt", text), machine=machine, cache=False, fast=True)
+    plain = run(Source("a.mnt", text), machine=machine, cache=False, fast=False)
+    for stream in ("outputs", "events", "prints", "settings"):
+        assert list(getattr(found.machine.log, stream)) == list(getattr(plain.machine.log, stream))
+    return found
+
+
+def printed(found: Run) -> list[int]:
+    (line,) = found.machine.terminal.lines
+    return [int(each) for each in line.split()]
+
+
+def test_a_counter_has_counted_every_tick(ticks: list[float]) -> None:
+    """The three statements before TIMEREVENT take 30 µs, and so the wait of 10 s ends after tick 10 000."""
+    found = ran("n = n + 1")
+    assert printed(found)[0] == 10_000
+    assert len(found.machine.log.events) == 10_000
+    assert len(ticks) < FEW
+
+
+def test_the_log_has_a_handler_at_each_tick(ticks: list[float]) -> None:
+    events = ran("n = n + 1").machine.log.events
+    start = 3 * 1e-5
+    assert [event.time for event in events] == [start + k * 0.001 for k in range(1, 10_001)]
+    assert {event[1:] for event in events} == {events[0][1:], events[5][1:]}
+
+
+def test_a_toggled_output_has_a_record_for_each_change() -> None:
+    """The handler's first statement is at the time of its tick."""
+    outputs = ran("OUTX(3) = Not OUTX(3)", period=10).machine.log.outputs
+    start = 3 * 1e-5
+    assert [(each.channel, each.value) for each in outputs] == [(3, k % 2) for k in range(1, 1001)]
+    assert [each.time for each in outputs] == [start + k * (10 / 1000.0) for k in range(1, 1001)]
+
+
+def test_a_pulse_within_a_tick_keeps_its_width() -> None:
+    """OUTX takes 10 µs, so the output is on for one statement."""
+    outputs = ran("OUTX(3) = 1\nOUTX(3) = 0", period=10).machine.log.outputs
+    assert len(outputs) == 2000
+    widths = [off.time - on.time for on, off in zip(outputs[::2], outputs[1::2], strict=True)]
+    assert widths == pytest.approx([1e-5] * 1000)
+
+
+@cases(
+    "handler, n, m",
+    (
+        ("n = n + 1\nIf n >= 100 Then n = 0 : m = m + 1", 0, 100),
+        ("n = n + 1\nIf n = 7777 Then m = 5", 10_000, 5),
+        ("n = n + 1\nIf n > 2500 And n <= 5000 Then m = m + 1", 10_000, 2500),
+        ("n = n - 3", -30_000, 0),
+        ("n = 1 - n", 0, 0),
+        ("m = n\nn = n + 1", 10_000, 9999),
+        ("If INX(2) Then n = n + 1", 4000, 0),
+        ("If POS(0) > 0 Then n = n + 1", 0, 0),
+    ),
+)
+def test_a_handler_that_decides_does_so_at_the_right_tick(handler: str, n: int, m: int) -> None:
+    """Input 2 is on from 3.0005 to 7.0005 s: at ticks 3001 to 7000."""
+    found = ran(handler, input=[{"channel": 2, "at": 3.0005, "for": 4.0}])
+    assert printed(found)[:2] == [n, m]
+
+
+def test_a_handler_that_watches_a_move_sees_the_level_pass(ticks: list[float]) -> None:
+    """From 0.1 s and 5 uu on the axis moves 0.1 uu a tick; it passes 50 after 0.55 s."""
+    found = ran("If n = 0 And POS(0) > 50 Then n = TIME", "MOVEA(0) = 90 : GO(0)\nPAUSE IDLE(0)")
+    assert printed(found)[0] == pytest.approx(551, abs=1)
+    assert len(ticks) < 100
+
+
+def test_a_wait_for_a_counter_ends_at_its_tick() -> None:
+    assert printed(ran("n = n + 1", "PAUSE n = 500"))[0] == 500
+
+
+def test_a_handler_that_stops_its_timer_is_the_last_one() -> None:
+    assert printed(ran("n = n + 1\nIf n = 1234 Then TIMEREVENT = 0"))[0] == 1234

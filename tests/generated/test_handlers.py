@@ -1,0 +1,38 @@
+"""Programs with TIMER handlers are equal with accelerators and without: a sample."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.fast.timer_ticks import _Search
+from tests.generated.handlers import document, is_equal, program
+
+# Seeds of the normal run, and of a long one in batches.
+SLICE, BATCHES, BATCH = 300, 30, 100
+
+
+@pytest.mark.slow
+def test_a_slice_of_programs_is_the_same_without_accelerators() -> None:
+    assert [seed for seed in range(SLICE) if not is_equal(seed)] == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_programs_are_the_same_without_accelerators(batch: int) -> None:
+    first = 1000 + batch * BATCH
+    assert [seed for seed in range(first, first + BATCH) if not is_equal(seed)] == []
+
+
+def test_a_third_of_the_programs_have_ticks_that_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without these the comparison would prove nothing."""
+    found: set[int] = set()
+    skip = _Search.skip
+
+    def counted(self: _Search, period: int, count: int, rows: object) -> None:
+        found.add(seed)
+        skip(self, period, count, rows)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(_Search, "skip", counted)
+    for seed in range(30):
+        document(*program(seed), fast=True)
+    assert len(found) >= 10
