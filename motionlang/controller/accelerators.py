@@ -24,12 +24,13 @@ class Accelerators:
     * `scheduler(…)`: the scheduler of a run, called like `Scheduler`
     * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
     * `counted(counters, steps, levels)`: how many iterations of a loop with counters may be skipped
+    * `registers(task)`: what knows the registers that the loops of an MCCL task count
     * `rounds(board)`: what skips rounds of several MCCL tasks, by its method `jumped(task)`
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
     * `ticks(events)`: what runs the ticks of a Mint program's timer while all tasks wait, by its method `run`
     """
 
-    __slots__ = ("axes", "counted", "ranges", "rounds", "scheduler", "servo", "ticks")
+    __slots__ = ("axes", "counted", "ranges", "registers", "rounds", "scheduler", "servo", "ticks")
 
     def __init__(
         self,
@@ -37,12 +38,14 @@ class Accelerators:
         axes: Callable[[Sequence[int]], Sequence[Axis]] | None = None,
         counted: Callable[[Sequence[float], Sequence[float], Sequence[Sequence[float]]], float] | None = None,
         ranges: Callable[[Any], tuple[set[Any], dict[int, Any]]] | None = None,
+        registers: Callable[[Any], Any] | None = None,
         rounds: Callable[[Any], Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
         ticks: Callable[[Any], Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
+        self.registers = registers
         self.rounds, self.scheduler, self.servo, self.ticks = rounds, scheduler, servo, ticks
 
 

@@ -20,6 +20,7 @@ def everything() -> Accelerators:
         axes=_axes,
         counted=_counted,
         ranges=_ranges,
+        registers=_registers,
         rounds=_rounds,
         scheduler=TimeSlices,
         servo=_servo,
@@ -43,6 +44,12 @@ def _ranges(function: Any) -> Any:
     from motionlang.fast.ranges import ranges
 
     return ranges(function)
+
+
+def _registers(task: Any) -> Any:
+    from motionlang.fast.command_counters import CountedRegisters
+
+    return CountedRegisters(task)
 
 
 def _rounds(board: Any) -> Any:

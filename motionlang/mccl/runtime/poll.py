@@ -18,27 +18,30 @@ from motionlang.mccl.axis.variables import crossing_time, read_until
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from motionlang.lang.dependencies import Note
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
 # Commands that compare the whole accumulator with a number, and commands without effect on it.
-_COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
-_JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
+COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
+JUMPS = frozenset(("jump", "jump_by", "repeat"))
 # Commands that read a channel, and commands that read nothing from the world.
-_CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
+CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
 # Commands that leave the accumulator alone, those that set it, and those that govern the next ones.
-_NEUTRAL = _JUMPS | _CHANNELS | {"channel_on", "channel_off"}
-_SETS = frozenset(
+NEUTRAL = JUMPS | CHANNELS | {"nothing", "channel_on", "channel_off"}
+SETS = frozenset(
     ("load", "recall", "look_up", "get_analog", "read_byte", "read_word", "read_long", "read_real")
 )
-_CONDITIONS = _COMPARES | {"if_set", "if_clear", "if_on", "if_off"}
+CONDITIONS = COMPARES | {"if_set", "if_clear", "if_on", "if_off"}
 # Commands that continue somewhere else or later.
-_LEAVES = frozenset(("call_macro", "jump_macro", "leave", "wait"))
+LEAVES = frozenset(("call_macro", "jump_macro", "leave", "wait"))
 _READS_NOTHING = (
-    _COMPARES
-    | _JUMPS
+    COMPARES
+    | JUMPS
     | {
+        "nothing",
         "if_set",
         "if_clear",
         "wait",
@@ -71,6 +74,7 @@ class Poll:
         "_before",
         "_done",
         "_left",
+        "_registers",
         "_rewrites",
         "_task",
         "_waits",
@@ -100,6 +104,9 @@ class Poll:
         self._done: tuple[int, int, tuple[Command, ...]] = 0, 0, ()
         # True if an output was switched to its present level in the last iteration, and the count of that.
         self._writes, self._rewrites = False, 0
+        # The registers that its loops count, if there is an accelerator for them.
+        make = task.board.machine.accelerators.registers
+        self._registers = None if make is None else make(task)
         # Back-off: iterations that still run unchecked, and those after the next failed check.
         self._alone = self._left = 0
 
@@ -120,6 +127,14 @@ class Poll:
         place = task.line, task.pc, board.effects, len(task.calls)
         waits, self._waits = self._waits, []
         goes_on = ran == board.turns and after(base, waits, task.cost) == task.base
+        counters: Any = ()
+        if self._registers is not None:
+            same = before[:2] == place[:2] and before[3:] == place[3:] and not waits
+            counters = self._registers.advanced(board.effects - before[2] if same else -1)  # type: ignore[operator]
+            if counters:
+                before = place
+                if self._registers.leaves_accumulator(counters):
+                    accumulator = held
         repeats = goes_on and before == place and (task.count == count if waits else task.count > count)
         self._writes, self._rewrites = board.rewrites != self._rewrites, board.rewrites
         notes, dependencies.notes = dependencies.notes, []
@@ -127,19 +142,22 @@ class Poll:
             self._alone = 0  # after an event, earlier reads are out of date
         elif not goes_on:
             self._alone = 0
-            if before == place and accumulator == held and dependencies.until(now, notes) == INFINITY:
+            alike = before == place and accumulator == held and not counters
+            if alike and dependencies.until(now, notes) == INFINITY:
                 self._give_up()
         else:
             until = now
             if repeats:
                 until = dependencies.until(now, notes) if accumulator == held else now
-                if until == INFINITY:
+                if until == INFINITY and not counters:
                     self._give_up()
                 elif until <= now:
                     began = base + count * task.cost
                     until = dependencies.until(began - CLOSE, self._levels(notes, now))
             if until > now:
-                self._left, wait = 0, self._skip(until, task.count - count, waits)
+                self._left, wait = 0, self._skip(until, task.count - count, waits, counters)
+                if counters:
+                    place, held = (*place[:2], board.effects, *place[3:]), task.registers[0]
             else:
                 self._alone, self._left = self._left, min(2 * self._left or 1, MAX_BACK_OFF)
                 dependencies.notes = None if self._alone else []
@@ -172,7 +190,7 @@ class Poll:
                 verb = command.row.verb if command.row is not None else ""
                 if verb == "call_macro" and command.value in macros:
                     bodies.append(macros.pop(command.value).commands)  # type: ignore[arg-type]
-                elif verb in _CHANNELS:
+                elif verb in CHANNELS:
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None
                 elif command.pure and verb not in _READS_NOTHING:
                     found[command.text] = None
@@ -192,16 +210,19 @@ class Poll:
         commands = task.line.commands[task.pc : max(task.here, task.pc) + 1]
         self._done = task.board.effects, self.dependencies.clock.fired, tuple(commands)
 
-    def _skip(self, until: float, length: int, waits: list[tuple[int, float]]) -> Wait | None:
-        """Skip equal iterations, of `length` commands or with `waits`, until a time."""
+    def _skip(self, until: float, length: int, waits: list[tuple[int, float]], counters: Any) -> Wait | None:
+        """Skip equal iterations, of `length` commands or with `waits`, until a time.
+
+        They are equal but for `counters`, which advance.
+        """
         task, clock = self._task, self.dependencies.clock
         board, now, turns = task.board, clock.now, task.board.turns
         scheduler = board.machine.scheduler
         assert scheduler is not None
         until = min(until, clock.next_time(), board.next_wake(task))
-        if until == INFINITY and (self._writes or waits):
+        if until == INFINITY and (self._writes or waits or counters):
             until = scheduler.until
-            if until == INFINITY or (waits and len(board.tasks) > 1):
+            if until == INFINITY or ((waits or counters) and len(board.tasks) > 1):
                 return None  # the run may end before, if all tasks are hopeless
         if until == INFINITY:
             why = "in a loop that polls only values that never change"
@@ -210,7 +231,12 @@ class Poll:
         if waits:
             self._skip_waits(until, waits)
             return None
-        task.count += length * max(0, int((until - now) / (length * task.cost)) - 1)
+        iterations = max(0, int((until - now) / (length * task.cost)) - 1)
+        if counters:
+            assert self._registers is not None
+            iterations = int(min(iterations, self._registers.most(counters)))
+            self._registers.count(counters, iterations)
+        task.count += length * iterations
         return None
 
     def _skip_waits(self, until: float, waits: list[tuple[int, float]]) -> None:
@@ -241,12 +267,12 @@ class Poll:
         governs: int = task.board.readings.get("mccl.skipped", 2)  # type: ignore[assignment]
         # Commands that set the accumulator in every iteration, unless a jump skips some of them.
         certain = [
-            verb in _SETS and not _CONDITIONS.intersection(verbs[max(0, k - governs) : k])
+            verb in SETS and not CONDITIONS.intersection(verbs[max(0, k - governs) : k])
             for k, verb in enumerate(verbs)
         ]
         straight = not {"jump", "jump_by"}.intersection(verbs[:-1])
-        first = next((k for k, verb in enumerate(verbs) if verb not in _NEUTRAL), len(verbs))
-        pure = all(each.pure for each in commands) and not _LEAVES.intersection(verbs[:-1])
+        first = next((k for k, verb in enumerate(verbs) if verb not in NEUTRAL), len(verbs))
+        pure = all(each.pure for each in commands) and not LEAVES.intersection(verbs[:-1])
         if not pure or first == len(verbs) or not certain[first]:
             return [(self.dependencies.at_once, ())]
         found: list[Note] = []
@@ -258,11 +284,11 @@ class Poll:
             for k in range(here - task.pc + 1, len(verbs)):
                 if certain[k] and straight:
                     break
-                if verbs[k] in _COMPARES:
+                if verbs[k] in COMPARES:
                     level = task.value(commands[k])
                     # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
                     found += [(crossing_time, (task.board, axis, address, level + j)) for j in (-1, 0, 1)]
-                elif verbs[k] not in _NEUTRAL:
+                elif verbs[k] not in NEUTRAL:
                     return [(self.dependencies.at_once, ())]
         return found
 

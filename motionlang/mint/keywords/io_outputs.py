@@ -24,6 +24,7 @@ def read_bank(environment: Environment, row: Keyword) -> Operation:
 
 @repeatable
 def write_bank(environment: Environment, row: Keyword) -> Operation:
+    """OUT: make the operation that writes a bank of outputs."""
     outputs = environment.controller.outputs
 
     def write(bank: int, bits: int) -> None:
@@ -40,6 +41,7 @@ def read_bit(environment: Environment, row: Keyword) -> Operation:
 
 @repeatable
 def write_bit(environment: Environment, row: Keyword) -> Operation:
+    """OUTX: make the operation that writes an output."""
     set_output = environment.controller.set_output
 
     def write(channel: int, value: float) -> None:

@@ -1,0 +1,92 @@
+"""Polling MCCL loops that count registers are skipped with an equal result."""
+
+from __future__ import annotations
+
+from random import Random
+from typing import Any
+
+import pytest
+
+from motionlang import execution
+from motionlang.mccl.runtime.poll import Poll
+from motionlang.source import Source
+from tests.cases import cases
+
+MOVES = "1MN,1SV1000,1SA20000,1DS20000"
+HEAD = 'LU"STATUS",AR21,LU"POSITION",AR22\n'
+MACHINE: dict[str, object] = {
+    "input": [{"channel": 5, "at": 0.0203, "for": 0.0113, "every": 0.0417}, {"channel": 6, "at": 0.1}],
+}
+# Parts of a loop; `@` is a number.
+PARTS = (
+    "RA5@,AA1,AR5@", "RA5@,AS3,AR5@", "RA50,AA2,AR50", "IN@,CN4@,NO", "IF@,CF4@,NO", "NO", "AL@", "IB700,CN4@,NO",
+    "IG900,CF4@,NO", "IE1000,TR50,NO", "1RL@21,IC3,CN4@,NO", "1RL@22,IG200,CF4@,NO", "RA52,IE@,CN47,NO", "AL@,AR52",
+    "IN@,RA5@,AA1,AR5@", "RA5@,AA0.5,AR5@", "RA51,AA@50,AR51", "WA0.001", "RA7,AA1,AR7", "IU40,AL1,NO", "MC9",
+)  # fmt: skip
+
+
+def outcome(text: str, fast: bool, until: float = 0.6) -> dict[str, Any]:
+    """Return everything that a run shows."""
+    result = execution.run(Source("a.mcl", text), machine=MACHINE, cache=False, fast=fast, until=until)
+    report: Any = result.report
+    switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
+    kept = ("status", "time", "output", "moves", "axes", "notes", "events", "diagnostics")
+    return {key: report[key] for key in kept} | {"outputs": switched}
+
+
+@cases(
+    "loop, counted",
+    (
+        ("RA40,AA1,AR40,1RL@21,IC3,JR-5,NO", 1),
+        ("1RL@21,RA40,AA3,AR40,1RL@21,IC3,JR-6,NO", 3),
+        ("RA40,AA1,AR40,IG100,CN41,NO,1RL@21,IC3,JR-8,NO", 1),
+        ("RA40,AS2,AR40,RA43,AA1,AR43,1RL@21,IC3,JR-8,NO", -2),
+    ),
+)
+def test_a_counting_loop_is_skipped(loop: str, counted: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A move of 1000 takes 1.05 s, so several thousand iterations of some ten commands pass."""
+    text = f"{HEAD}MD6,{loop}\n{MOVES}\n1MR1000,MC6,TR40,TR43\n"
+    assert outcome(text, True, 5.0) == outcome(text, False, 5.0)
+    calls = 0
+    again = Poll.again
+
+    def called(self: Poll) -> object:
+        nonlocal calls
+        calls += 1
+        return again(self)
+
+    monkeypatch.setattr(Poll, "again", called)
+    found = outcome(text, True, 5.0)
+    assert calls < 300
+    assert int(found["output"][0].split()[-1]) / counted > 1000
+
+
+def program(seed: int) -> str:
+    """Return a program with a loop of some parts, in the background or not."""
+    random = Random(seed)
+    parts = [random.choice(PARTS[:3]), *(random.choice(PARTS) for _ in range(random.randint(0, 3)))]
+    random.shuffle(parts)
+    loop = ",".join(
+        part.replace("@", str(random.randint(0, 6))) if "RL@" not in part else part for part in parts
+    )
+    loop = loop.replace("1RL@21,IC3,CN4@", "1RL@21,IC3,CN44").replace(
+        "1RL@22,IG200,CF4@", "1RL@22,IG200,CF44"
+    )
+    macros = f"{HEAD}MD9,RA53,AA1,AR53\nAL0,AR50,AR51,AR52,AR53,AR54,AR55,AR56\n"
+    if random.random() < 0.5:
+        other = "MD7,IN5,CN46,NO,RP\nGT7\n" if random.random() < 0.3 else ""
+        return f"{macros}MD6,{loop},RP\nGT6\n{other}{MOVES}\n1MR200,1WS,TR50,TR51,1MR-50,1WS,TR51,TR52,WA0.05,TR50"
+    count = loop.count(",") + 1
+    return (
+        f"{macros}MD6,{loop},1RL@21,IC3,JR-{count + 2},NO\n{MOVES}\n1MR200,MC6,TR50,TR51,1MR-90,MC6,TR50,TR52"
+    )
+
+
+def is_equal(seed: int) -> bool:
+    """True if a program runs equally with accelerators and without."""
+    return outcome(program(seed), True) == outcome(program(seed), False)
+
+
+@pytest.mark.slow
+def test_generated_loops_are_equal() -> None:
+    assert [seed for seed in range(300) if not is_equal(seed)] == []
