@@ -297,7 +297,7 @@ class Core(Readings):
         done = move.until(now)
         self.log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
         if not ended and len(done.knots) > MAX_PIECES:
-            self.log.moves.split(move, done, now)
+            self.log.moves.split(move, done, now, len(done.knots))
             move.profile = profile
             return
         # If a new zero was set in between, the two differ by it, and by its rounding.

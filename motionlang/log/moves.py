@@ -97,8 +97,8 @@ class Moves(Stream[Move]):
         self._live()
         return [move_of(each) if each.__class__ is tuple else each for each in rows]
 
-    def split(self, move: Move, done: Profile, now: float) -> None:
-        """Continue a move as another entry; the old one keeps the motion up to now."""
+    def split(self, move: Move, done: Profile, now: float, size: int) -> None:
+        """Continue a move as another entry; the old one keeps the motion up to now, of `size` pieces."""
         sealed, place = record.move_rows.sealed(move, done), self._place(move)
         if place >= 0:
             self.tail[place] = sealed
@@ -107,7 +107,7 @@ class Moves(Stream[Move]):
             self._parts.reread()
         move.start_time, move.offset = now, 0.0
         self.add(move)
-        self._waiting += len(done.knots)
+        self._waiting += size
         if self._waiting >= MAX_WAITING:
             self.pack(len(self) - self.packed)
             self._waiting = 0

@@ -5,6 +5,7 @@ Each piece is cut at its extrema, then solved.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from math import inf
 
 from motionlang.planners.pieces import (
@@ -69,17 +70,31 @@ def _first(
 ) -> float | None:
     knots, pieces, _ = profile.curve
     value = how[0]
-    for i, piece in enumerate(pieces):
-        begin, finish = knots[i], knots[i + 1]
-        if finish < after:
-            continue
+    for i in range(max(bisect_left(knots, after) - 1, 0), len(pieces)):
+        piece, begin, finish = pieces[i], knots[i], knots[i + 1]
         following = value(pieces[i + 1], 0.0) if i + 1 < len(pieces) else last
+        if value is position_in and _stays_on_one_side(piece, wanted, finish - begin, following):
+            continue
         ending = _joined(value(piece, 0.0), value(piece, finish - begin), following)
         low = max(after - begin, 0.0)
         x = _first_in(piece, wanted, (low, finish - begin), how, ending)
         if x is not None:
             return min(begin + x, finish)
     return None
+
+
+def _stays_on_one_side(piece: Piece, wanted: float, duration: float, following: float) -> bool:
+    """True if a piece and what follows it are certainly on one side of a position.
+
+    It decides most pieces of a long table at a fraction of the cost of a search.
+    """
+    c0, c1, c2, c3, amplitude, _, _ = piece
+    if amplitude or duration == inf:
+        return False
+    gap = wanted - c0
+    farthest = (((abs(c3) * duration + abs(c2)) * duration) + abs(c1)) * duration
+    # The margin covers the rounding of both this sum and the position.
+    return abs(gap) > farthest + 1e-9 * (abs(gap) + abs(wanted)) and gap * (wanted - following) > 0.0
 
 
 def _joined(beginning: float, ending: float, following: float) -> float:

@@ -117,7 +117,7 @@ def _composed(profile: Reparametrised, times: Array, order: int) -> Array:
     """Apply the chain rule, up to the third derivative."""
     s = evaluate(profile.along, times, 0)
     if order == 0:
-        return _curve(profile.path, s, 0)
+        return _curve(profile.path, s, 0) + profile.lift
     v = evaluate(profile.along, times, 1)
     if order == 1:
         return _curve(profile.path, s, 1) * v

@@ -57,7 +57,7 @@ _FOREVER = float("inf")
 _PARTS = {
     "Extrapolated": ("profile", "lead"),
     "ProfileSequence": ("shape", "parts", "name"),
-    "Reparametrised": ("along", "path", "shape"),
+    "Reparametrised": ("along", "path", "shape", "lift"),
     "Rate": ("profile",),
     "Superposed": ("first", "second", "shape"),
 }

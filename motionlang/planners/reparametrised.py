@@ -1,11 +1,14 @@
-"""A curve travelled over time: position = curve(distance(time)).
+"""A curve travelled over time: position = curve(distance(time)) + lift.
 
 The curve is itself a `Profile` whose "time" is the distance along a path, or the position of a master: a
-line, an arc (one sine), a cam table (cubics). So every closed form for profiles also applies to curves.
+line, an arc (one sine), a cam table (cubics). So every closed form for profiles also applies to curves. All
+cycles of a cam share one curve, each with its own `lift`.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from functools import lru_cache
 from math import inf, nextafter
 
 from motionlang.planners.curve import Phase, Profile, State
@@ -17,6 +20,8 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
 _MAX_CROSSINGS = 10_000
+# Curves and positions whose crossings are cached: a program watches a few positions of a few cams.
+_MAX_CACHED = 32
 
 AT_END = 1e-9
 """Fraction of a curve by which rounding may exceed its end.
@@ -32,16 +37,16 @@ class Reparametrised(Formula):
     it.
     """
 
-    __slots__ = ("along", "path")
+    __slots__ = ("along", "lift", "path")
 
-    def __init__(self, along: Profile, path: Profile, shape: str = "") -> None:
-        self.along, self.path = along, path
+    def __init__(self, along: Profile, path: Profile, shape: str = "", lift: float = 0.0) -> None:
+        self.along, self.path, self.lift = along, path, lift
         start, rising = _on(path, along.start)
         end, falling = _on(path, along.end)
         super().__init__(
             shape or along.shape,
-            start,
-            end,
+            start + lift,
+            end + lift,
             along.duration,
             rising * along.start_velocity,
             falling * along.end_velocity,
@@ -54,7 +59,7 @@ class Reparametrised(Formula):
             f = self.path.at(s.position)
             v, a = s.velocity, s.acceleration
             return State(
-                f.position,
+                f.position + self.lift,
                 f.velocity * v,
                 f.acceleration * v * v + f.velocity * a,
                 (f.jerk * v * v + 3.0 * f.acceleration * a) * v + f.velocity * s.jerk,
@@ -62,7 +67,9 @@ class Reparametrised(Formula):
         position, slope = _on(self.path, s.position)
         bend = _bend_at_end(self.path, s.position)
         v, a = s.velocity, s.acceleration
-        return State(position, slope * v, bend * v * v + slope * a, 3.0 * bend * v * a + slope * s.jerk)
+        return State(
+            position + self.lift, slope * v, bend * v * v + slope * a, 3.0 * bend * v * a + slope * s.jerk
+        )
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -130,20 +137,26 @@ class Reparametrised(Formula):
         """Return the smallest and the largest position, including extrema inside."""
         low, high = self.along.extrema()
         inside = (place for place in places(self.path) if low <= place <= high)
-        seen = [_on(self.path, place)[0] for place in (low, high, *inside)]
+        seen = [_on(self.path, place)[0] + self.lift for place in (low, high, *inside)]
         return min(seen), max(seen)
 
     def cut(self, time: float) -> Profile:
         """Return the first `time` seconds, exactly."""
-        return Reparametrised(self.along.cut(time), self.path, self.shape) if time < self.duration else self
+        if time >= self.duration:
+            return self
+        return Reparametrised(self.along.cut(time), self.path, self.shape, self.lift)
 
     def after(self, time: float) -> Profile:
         """Return the rest after `time` seconds, with its clock starting at 0."""
-        return Reparametrised(self.along.after(time), self.path, self.shape) if time > 0.0 else self
+        if time <= 0.0:
+            return self
+        return Reparametrised(self.along.after(time), self.path, self.shape, self.lift)
 
     def scaled(self, start: float, factor: float) -> Profile:
         """Return the same motion from `start`, with every distance times `factor`."""
-        begin = start + (self.path.start - self.start) * factor
+        if factor == 1.0:
+            return Reparametrised(self.along, self.path, self.shape, self.lift + (start - self.start))
+        begin = start + (self.path.start + self.lift - self.start) * factor
         return Reparametrised(self.along, self.path.scaled(begin, factor), self.shape)
 
     def _travelled_part(self, low: float, high: float) -> Profile | None:
@@ -159,8 +172,8 @@ class Reparametrised(Formula):
 
         Its straight continuations are included.
         """
-        path = self.path
-        found = crossings(path, position)
+        path, position = self.path, position - self.lift
+        found = list(_cached_crossings(path, position))
         for end, slope, edge in (
             (path.start, path.start_velocity, 0.0),
             (path.end, path.end_velocity, path.duration),
@@ -171,22 +184,22 @@ class Reparametrised(Formula):
         return found
 
 
-def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
-    """Return `path` travelled with the motion `along`.
+def travelled(along: Profile, path: Profile, shape: str = "", lift: float = 0.0) -> Profile:
+    """Return `path` travelled with the motion `along`, displaced by `lift`.
 
     The result is plain pieces if the travelled section is straight.
     """
-    if len(path.pieces) == 1 and not any(path.pieces[0][2:5]):
-        return _straight(along, path.pieces[0], 0.0, shape)
+    knots, pieces, _ = path.curve
+    if len(pieces) == 1 and not any(pieces[0][2:5]):
+        return _straight(along, pieces[0], 0.0, shape, lift)
     low, high = along.extrema()
-    knots = path.knots
-    for piece, begin, finish in zip(path.pieces, knots, knots[1:], strict=False):
-        first, last = begin == 0.0, finish == path.duration
-        if (first or begin <= low) and (last or high <= finish):
-            if any(piece[2:5]):
-                break
-            return _straight(along, piece, begin, shape)
-    return Reparametrised(along, path, shape)
+    last = len(pieces) - 1
+    i = min(max(bisect_left(knots, low) - 1, 0), last)
+    if high > knots[i + 1] and low == knots[i + 1] and i < last:
+        i += 1
+    if (i == last or high <= knots[i + 1]) and not any(pieces[i][2:5]):
+        return _straight(along, pieces[i], knots[i], shape, lift)
+    return Reparametrised(along, path, shape, lift)
 
 
 def _uniform_speed(along: Profile) -> float | None:
@@ -196,8 +209,8 @@ def _uniform_speed(along: Profile) -> float | None:
     return abs(along.pieces[0][1])
 
 
-def _straight(along: Profile, piece: Piece, begin: float, shape: str) -> Profile:
-    made = along.scaled(piece[0] + piece[1] * (along.start - begin), piece[1])
+def _straight(along: Profile, piece: Piece, begin: float, shape: str, lift: float) -> Profile:
+    made = along.scaled(piece[0] + piece[1] * (along.start - begin) + lift, piece[1])
     made.shape = shape or along.shape
     return made
 
@@ -230,6 +243,11 @@ def crossings(profile: Profile, position: float) -> list[float]:
         if after == inf:
             break
     return found
+
+
+@lru_cache(_MAX_CACHED)
+def _cached_crossings(path: Profile, position: float) -> tuple[float, ...]:
+    return tuple(crossings(path, position))
 
 
 def _bend_at_end(path: Profile, place: float) -> float:

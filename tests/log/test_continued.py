@@ -31,9 +31,9 @@ def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: p
     """
     split = moves.Moves.split
 
-    def read_first(log: moves.Moves, move: Move, done: Profile, now: float) -> None:
+    def read_first(log: moves.Moves, move: Move, done: Profile, now: float, size: int) -> None:
         assert all(each.axis in (0, 1) for each in log)
-        split(log, move, done, now)
+        split(log, move, done, now, size)
 
     monkeypatch.setattr(moves, "MAX_WAITING", 2500)
     monkeypatch.setattr(moves.Moves, "split", read_first)

@@ -13,6 +13,7 @@ from motionlang.planners import Profile, hold, on_line, path_length, plan_trapez
 from motionlang.planners.curve import from_curve
 from motionlang.planners.evaluate import positions
 from motionlang.planners.pvt.motion import plan_pvt
+from motionlang.planners.table_motion import KINDS, table_curve
 from motionlang.planners.verify import verify
 from tests.planners.cases import Move, moves, quick
 
@@ -31,6 +32,18 @@ def test_the_crossing_of_a_position_is_where_it_is_first_reached(move: Move, par
     assert made.position(time) == pytest.approx(wanted, rel=1e-12, abs=1e-12 * size)
     before = [made.position(time * i / 50) - wanted for i in range(50)]
     assert all(x >= -1e-9 * size for x in before) or all(x <= 1e-9 * size for x in before)
+
+
+@quick
+@given(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=30), st.sampled_from(KINDS), parts)
+def test_no_crossing_of_a_table_is_missed(values: list[float], kind: str, part: float) -> None:
+    made = table_curve([float(n) for n in range(len(values))], values, kind)
+    reached = part * made.duration
+    wanted = made.position(reached)
+    time = made.crossing(wanted)
+    assert time is not None
+    assert time <= reached + 1e-9
+    assert made.position(time) == pytest.approx(wanted, rel=1e-9, abs=1e-9)
 
 
 @quick

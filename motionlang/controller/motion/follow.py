@@ -33,7 +33,8 @@ Invariants.
 - A slave that leaves its master completes the profile in force (`leave_master`).
 
 Cost. One profile for each new profile of the master, for each slave along a chain. An entry of the log with
-more than `MAX_FOLLOWED` profiles continues as a further entry.
+more than `MAX_FOLLOWED` profiles continues as a further entry. The cycles of a cam share its curve, so a
+cycle takes as much memory as any other profile; if its table changes, it counts as many.
 """
 
 from __future__ import annotations
@@ -69,11 +70,12 @@ MAX_FOLLOWED = 10_000
 class FollowMove(Move):
     """The log entry of a slave, whose profile is joined from its history on demand."""
 
-    __slots__ = ("parts", "shape")
+    __slots__ = ("parts", "shape", "size")
 
     def __init__(self, axis: int, command: str, line: int, shape: str, target: float = INFINITY) -> None:
         self.parts: list[tuple[float, Profile]] = []
         self.shape = shape
+        self.size = 0  # the number of profiles; a long curve counts as several
         super().__init__(axis, command, line, target)
 
     def add(self, time: float, profile: Profile) -> None:
@@ -81,12 +83,13 @@ class FollowMove(Move):
         if self.parts and self.parts[-1][0] == time:
             self.parts.pop()
         self.parts.append((time, profile.shifted(-self.offset) if self.offset else profile))
+        self.size += 1
 
     def begin_new_entry(self, controller: Core, now: float) -> None:
         """Become a new entry of the log, because this one is long."""
-        if len(self.parts) > MAX_FOLLOWED and self.profile is not None:
-            controller.log.moves.split(self, self.until(now), now)
-            self.parts = []
+        if self.size > MAX_FOLLOWED and self.profile is not None:
+            controller.log.moves.split(self, self.until(now), now, self.size)
+            self.parts, self.size = [], 0
 
     @property
     def profile(self) -> Profile | None:

@@ -95,7 +95,8 @@ class Playback(Action):
         """Return the profile, its playback time, and its playback rate."""
         elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
         if self._is_paced and isinstance(last, Reparametrised):
-            return last.path, last.along.position(elapsed), last.along.velocity(elapsed)
+            path = last.path.shifted(last.lift) if last.lift else last.path
+            return path, last.along.position(elapsed), last.along.velocity(elapsed)
         if not last.pieced:
             raise Rejected("moving", f"axis {a.index} follows a profile that cannot be suspended")
         return last.after(elapsed), 0.0, 1.0

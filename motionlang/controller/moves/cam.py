@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 # Fraction of a cycle by which the master must reverse to leave it, and may fall short of its end.
 _NEAR = 1e-9
 _AT_END = 1e-13
+# Pieces of a curve that take as much memory as a profile of an axis.
+_PIECES = 8
 # A shorter cycle, in counts of the master, would be over before anything could be done.
 _MIN_CYCLE = 1.0
 
@@ -42,17 +44,18 @@ class CurveFollow(Follow):
 
     `direction` is the master's direction of travel. `origin` is the master's position at which the curve
     begins. It moves with the master's zero, and if the master's commanded position is set to its motor:
-    neither is a motion that the slave follows. `ordered` is the source of the curve: master positions, slave
+    neither is a motion that the slave follows. `lift` is added to the positions of the curve, so that the
+    cycles of a cam share one. `ordered` is the source of the curve: master positions, slave
     values there, and how they are joined.
     """
 
-    __slots__ = ("_event", "curve", "datum", "direction", "ordered", "origin")
+    __slots__ = ("_event", "curve", "datum", "direction", "lift", "ordered", "origin")
 
     def __init__(
         self, controller: Core, a: Axis, master: Axis, move: FollowMove, curve: Profile, direction: int
     ) -> None:
         super().__init__(controller, a, master, move)
-        self.curve, self.direction = curve, direction
+        self.curve, self.direction, self.lift = curve, direction, 0.0
         self.ordered: Ordered | None = None
         self.origin, self.datum = master.position(controller.clock.now), _datum(master)
         self._event: Event | None = None
@@ -71,7 +74,7 @@ class CurveFollow(Follow):
         along = self._along(coming)
         if along.shape == "hold":
             return rest(self.move.shape, self._at(along.start), INFINITY)
-        return travelled(along, self.curve, self.move.shape)
+        return travelled(along, self.curve, self.move.shape, self.lift)
 
     def place(self) -> float:
         """Return the master's distance along the curve, counts."""
@@ -104,18 +107,31 @@ class CurveFollow(Follow):
             self._event = None
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
-        self.curve = self.curve.shifted(shift)
+        self.lift += shift
 
     def fold(self, distance: float) -> None:
-        self.curve = self.curve.shifted(distance)
+        self.lift += distance
         if abs(self.move.target) < INFINITY:
-            self.a.target = self.move.target = self.curve.end
+            self.a.target = self.move.target = self.end
+
+    @property
+    def end(self) -> float:
+        """The slave's position at the end of the curve, counts."""
+        return self.curve.end + self.lift
 
     def next_curve(self, curve: Profile, forward: bool) -> None:
-        """Continue on a curve that begins (or, backwards, ends) where this one does."""
-        length = self.curve.duration if forward else -curve.duration
-        self.origin += self.direction * length
-        self.curve = curve
+        """Continue on a curve at the end of this one, or backwards, before its beginning."""
+        if forward:
+            self.lift += self.curve.end - curve.start
+            self.origin += self.direction * self.curve.duration
+        else:
+            self.lift += self.curve.start - curve.end
+            self.origin -= self.direction * curve.duration
+        if curve is not self.curve:  # the history of the slave stores it
+            size = len(curve.pieces) // _PIECES
+            self.move.size += size
+            self.controller.log.room -= size
+            self.curve = curve
 
     def finish(self) -> None:
         """End the curve: the slave stops, at once if it is slow enough."""
@@ -158,8 +174,8 @@ class CurveFollow(Follow):
     def _at(self, place: float) -> float:
         curve = self.curve
         if place < 0.0:
-            return curve.start + curve.start_velocity * place
-        return curve.position(place)
+            return curve.start + curve.start_velocity * place + self.lift
+        return curve.position(place) + self.lift
 
 
 def _datum(master: Axis) -> float:
@@ -186,17 +202,12 @@ class Cam(CurveFollow):
         self.cyclic, self.first = cyclic, first
 
     @property
-    def rise(self) -> float:
-        """The slave's travel in a complete cycle, counts."""
-        return self.curve.end - self.curve.start
-
-    @property
     def goes_back(self) -> bool:  # type: ignore[override]
         return self.cyclic
 
     def over(self, forward: bool) -> bool:
         if self.cyclic:
-            self.next_curve(self.curve.shifted(self.rise if forward else -self.rise), forward)
+            self.next_curve(self.curve, forward)
         return self.cyclic
 
     @property
@@ -255,7 +266,7 @@ class Shear(CurveFollow):
             ratio = 0.0
         self._close()
         tie = following.follow(controller, a, head, ratio)
-        tie.curve = tie.curve.shifted(self.curve.end - tie.curve.start)
+        tie.curve = tie.curve.shifted(self.end - tie.curve.start)
         if following.master is self.master:
             tie.origin = self.origin + self.direction * self.curve.duration
         if self.offset is not None:
@@ -349,15 +360,16 @@ def start_cam(
     used, wanted = places[first:end], values[first:end]
     try:
         along = [place - used[0] for place in used]
-        reached = [here + (value - wanted[0]) * amplitude for value in wanted]
+        reached = [(value - wanted[0]) * amplitude for value in wanted]
         curve = table_curve(along, reached, kind, cyclic)
     except ValueError as problem:
         raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
     if curve.duration < _MIN_CYCLE:
         raise Rejected("range", f"a cam of {curve.duration:g} counts of the master is too short")
-    move = FollowMove(a.index, command, line, "cam", INFINITY if cyclic else curve.end)
+    move = FollowMove(a.index, command, line, "cam", INFINITY if cyclic else here + curve.end)
     controller.end_move(a, "retarget")
     cam = Cam(controller, a, master, move, curve, cyclic, first)
+    cam.lift = here
     cam.ordered = tuple(along), tuple(reached), kind
     cam.engage()
 

@@ -39,23 +39,30 @@ _MIN_CYCLE = 1.0
 
 
 class TableCam(Cam):
-    """A cam that reads its table again in every cycle, so a program may change it."""
+    """A cam that reads its table again in every cycle, so a program may change it.
 
-    __slots__ = ("table",)
+    Its curve begins at 0. It is used again as long as `table` returns the same `points`.
+    """
+
+    __slots__ = ("points", "table")
 
     table: Table
+    points: Points
 
     def over(self, forward: bool) -> bool:
         """Continue with the next cycle, whose table is read now, or with the one before."""
-        if self.cyclic:
-            if forward:
-                start = self.curve.end
-                points = self.table(start)
-                self.next_curve(curve_of(self.a, points, start), True)
-                self.ordered = tuple(points[0]), tuple(points[1]), "linear"
-            else:
-                self.next_curve(self.curve.shifted(-self.rise), False)
+        points = self.table(self.end) if self.cyclic and forward else self.points
+        if points is not self.points:
+            self.next_curve(curve_of(self.a, points), True)
+            self.use(points)
+        elif self.cyclic:
+            self.next_curve(self.curve, forward)
         return self.cyclic
+
+    def use(self, points: Points) -> None:
+        """Store the points of the curve."""
+        self.points = points
+        self.ordered = tuple(points[0]), tuple(points[1]), "linear"
 
 
 class CamEntry(Action):
@@ -78,19 +85,21 @@ class CamEntry(Action):
         check_chain(a, self.master)
         here = a.position(controller.clock.now)
         points = self.table(here)
-        curve = curve_of(a, points, here)
-        entry = FollowMove(a.index, move.command, move.line, "cam", INFINITY if self.cyclic else curve.end)
+        curve = curve_of(a, points)
+        target = INFINITY if self.cyclic else here + curve.end
+        entry = FollowMove(a.index, move.command, move.line, "cam", target)
         entry.id = move.id
         cam = TableCam(controller, a, self.master, entry, curve, self.cyclic, self.first)
-        cam.table, cam.ordered = self.table, (tuple(points[0]), tuple(points[1]), "linear")
+        cam.table, cam.lift = self.table, here
+        cam.use(points)
         cam.engage()
 
 
-def curve_of(a: Axis, points: Points, start: float) -> Profile:
-    """Return the curve through a table that begins at `start`."""
+def curve_of(a: Axis, points: Points) -> Profile:
+    """Return the curve through a table, which begins at 0."""
     places, values = points
     try:
-        curve = table_curve(places, [start + value - values[0] for value in values])
+        curve = table_curve(places, [value - values[0] for value in values])
     except ValueError as problem:
         raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
     if curve.duration < _MIN_CYCLE:
@@ -108,10 +117,13 @@ def load_cam(
     command: str,
     line: int,
 ) -> None:
-    """Load a cam; `table` gives its points for the slave's position then."""
+    """Load a cam; `table` gives its points for the slave's position then.
+
+    Only the differences of the slave's positions count. The same object means the same curve.
+    """
     start = _start(controller, a)
-    curve = curve_of(a, table(start), start)
-    move = Move(a.index, command, line, INFINITY if cyclic else curve.end)
+    curve = curve_of(a, table(start))
+    move = Move(a.index, command, line, INFINITY if cyclic else start + curve.end)
     move.base = None if cyclic else start
     move.action = CamEntry(master, table, cyclic, first)
     buffer.put(a, move)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from motionlang.mint.keywords.table_motion_splines import Splines
 
     Array = list[float]
+    Points = tuple[list[float], list[float]]
 
 
 # Bits of CAM and SPLINE.
@@ -70,11 +71,14 @@ class Cams:
         self.phases: dict[int, Phase] = {}
         self.cycles: dict[int, int] = {}
         self.modes: dict[int, int] = {}
+        # The points of the last cycle of each axis, and what they were computed from.
+        self._made: dict[int, tuple[object, Points]] = {}
 
-    def table(self, axis: int, mode: int, start: float, begins: bool) -> tuple[list[float], list[float]]:
+    def table(self, axis: int, mode: int, start: float, begins: bool) -> Points:
         """Return the positions of the master and of the follower for a cycle, in counts.
 
-        `begins` is True at the start of a cycle, False for a mere check.
+        `begins` is True at the start of a cycle, False for a mere check. The result is the same object as
+        before if nothing has changed.
         """
         masters, scale = self.masters, self.masters.scale(axis)
         steps, lengths = self.steps(axis), self.lengths(axis)
@@ -85,6 +89,11 @@ class Cams:
             self.cycles[axis] = self.cycles.get(axis, 0) + 1
             self._shift(axis, lengths)
         amplitude = masters.setting("CAMAMPLITUDE", axis)
+        start = start if mode & TRULY_ABSOLUTE else 0.0
+        source = (steps, lengths, first, end, mode, amplitude, start, scale.counts, scale.zero)
+        made = self._made.get(axis)
+        if made is not None and made[0] == source:
+            return made[1]
         values = [start]
         for n in range(first, end):
             if mode & TRULY_ABSOLUTE:
@@ -97,6 +106,7 @@ class Cams:
         places = [0.0]
         for length in lengths[first:end]:
             places.append(places[-1] + length)
+        self._made[axis] = source, (places, values)
         return places, values
 
     def steps(self, axis: int) -> list[float]:

@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import sys
+from typing import TYPE_CHECKING
+
 import pytest
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
+from motionlang.planners.reparametrised import Reparametrised
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import FrameType
 
 
 def ready(axes: int = 2) -> Controller:
@@ -48,6 +57,69 @@ def test_a_table_is_looked_at_again_for_every_cycle() -> None:
         controller.clock.advance(at)
         peaks.append(controller.position(1))
     assert peaks == [pytest.approx(7.0), pytest.approx(1.0)]  # the first call was the check at loading
+
+
+def climbing(segments: int, cycles: int) -> Controller:
+    """Return a controller after some cycles of a cam that rises by 100 in 100 counts of its master.
+
+    In each cycle the cam is ahead of a straight line by up to 10, in the middle.
+    """
+    controller = ready()
+    places = [100.0 * n / segments for n in range(segments + 1)]
+    points = places, [x + 0.4 * x - 0.004 * x * x for x in places]
+    controller.load_cam(1, 0, lambda _: points, cyclic=True)
+    controller.go([1])
+    controller.jog(0, 100.0)
+    controller.clock.advance(0.05 + cycles)  # the ramp takes 0.1 s and half of the distance
+    return controller
+
+
+def test_all_cycles_of_a_cam_share_its_curve() -> None:
+    controller = climbing(segments=20, cycles=500)
+    curves = {id(each.path) for each in controller.axes[1].profiles if isinstance(each, Reparametrised)}
+    assert len(curves) == 1
+    assert controller.position(0) == pytest.approx(50_000.0)
+    assert controller.position(1) == pytest.approx(50_000.0)
+    found = controller.crossing_time(1, 50_060.0)  # x + 0.4 x - 0.004 x² = 60: x = 50, a point of the table
+    assert found == pytest.approx(500.05 + 0.5)
+
+
+def test_a_crossing_of_a_long_table_is_looked_up() -> None:
+    def calls(segments: int) -> int:
+        controller = climbing(segments, cycles=3)
+        place = controller.position(1) - 40.0  # the cam is not there again
+        assert controller.crossing_time(1, place) == INFINITY
+        return count_calls(lambda: controller.crossing_time(1, place))
+
+    assert calls(1000) == calls(10)
+
+
+def count_calls(work: Callable[[], object]) -> int:
+    """Return how many functions are called."""
+    made = 0
+
+    def count(_: FrameType, event: str, __: object) -> None:
+        nonlocal made
+        made += event in ("call", "c_call")
+
+    sys.setprofile(count)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+    return made
+
+
+def test_the_log_of_a_cam_whose_table_changes_is_packed_by_the_size_of_its_tables() -> None:
+    """A cycle of 800 segments counts as a hundred profiles."""
+    controller = ready()
+    places = [float(n) for n in range(801)]
+    controller.load_cam(1, 0, lambda _: (places, [0.0] * 800 + [1.0]), cyclic=True)  # a new one in each cycle
+    controller.go([1])
+    controller.jog(0, 800.0)
+    controller.clock.advance(150.0)
+    assert len(controller.log.moves) > 1  # the cam continues as another entry
+    assert controller.position(1) == pytest.approx(149.0, abs=1.0)
 
 
 def test_a_bad_table_is_refused_when_it_is_loaded() -> None:
