@@ -166,6 +166,8 @@ class Run:
         # The entries of each path, in the order in which the paths began, and the index of each entry's path.
         self._chains: dict[int, list[list[Move]]] = {}
         self._chain_of: dict[int, int] = {}
+        # For each path entry the length of the paths that follow it without a rest.
+        self.beyond: dict[int, float] = {}
         self.offsets: dict[int, Offsets] = {}
         # By axis the last offset that was checked, and its distance.
         self.offset_goals: dict[int, tuple[Move, float]] = {}

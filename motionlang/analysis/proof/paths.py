@@ -395,22 +395,44 @@ def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
 
 
 def _beyond(run: Run, move: Move) -> float:
-    """The length of the paths after one until the axes come to rest, user units."""
-    length = 0.0
-    while (after := run.path_after(move)) is not None and move.profile is not None:
-        assert after.profile is not None
-        end = move.start_time + move.profile.duration
-        if not after.profile.velocity(0.0) or abs(after.start_time - end) > ROUNDED * (1.0 + end):
+    """The length of the paths after one until the axes come to rest, user units.
+
+    Found from the last of them backwards, once for each path of a contour.
+    """
+    chain = []
+    while id(move) not in run.beyond:
+        after, length = _leads_to(run, move)
+        chain.append((move, length))
+        if after is None:
             break
-        if run.rest_of(after) is None:
-            path = run.order_of(after).path
-            assert path is not None
-            starts = run.origins(path)
-            if len(starts) != len(path.members):
-                break
-            length += PathLayout(path, starts).length
         move = after
-    return length
+    beyond = run.beyond.get(id(move), 0.0)
+    for before, length in reversed(chain):
+        beyond += length
+        run.beyond[id(before)] = beyond
+    return beyond
+
+
+def _leads_to(run: Run, move: Move) -> tuple[Move | None, float]:
+    """Return the entry that follows a path without a rest, and the length that it adds.
+
+    Without one, the result is (None, 0.0).
+    """
+    after = run.path_after(move)
+    if after is None or move.profile is None:
+        return None, 0.0
+    assert after.profile is not None
+    end = move.start_time + move.profile.duration
+    if not after.profile.velocity(0.0) or abs(after.start_time - end) > ROUNDED * (1.0 + end):
+        return None, 0.0
+    if run.rest_of(after) is not None:
+        return after, 0.0
+    path = run.order_of(after).path
+    assert path is not None
+    starts = run.origins(path)
+    if len(starts) != len(path.members):
+        return None, 0.0
+    return after, PathLayout(path, starts).length
 
 
 def _check_along(

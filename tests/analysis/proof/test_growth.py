@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from marshal import loads
 
 import pytest
 
 from motionlang import run
 from motionlang.analysis.proof import checker as judge
+from motionlang.analysis.proof import paths
+from motionlang.analysis.proof.paths import PathLayout
 from motionlang.controller.move import Move
 from motionlang.log import stream
+from motionlang.log.order import PathOrder
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -42,6 +46,13 @@ CANCEL(0)
 """
 
 
+CONTOUR = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
+CONTOURMODE(0) = 1 : MOVEBUFFERSIZE(0) = 100 : MOVEBUFFERSIZE(1) = 100
+{}GO(0)
+PAUSE IDLE(0)
+"""
+
+
 def proved(text: str) -> Run:
     return run(Source("long.mnt", text), cache=False, prove=True)
 
@@ -69,6 +80,27 @@ def test_each_blended_path_is_compared_with_those_that_overlap_it_alone(
         looks(monkeypatch, BLENDS.format("VECTORR(0, 1) = 0.03, 0.04\n" * paths)) for paths in (41, 84)
     )
     assert 0 < many <= 2.2 * few
+
+
+def test_each_path_of_a_contour_is_laid_out_equally_often(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The distance to the end of a contour of n paths is a sum of up to n lengths, found for each path."""
+    laid: list[PathLayout] = []
+
+    class Counted(PathLayout):
+        def __init__(self, path: PathOrder, starts: Sequence[float]) -> None:
+            super().__init__(path, starts)
+            laid.append(self)
+
+    counts = []
+    for count in (40, 80):
+        result = proved(CONTOUR.format("VECTORR(0, 1) = 0.3, 0.4\n" * count))
+        monkeypatch.setattr(paths, "PathLayout", Counted)
+        assert result.proof().holds
+        counts.append(len(laid))
+        laid.clear()
+        monkeypatch.undo()
+    assert counts[0] >= 40
+    assert counts[1] <= 2.2 * counts[0]
 
 
 def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
