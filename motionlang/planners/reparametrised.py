@@ -37,7 +37,9 @@ class Reparametrised(Formula):
     it.
     """
 
-    __slots__ = ("along", "lift", "path")
+    __slots__ = ("_knots", "along", "lift", "path")
+
+    _knots: tuple[float, ...]
 
     def __init__(self, along: Profile, path: Profile, shape: str = "", lift: float = 0.0) -> None:
         self.along, self.path, self.lift = along, path, lift
@@ -75,14 +77,19 @@ class Reparametrised(Formula):
     def knots(self) -> tuple[float, ...]:
         """The knots of the motion, and the times at which it passes knots of the curve.
 
-        Extrema of the curve count as its knots.
+        Extrema of the curve count as its knots. They are found on first use, because a sequence of profiles
+        that grows with each change of a path asks all its parts again.
         """
-        found = set(self.along.knots)
-        low, high = self.along.extrema()
-        for place in places(self.path):
-            if low <= place <= high:
-                found.update(crossings(self.along, place))
-        return tuple(sorted(found))
+        try:
+            return self._knots
+        except AttributeError:
+            found = set(self.along.knots)
+            low, high = self.along.extrema()
+            for place in places(self.path):
+                if low <= place <= high:
+                    found.update(crossings(self.along, place))
+            self._knots = tuple(sorted(found))
+            return self._knots
 
     @property
     def phases(self) -> tuple[Phase, ...]:

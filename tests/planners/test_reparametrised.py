@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.planners import Profile, plan, plan_trapezoid, plan_velocity
+from motionlang.planners import Profile, plan, plan_trapezoid, plan_velocity, reparametrised
 from motionlang.planners.arc import arc_over, line_over, rotated
 from motionlang.planners.curve import from_curve
 from motionlang.planners.evaluate import evaluate
@@ -353,3 +353,20 @@ def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side
     back = Reparametrised(along.shifted(-10.0), curve)
     assert back.at(0.0).acceleration == pytest.approx(1.8)
     assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)
+
+
+def test_the_knots_of_a_sequence_that_grows_are_found_once_for_each_part(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A path changed n times is a sequence of n arcs, whose knots are asked for at each change."""
+    searched: list[Profile] = []
+    places = reparametrised.places
+    monkeypatch.setattr(reparametrised, "places", lambda path: (searched.append(path), places(path))[1])
+    along = plan("trapezoid", 0.0, 1.0, 10.0, 100.0, 100.0)
+    parts: list[Profile] = []
+    for _ in range(20):
+        parts.append(
+            Reparametrised(along, arc_over(1.0, 0.0, 3.0, 0.0, 1.0 / 3.0, 3.0 * math.cos(1.0 / 3.0), True))
+        )
+        assert len(ProfileSequence("trapezoid", parts).knots) == 2 * len(parts) + 1
+    assert len(searched) == 20
