@@ -292,14 +292,16 @@ class GeneratorTask(Task):
         if _getframe(above + 1).f_code is self.resumes:
             return ()
         frame: FrameType | None = _getframe(above)
-        found = []
-        while (
-            frame is not None and frame.f_back is not None and frame.f_back.f_code.co_filename == self._file
-        ):
-            is_part = frame.f_code.co_name[0] == PART
-            frame = frame.f_back
-            if not is_part:
-                found.append(self._place(frame))
+        # A recursion may be a thousand calls deep: only a call that is new costs one of `_place`.
+        calls, file, found = self._calls, self._file, []
+        while frame is not None:
+            caller = frame.f_back
+            if caller is None or (code := caller.f_code).co_filename != file:
+                break
+            if frame.f_code.co_name[0] != PART:
+                known = calls.get((id(code), caller.f_lasti))
+                found.append(known[1] if known is not None else self._place(caller))
+            frame = caller
         return tuple(found[::-1])
 
     def _place(self, frame: FrameType) -> int:
