@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from fnmatch import fnmatchcase
 from io import BytesIO
 from pathlib import Path
@@ -172,7 +173,8 @@ def main(commit: str) -> int:
         return 2
     with tempfile.TemporaryDirectory() as folder:
         try:
-            before, after = counts(unpacked(commit, Path(folder))), counts(ROOT)
+            with ThreadPoolExecutor() as pool:
+                before, after = pool.map(counts, [unpacked(commit, Path(folder)), ROOT])
         except RuntimeError as error:
             sys.stderr.write(f"{error}\n")
             return 2

@@ -16,14 +16,14 @@ import ast
 import json
 import os
 import subprocess
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
-ROOT = Path(__file__).parent.parent
+from tests.steps import ROOT, conclude, start_static
+
 RECORD = ROOT / ".pytest_cache" / "reach.json"
 # CPU seconds of the chosen tests, as recorded, and for collecting each of their files.
 BUDGET, PER_FILE = 4.0, 0.03
@@ -151,12 +151,9 @@ class Only:
         ]
 
 
-def main(steps: Iterable[tuple[str, tuple[str, ...]]], since: str) -> int:
+def main(since: str) -> int:
     """Run the steps and the tests at the same time; 1 if anything failed."""
-    running = [
-        (name, subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, text=True, stdout=-1, stderr=-2))
-        for name, command in steps
-    ]
+    static = start_static()
     tests = recorded()
     known = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "tests").rglob("test_*.py"))
     changes = changed(since)
@@ -164,17 +161,11 @@ def main(steps: Iterable[tuple[str, tuple[str, ...]]], since: str) -> int:
     print(f"== {len(changes)} changed since {since}, {len(whole)} test files, {len(names)} tests", flush=True)
     if not tests:
         print("no record of what tests reach; `python -m tests --record` writes it", flush=True)
-    failed = []
+    passed = True
     files = sorted({*whole, *(name.partition("::")[0] for name in names)})
     if files:
         os.chdir(ROOT)
         plain = ["-p", "no:xdist", "-p", "no:cacheprovider", *files]
-        if pytest.main(plain, plugins=[Only(whole, names)]) not in (0, pytest.ExitCode.NO_TESTS_COLLECTED):
-            failed.append("tests")
-    for name, process in running:
-        output = process.communicate()[0]
-        if process.returncode:
-            print(f"== {name}\n{output}", end="", flush=True)
-            failed.append(name)
-    print(f"== {'failed: ' + ', '.join(failed) if failed else 'all passed'}", flush=True)
-    return 1 if failed else 0
+        status = pytest.main(plain, plugins=[Only(whole, names)])
+        passed = status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED)
+    return conclude(static, passed)
