@@ -1,4 +1,4 @@
-"""Format, lint and types: the steps of a check that run at the same time as the tests."""
+"""Format, lint and types: the steps of a check that run along with the tests."""
 
 from __future__ import annotations
 

@@ -194,8 +194,9 @@ def test_where_there_is_no_room_the_old_golden_file_stays(old: str | None, tmp_p
     if old is not None:
         (tmp_path / "ballscrew.golden.json").write_text(old)
     before = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    # Without -B the limit would also cut the bytecode that Python writes, and break later imports.
     ran = subprocess.run(
-        [sys.executable, "-c", SMALL_DISK], cwd=tmp_path, capture_output=True, text=True, check=False
+        [sys.executable, "-B", "-c", SMALL_DISK], cwd=tmp_path, capture_output=True, text=True, check=False
     )
     message = "error[file]: ballscrew.golden.json cannot be written: file too large\n"
     assert (ran.returncode, ran.stderr) == (1, message)
