@@ -39,6 +39,7 @@ from tests.mutants.forks import (
     VERDICTS,
     WORKER,
     WORKERS,
+    by_likelihood,
     merged,
     within_budget,
 )
@@ -102,14 +103,11 @@ def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> sub
     temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
     command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
     command += ["--prove"] * prove
-    given = {
-        "MOTIONLANG_NO_CACHE": "1",
-        "PYTHONDONTWRITEBYTECODE": "1",
-        "PYTHONPATH": str(tree),
-        **environment,
-    }
+    given = {"MOTIONLANG_NO_CACHE": "1", "PYTHONPATH": str(tree), **environment}
+    # The active mutant is known by its number, not by the code: all processes share the bytecode of the copy.
+    inherited = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     with open(tree / "pytest.log", "ab") as log:
-        return subprocess.Popen(command, cwd=tree, env=os.environ | given, stdout=log, stderr=log, stdin=log)
+        return subprocess.Popen(command, cwd=tree, env=inherited | given, stdout=log, stderr=log, stdin=log)
 
 
 def coverage(jobs: int) -> dict[str, dict[str, Any]]:
@@ -157,7 +155,7 @@ def judged_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
     tests = {
         name: each for name, each in merged(jobs, tree)["tests"].items() if task["file"] in each["files"]
     }
-    durations = {name: tests[name]["cpu"] for name in sorted(tests, key=lambda name: tests[name]["cpu"])}
+    durations = {name: tests[name]["cpu"] for name in by_likelihood(tests)}
     durations = {name: durations[name] for name in within_budget(list(durations), durations)}
     while by := failing(tree, task["number"], durations):
         if by not in durations or not failing(tree, task["number"], {by: durations[by]}, active=NONE):
