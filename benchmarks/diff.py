@@ -14,7 +14,7 @@ from time import process_time
 from shift import PROGRAM
 from start import command, seconds
 
-from motionlang.analysis.diff.motion import parting
+from motionlang.analysis.diff.motion import divergence
 from motionlang.analysis.diff.reports import difference
 from motionlang.execution import run
 from motionlang.report import build
@@ -46,7 +46,7 @@ def main() -> None:
             lines = diff_lines(difference(old_report, new_report))
             best["reports"] = min(best["reports"], process_time() - began)
             began = process_time()
-            parting(old, new)
+            divergence(old, new)
             best["motion"] = min(best["motion"], process_time() - began)
         print(f"diff_{name}_reports {best['reports']:.2f} s")
         print(f"diff_{name}_motion {best['motion']:.2f} s")

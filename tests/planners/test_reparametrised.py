@@ -361,7 +361,12 @@ def test_the_knots_of_a_sequence_that_grows_are_found_once_for_each_part(
     """A path changed n times is a sequence of n arcs, whose knots are asked for at each change."""
     searched: list[Profile] = []
     places = reparametrised.places
-    monkeypatch.setattr(reparametrised, "places", lambda path: (searched.append(path), places(path))[1])
+
+    def counted(path: Profile) -> list[float]:
+        searched.append(path)
+        return places(path)
+
+    monkeypatch.setattr(reparametrised, "places", counted)
     along = plan("trapezoid", 0.0, 1.0, 10.0, 100.0, 100.0)
     parts: list[Profile] = []
     for _ in range(20):
