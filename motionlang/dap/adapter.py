@@ -24,18 +24,22 @@ from motionlang.dap.tables import (
     READS,
     READY,
     RUNNING,
+    SET_BREAKPOINTS,
     STOPPED,
 )
-from motionlang.debug.debugger import Debugger, NotStopped, Stop
+from motionlang.debug.checkpoints import HandOver
+from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
 from motionlang.debug.expressions import WrongExpression
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.entries import WrongEntry, entries
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
+    from typing import Any
 
     from motionlang.dap.framing import Message
+    from motionlang.debug.checkpoints import Checkpoints
 
     Body = dict[str, object]
 
@@ -51,14 +55,28 @@ _CONSOLE_HELP = """\
 
 
 class Adapter:
-    """One session; `send` writes a message to the client."""
+    """One session; `send` writes a message to the client.
 
-    def __init__(self, send: Callable[[Message], None]) -> None:
-        self._write = send
+    With `checkpoints` it may continue in a copy of the process: `hand_over` makes the message of that from the key of
+    the copy and the state of the session.
+    """
+
+    def __init__(
+        self,
+        send: Callable[[Message], None],
+        checkpoints: Checkpoints | None = None,
+        hand_over: Callable[[int, object], Message] | None = None,
+    ) -> None:
+        self._write, self._checkpoints, self._hand_over = send, checkpoints, hand_over
         self._lock = threading.Lock()
         self._seq = 0
         self.phase = NEW
         self.is_over = False
+        self._reports_progress = False
+        # The progress report that is open, and how many there have been.
+        self._progress_id, self._reports = "", 0
+        # The last arguments of the requests that set breakpoints.
+        self._breakpoints: dict[str, object] = {}
         self._launch: Launch
         self._debugger: Debugger
         self._breaking: Breaking
@@ -110,6 +128,10 @@ class Adapter:
         except Exception as error:  # a client must not end the session of the user
             response |= _failure(name, f"internal error: {type(error).__name__}: {error}")
         self._send(response)
+        self._start_after()
+
+    def _start_after(self) -> None:
+        """Do what may only begin after the response."""
         after, self._after = self._after, []
         for each in after:
             each()
@@ -124,8 +146,14 @@ class Adapter:
             if name in NEED_A_STOP and self.phase == RUNNING:
                 raise NotStopped
             raise Refused(f"{name} is not possible now: the session is {self.phase}")
+        return self._carry_out(name, given)
+
+    def _carry_out(self, name: str, given: object) -> Body | None:
         handler: Callable[[Arguments], Body | None] = getattr(self, f"_do_{name}")
-        return handler(Arguments(given))
+        body = handler(Arguments(given))
+        if name in SET_BREAKPOINTS:
+            self._breakpoints[name] = given
+        return body
 
     # ----------------------------------------------------------------------------------------------- session
 
@@ -134,6 +162,7 @@ class Adapter:
             given.flag("linesStartAt1", True),
             given.flag("columnsStartAt1", True),
         )
+        self._reports_progress = given.flag("supportsProgressReporting")
         self.phase = READY
         return dict(tables.CAPABILITIES)
 
@@ -145,6 +174,7 @@ class Adapter:
             overrides=launch.overrides, until=launch.until,
             show=self.output, say=lambda text: self.output(f"{text}\n", "console"), ask=self._ask,
         )  # fmt: skip
+        debugger.observe(self._checkpoints, self._progress)
         self._launch, self._debugger = launch, debugger
         self._breaking = Breaking(debugger, launch.path, int(self._lines_at_1), int(self._columns_at_1))
         self._showing = Showing(debugger, launch.path, int(self._lines_at_1), int(self._columns_at_1))
@@ -214,15 +244,65 @@ class Adapter:
         while (command := self._work.get()) is not None:
             try:
                 stop = command()
+            except HandOver as handover:
+                self._continue_in_copy(handover)
+                continue
+            except Interrupted:
+                stop = self._debugger.stay("cancelled")
             except Exception as error:
                 self._idle.set()
                 if not self.is_over:
                     self.output(f"internal error: {type(error).__name__}: {error}\n", "stderr")
                     self._finished()
                 continue
+            self._end_progress()
             self._idle.set()
             if not self.is_over:
                 self._report(stop)
+
+    def _continue_in_copy(self, handover: HandOver) -> None:
+        """Hand the session to a copy of this process, which does what is left to do."""
+        assert self._hand_over is not None
+        with self._lock:
+            state = {
+                "debugger": self._debugger.state_for_copy(),
+                "threads": self._showing.state_for_copy(),
+                "breakpoints": self._breakpoints,
+                "then": handover.then,
+                "progress": (self._progress_id, self._reports),
+            }
+            self._write(self._hand_over(handover.key, state))
+
+    def revive(self, state: Mapping[str, Any]) -> None:
+        """Continue the session in this copy of the process; called in the thread of the program."""
+        self._lock, self._idle = threading.Lock(), threading.Event()
+        self._work, self._answers, self._worker = SimpleQueue(), SimpleQueue(), None
+        self._asking, self._after = False, []
+        self._debugger.revive(state["debugger"])
+        self._showing.revive(state["threads"])
+        self._progress_id, self._reports = state["progress"]
+        for name, given in state["breakpoints"].items():
+            self._carry_out(name, given)
+        self._go(lambda: self._debugger.resume(state["then"]))
+        self._start_after()
+
+    # ---------------------------------------------------------------------------------------------- progress
+
+    def _progress(self, fraction: float) -> None:
+        """Report how far a replay is; in the thread of a clock."""
+        if not self._reports_progress or self.phase != RUNNING:
+            return
+        if not self._progress_id:
+            self._reports += 1
+            self._progress_id = f"replay {self._reports}"
+            body: Body = {"progressId": self._progress_id, "title": "Running again", "cancellable": True}
+            self.event("progressStart", body)
+        self.event("progressUpdate", {"progressId": self._progress_id, "percentage": round(100 * fraction)})
+
+    def _end_progress(self) -> None:
+        if self._progress_id:
+            ended, self._progress_id = self._progress_id, ""
+            self.event("progressEnd", {"progressId": ended})
 
     def _report(self, stop: Stop | None) -> None:
         """Report a stop, or the end of the program."""

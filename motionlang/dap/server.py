@@ -4,19 +4,25 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.dap.adapter import Adapter
 from motionlang.dap.framing import WrongMessage, read, written
+from motionlang.debug.checkpoints import can_fork, close_here
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import socket
+    from collections.abc import Callable
     from typing import IO
 
+    from motionlang.dap.adapter import Adapter
     from motionlang.dap.framing import Message
+    from motionlang.dap.relay import Relay
 
 
-def serve(reading: IO[bytes], writing: IO[bytes]) -> None:
-    """Serve a client until it disconnects or its stream ends."""
+def serve(reading: IO[bytes], writing: IO[bytes], close: Callable[[], None]) -> None:
+    """Serve a client until it disconnects or its stream ends.
+
+    `close` closes what belongs to the client in a process that is forked.
+    """
     broken = False
 
     def send(message: Message) -> None:
@@ -29,7 +35,7 @@ def serve(reading: IO[bytes], writing: IO[bytes]) -> None:
         except (OSError, ValueError):
             broken = True  # the client has gone; the end of its stream ends the session
 
-    adapter = Adapter(send)
+    adapter = _made(send, close)
     try:
         while not adapter.is_over and not broken:
             try:
@@ -48,10 +54,20 @@ def serve(reading: IO[bytes], writing: IO[bytes]) -> None:
         adapter.close()
 
 
+def _made(send: Callable[[Message], None], close: Callable[[], None]) -> Adapter | Relay:
+    if can_fork():
+        from motionlang.dap.relay import Relay
+
+        return Relay(send, close)
+    from motionlang.dap.adapter import Adapter
+
+    return Adapter(send)
+
+
 def serve_stdio() -> None:
     """Serve the client that has started this process."""
     output, sys.stdout = sys.stdout, sys.stderr  # nothing else may be written between the messages
-    serve(sys.stdin.buffer, output.buffer)
+    serve(sys.stdin.buffer, output.buffer, lambda: None)
 
 
 def serve_connection(listener: socket.socket) -> None:
@@ -61,4 +77,4 @@ def serve_connection(listener: socket.socket) -> None:
     listener.close()
     connection.setblocking(True)
     with connection, connection.makefile("rb") as reading, connection.makefile("wb") as writing:
-        serve(reading, writing)
+        serve(reading, writing, lambda: close_here(connection.fileno()))

@@ -19,6 +19,7 @@ from motionlang.lang.machine.entries import entries
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from motionlang.debug.debugger import Debugger
     from motionlang.debug.scopes import Waiting
@@ -51,6 +52,15 @@ class Showing:
         self._old_references += len(self._references)
         self._frames.clear()
         self._references.clear()
+
+    def state_for_copy(self) -> object:
+        """Return the numbers that the client knows, for a copy of this process."""
+        return self._threads, self._old_frames, self._old_references
+
+    def revive(self, state: Any) -> None:
+        """Continue with the numbers that the client knows."""
+        self.forget()
+        self._threads, self._old_frames, self._old_references = state
 
     def number(self, task: str) -> int:
         """Return the number of a task's thread."""

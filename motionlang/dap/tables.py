@@ -86,3 +86,7 @@ READS = frozenset(
         "completions",
     )
 )
+# Requests that replace breakpoints.
+SET_BREAKPOINTS = frozenset(
+    ("setBreakpoints", "setFunctionBreakpoints", "setExceptionBreakpoints", "setDataBreakpoints")
+)

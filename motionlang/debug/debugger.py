@@ -20,8 +20,11 @@ Invariants.
 
 from __future__ import annotations
 
-from motionlang.debug import moments, scopes
+from collections import deque
+
+from motionlang.debug import checkpoints, moments, scopes
 from motionlang.debug.breakpoints import Breakpoint, Watched
+from motionlang.debug.checkpoints import HandOver
 from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.replay import MEMORY, Output, Point, Remembered, Replay, Setup
 from motionlang.debug.state import State
@@ -30,7 +33,9 @@ from motionlang.record import record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
+    from typing import Any
 
+    from motionlang.debug.checkpoints import Checkpoints
     from motionlang.debug.moments import Moment, Search
     from motionlang.lang.debugging import Variable
     from motionlang.lang.dialect import Dialect
@@ -40,6 +45,8 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Statements between two searches of the log.
 STRIDE = 4096
+# Statements that are recorded to find the one before a stop, if it is not among the last ones.
+REACH = 65536
 # Two searches find the same moment within this time, s: that of a condition depends on the samples.
 CLOSE = 1e-8
 
@@ -64,6 +71,10 @@ class Stop:
 
 class NotStopped(Exception):
     """A question about a program that has ended, or has not begun."""
+
+
+class Interrupted(Exception):
+    """The user has cancelled a search; the program is where it was."""
 
 
 class Debugger:
@@ -98,6 +109,11 @@ class Debugger:
         self.source = source
         self._lines: dict[int, list[int]] = {}
         self._places: dict[int, tuple[int, int, int]] = {}
+        # Copies of the process to go back to, and where progress of a long replay is reported: a fraction.
+        self.checkpoints: Checkpoints | None = None
+        self.progress: Callable[[float], None] | None = None
+        # The last statement of the replay that goes on, 0 for none.
+        self._last = 0
         self._load(source)
         self._replay = self._new()
         # The time up to which moments have been searched, and the number of the statement of the last log point.
@@ -121,7 +137,26 @@ class Debugger:
             self._lines.setdefault(line, []).append(place)
 
     def _new(self) -> Replay:
-        return Replay(self._setup, self.journal, self._output, self._ask)
+        replay = Replay(self._setup, self.journal, self._output, self._ask)
+        if self.checkpoints is not None or self.progress is not None:
+            replay.on_tick = lambda: self._tick(replay)
+        return replay
+
+    def observe(self, checkpoints: Checkpoints | None, progress: Callable[[float], None]) -> None:
+        """Make copies of the process while a run is slow, and report the progress of replays; before `start`."""
+        self.checkpoints, self.progress = checkpoints, progress
+        self._replay = self._new()
+
+    def _tick(self, replay: Replay) -> None:
+        """Make a copy of a slow run, and report its progress; in the thread of a clock."""
+        replay.ticks += 1
+        if replay.ticks < checkpoints.SLOW:
+            return
+        if self.checkpoints is not None and replay is self._replay:
+            replay.checkpoints = self.checkpoints
+            replay.copy_soon()
+        if self.progress is not None and self._last:
+            self.progress(min(replay.hook.count / self._last, 1.0))
 
     # ------------------------------------------------------------------------------------------------- state
 
@@ -396,7 +431,84 @@ class Debugger:
                 self._hit(point, False)
             return point.number >= number and (decide is None or decide(point))
 
-        return replay.go(there, max(number - MEMORY, 0), counted)
+        self._last = number
+        try:
+            return replay.go(there, max(number - MEMORY, 0), counted)
+        finally:
+            self._last = 0
+
+    def _arrive(self, number: int, reason: str, text: str = "") -> Stop | None:
+        """Go to a statement and make it the stop: in this process, or in a copy that is closer."""
+        self._hand_over(number, "arrive", number, reason, text)
+        point = self._go_to(number)
+        return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
+
+    def _hand_over(self, number: int, *then: object) -> None:
+        """Raise HandOver if a copy waits at a statement or before it."""
+        key = self.checkpoints.before(number) if self._may_hand_over() and self.checkpoints else None
+        if key is not None:
+            raise HandOver(key, *then)
+
+    def _may_hand_over(self) -> bool:
+        """False if a copy would not know the hits of a breakpoint, or the last value of a variable."""
+        return not self.watched and not any(each.is_counted for each in self.breakpoints)
+
+    def state_for_copy(self) -> dict[str, object]:
+        """Return what a copy needs to continue this session."""
+        assert self.checkpoints is not None
+        return {
+            "journal": (self.journal.changes, self.journal.answers),
+            "shown": self._output.shown,
+            "logged": self._logged,
+            "copies": (self.checkpoints.known, self.checkpoints.last_key),
+        }
+
+    def revive(self, state: Mapping[str, Any]) -> None:
+        """Continue a session in this copy, with its state."""
+        assert self.checkpoints is not None
+        self.journal.changes, self.journal.answers = state["journal"]
+        self._output.revive(state["shown"])
+        self._logged = state["logged"]
+        self.checkpoints.known, self.checkpoints.last_key = state["copies"]
+        self._searching, self._last, self._history, self._marks = None, 0, [], []
+        self._replay.revive()
+
+    def resume(self, then: Sequence[Any]) -> Stop | None:
+        """Do what was left to do when the session was handed over to this copy."""
+        what, number, *rest = then
+        if what == "arrive":
+            return self._arrive_on(number, *rest)
+        if what == "time":
+            self._replay.go(lambda each: each.time >= number, 0, frozenset())
+            point = self._replay.point
+            return self._at(point, "goto") if point else self._arrive(self._replay.hook.count, "goto")
+        task, depth = rest
+        self._replay.recent = deque(self._replay.recent, REACH)
+        self._run_on_to(number - 1, REACH)
+        found = _before(self._replay.recent, number, task, depth)
+        if found == number - 1:
+            return self._at(self._replay.point, "step")
+        if found is not None:
+            return self._arrive(found, "step")
+        begin = self._recorded_from()
+        if begin > 1:
+            self._hand_over(begin - 1, "back", number, task, depth)
+            self._remember_more(number, number)
+            found = _before(self._history, number, task, depth)
+        return self._arrive(found or max(number - 1, 1), "step")
+
+    def _arrive_on(self, number: int, reason: str, text: str) -> Stop | None:
+        """Go on from an earlier statement to one that becomes the stop."""
+        self._run_on_to(number, MEMORY)
+        point = self._replay.point
+        return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
+
+    def _run_on_to(self, number: int, reach: int) -> None:
+        point = self._replay.point
+        if point is not None and point.number < number:
+            self._last = number
+            self._replay.go(lambda each: each.number >= number, max(number - reach, 0), frozenset())
+            self._last = 0
 
     def _search(self, last: int, first: int, note: Callable[[Point], None], places: frozenset[int]) -> None:
         """Run up to a statement once more, and note points before it."""
@@ -408,17 +520,22 @@ class Debugger:
                     note(point)
                 return point.number >= last
 
+            self._last = last
             replay.go(decide, first, places)
+            if replay.paused:
+                raise Interrupted
         finally:
             replay.abandon()
-            self._searching = None
+            self._searching, self._last = None, 0
 
     def step_back(self) -> Stop | None:
         """Go to the statement of the task before this one, but not into a call."""
         if self._replay.run is not None:
-            return self._at(self._go_to(self._replay.hook.count), "step")
+            return self._arrive(self._replay.hook.count, "step")
         point, depth = self._point(), self._depth()
         found = _before(list(self._replay.recent), point.number, point.task.name, depth)
+        if found is None and self._recorded_from() > 1:
+            self._hand_over(self._recorded_from() - 1, "back", point.number, point.task.name, depth)
         reach = MEMORY
         while found is None and self._recorded_from() > 1:
             reach *= 16
@@ -430,7 +547,7 @@ class Debugger:
             found = point.number - 1  # the task began here
         if found is None:
             return self._at(point, "start", "this is the first statement")
-        return self._at(self._go_to(found), "step")
+        return self._arrive(found, "step")
 
     def _recorded_from(self) -> int:
         return self._replay.recent[0].number if self._replay.recent else self._point().number
@@ -466,9 +583,9 @@ class Debugger:
             if number < here and (not hits or number > hits[-1][0]):
                 hits.append((number, "moment", text))
         if not hits:
-            return self._at(self._go_to(1), "start", "this is the first statement")
+            return self._arrive(1, "start", "this is the first statement")
         number, reason, text = hits[-1]
-        return self._at(self._go_to(number), reason, text)
+        return self._arrive(number, reason, text)
 
     def _last_moment(self) -> tuple[int, str] | None:
         """Return the last statement before the stop that follows a moment, and its text."""
@@ -512,6 +629,9 @@ class Debugger:
 
     def go_to_time(self, time: float) -> Stop | None:
         """Go to the first statement at or after a time; to the last one if there is none."""
+        key = self.checkpoints.before_time(time) if self.checkpoints and self._may_hand_over() else None
+        if key is not None:
+            raise HandOver(key, "time", time)
         self._replay.abandon()
         self._output.hold()
         self._replay = replay = self._new()
@@ -534,7 +654,7 @@ class Debugger:
 
     def go_to_number(self, number: int) -> Stop | None:
         """Go to a statement by its number."""
-        return self._at(self._go_to(max(number, 1)), "goto")
+        return self._arrive(max(number, 1), "goto")
 
     def last_change(self, path: Sequence[str]) -> Stop | None:
         """Go back to the statement that gave a variable its value; None if none did."""
@@ -555,7 +675,7 @@ class Debugger:
             found = previous
         if not found:
             return None
-        return self._at(self._go_to(found), "change", f"this statement changes {path[-1]}")
+        return self._arrive(found, "change", f"this statement changes {path[-1]}")
 
     # ------------------------------------------------------------------------------------------------ changes
 
@@ -586,6 +706,8 @@ class Debugger:
         """Show the output from here on again, because the run continues differently."""
         self._output.forget(self._replay.written)
         self._logged = min(self._logged, self._point().number)
+        if self.checkpoints is not None:
+            self.checkpoints.forget_from(self._point().number)
 
     def restart(self, source: Source) -> Stop | None:
         """Run another text with the same journal, up to the time of the stop.
@@ -595,6 +717,8 @@ class Debugger:
         time = self.stop.time if self.stop is not None else 0.0
         self._load(source)
         self._replay.abandon()
+        if self.checkpoints is not None:
+            self.checkpoints.forget_from(0)
         self._output.forget(0)
         return self.go_to_time(time)
 

@@ -29,6 +29,7 @@ from collections import deque
 from queue import SimpleQueue
 
 from motionlang.controller.faults import Rejected
+from motionlang.debug.checkpoints import Ticks
 from motionlang.debug.journal import Assigned, Entered
 from motionlang.debug.scopes import find
 from motionlang.execution import run
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from typing import Any, TypeVar
 
+    from motionlang.debug.checkpoints import Checkpoints
     from motionlang.debug.journal import Journal
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.machine import Machine
@@ -123,6 +125,15 @@ class Output:
         """Hold all text from here on."""
         self._holds = True
 
+    @property
+    def shown(self) -> int:
+        """How much of the output has been shown, in characters."""
+        return self._shown
+
+    def revive(self, shown: int) -> None:
+        """Continue with what another process has shown."""
+        self._shown, self._held, self._holds = shown, "", False
+
     def release(self, length: int) -> None:
         """Show the output up to a length, and forget what is held after it."""
         text = self._held[: max(length - self._shown, 0)]
@@ -172,6 +183,13 @@ class Replay:
         self._news: SimpleQueue[str] = SimpleQueue()
         self._answers: SimpleQueue[tuple[Any, BaseException | None]] = SimpleQueue()
         self._thread: threading.Thread | None = None
+        # What is called every tick of real time while the run goes on, and how often it has been.
+        self.on_tick: Callable[[], None] | None = None
+        self.ticks = 0
+        # The copies of the process, and the statement at which this one is a copy.
+        self.checkpoints: Checkpoints | None = None
+        self._is_due = False
+        self._copied: Point | None = None
 
     # ---------------------------------------------------------------------------- from the controlling thread
 
@@ -191,12 +209,17 @@ class Replay:
         self.hook.places = places
         self._arm()
         self.point = None
+        ticks = None if self.on_tick is None else Ticks(self.on_tick)
+        if ticks is not None:
+            ticks.start()
         if self._thread is None:
             self._start()
         else:
             self._orders.put("go")
         while self._news.get() == "asks":
             self._orders.put("go" if self._answer_input() else "abandon")
+        if ticks is not None:
+            ticks.end()
         if self.error is not None:
             raise self.error
         return self.point
@@ -216,6 +239,18 @@ class Replay:
         self._pausing = True
         self.hook.limit = 0
 
+    def copy_soon(self) -> None:
+        """Make a copy of the process before the next statement; may be called from any thread."""
+        self._is_due = True
+        self.hook.limit = 0
+
+    def revive(self) -> None:
+        """Be stopped at the statement of this copy, for new threads that control the run."""
+        self._orders, self._news, self._answers = SimpleQueue(), SimpleQueue(), SimpleQueue()
+        self.point, self.problems = self._copied, []
+        self.paused = self._pausing = False
+        self.ticks = 0
+
     def consider_from(self, number: int) -> None:
         """Ask `decide` from a later statement on; called by `decide` itself."""
         self._limit = number
@@ -224,7 +259,8 @@ class Replay:
         """End the thread of the run."""
         if self._thread is not None and self.run is None and self.point is not None:
             self._orders.put("abandon")
-            self._thread.join()
+            while self._news.get() != "ended":
+                pass
             self.point = None
 
     def enter(self, entries: Mapping[str, object]) -> None:
@@ -277,6 +313,12 @@ class Replay:
         decided = self._decide(point)  # before the changes, as when they were made
         for change in self._journal.at(point.number):
             self.make(change, point)
+        if self._is_due and self.checkpoints is not None:
+            self._is_due, self._copied = False, point
+            if self.checkpoints.take(point.number, point.time):
+                self._wait()
+                self._arm()
+                return
         if decided or self._pausing:
             self.paused, self._pausing = not decided, False
             self.point = point
@@ -301,7 +343,7 @@ class Replay:
     def _arm(self) -> None:
         """Set the number of the next statement for `decide` or for the journal."""
         self.hook.limit = min(self._limit, self._journal.following(self.hook.count))
-        if self._pausing:
+        if self._pausing or self._is_due:
             self.hook.limit = 0
 
     def _remember(self, point: Point) -> None:

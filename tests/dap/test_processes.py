@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import signal
 import socket
 import subprocess
 import sys
@@ -108,17 +106,6 @@ def test_the_adapter_ends_with_its_client(stdio: subprocess.Popen[bytes], tmp_pa
     stdio.stdin.close()
     stdio.stdout.close()
     assert stdio.wait(PATIENCE) == 0
-
-
-def test_an_adapter_that_is_killed_leaves_no_process(stdio: subprocess.Popen[bytes], tmp_path: Path) -> None:
-    assert stdio.stdin is not None
-    assert stdio.stdout is not None
-    send(stdio.stdin, requests(program(tmp_path, ENDLESS)))
-    until(stdio.stdout, "configurationDone")
-    children = Path(f"/proc/{stdio.pid}/task/{stdio.pid}/children")
-    assert not children.exists() or children.read_text() == ""
-    os.kill(stdio.pid, signal.SIGKILL)
-    assert stdio.wait(PATIENCE) == -signal.SIGKILL
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,68 @@
+"""A client of `motionlang dap` as a process, whose engine makes copies of itself all the time.
+
+    python -m tests.dap.remote
+
+is that process.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import threading
+from typing import Any
+
+from motionlang.dap.framing import read, written
+from motionlang.dap.server import serve_stdio
+from motionlang.debug import checkpoints
+from tests.dap.client import PATIENCE, Client
+
+
+class Remote(Client):
+    """A client of a process; `process` is the front."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        pipe = subprocess.PIPE
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "tests.dap.remote"], stdin=pipe, stdout=pipe, stderr=pipe
+        )
+        self.adapter: Any = self
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def handle(self, message: dict[str, Any]) -> None:
+        """Send a message to the process, as to an adapter."""
+        assert self.process.stdin is not None
+        self.process.stdin.write(written(message))
+        self.process.stdin.flush()
+
+    def _read(self) -> None:
+        assert self.process.stdout is not None
+        while (message := read(self.process.stdout)) is not None:
+            self._receive(message)
+
+    def close(self) -> None:
+        """Disconnect; the process ends without an error."""
+        super().close()
+        assert self.finish() == (0, b"")
+
+    def finish(self) -> tuple[int, bytes]:
+        """Close the stream to the process, and return its status and what it wrote as errors."""
+        process = self.process
+        assert process.stdin is not None
+        assert process.stdout is not None
+        assert process.stderr is not None
+        process.stdin.close()
+        self._reader.join(PATIENCE)
+        errors = process.stderr.read()
+        for stream in (process.stdout, process.stderr):
+            stream.close()
+        return process.wait(PATIENCE), errors
+
+
+if __name__ == "__main__":
+    # A copy every millisecond, so that quick programs have some.
+    checkpoints.INTERVAL = 0.001
+    checkpoints.SLOW = 1
+    serve_stdio()
