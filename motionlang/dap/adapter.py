@@ -28,7 +28,7 @@ from motionlang.dap.tables import (
     STOPPED,
 )
 from motionlang.debug.checkpoints import HandOver
-from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
+from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop, destination
 from motionlang.debug.expressions import WrongExpression
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.entries import WrongEntry, entries
@@ -49,9 +49,11 @@ _REASONS = {"moment": "function breakpoint", "change": "data breakpoint", "start
 PATIENCE = 5.0
 _CONSOLE_HELP = """\
 .input 5=1    an input, as in --input       .goto 2.5      go to a time, s
-.analog 0=25  an analogue input             .changed NAME  go back to the last change of a variable
-.keys R       keys of the operator          .help          this list
+.analog 0=25  an analogue input             .goto line 12  go to the next time that a line begins
+.keys R       keys of the operator          .changed NAME  go back to the last change of a variable,
+.help         this list                                    of output 2, input 5 or axis 0
 """
+_COMMANDS = (".input", ".analog", ".keys", ".goto", ".changed", ".help")
 
 
 class Adapter:
@@ -378,6 +380,20 @@ class Adapter:
             raise Refused("time must be a time in seconds")
         self._go(lambda: self._debugger.go_to_time(time))
 
+    def _do_gotoTargets(self, given: Arguments) -> Body:  # noqa: N802 - a name of the protocol
+        return {"targets": self._breaking.targets(given)}
+
+    def _do_goto(self, given: Arguments) -> None:
+        line, goes_back = divmod(given.number("targetId"), 2)
+        if self._debugger.line_for(line) != line:
+            raise Refused(f"there is no target {given.number('targetId')}")
+        debugger = self._debugger
+        self._go(lambda: debugger.go_back_to_line(line) if goes_back else debugger.go_to_line(line))
+
+    def _do_completions(self, given: Arguments) -> Body:
+        found = [] if self.phase == RUNNING else self._showing.completions(given, _COMMANDS)
+        return {"targets": found}
+
     def _do_lastChange(self, given: Arguments) -> None:  # noqa: N802 - in the style of the protocol
         path = self._showing.path_of(given.text("name"))
         self._go(
@@ -454,13 +470,7 @@ class Adapter:
             self._debugger.enter(entries(self._launch.settings, **{names[word]: rest.strip()}))
             return ""
         if word == "goto":
-            try:
-                time = float(rest)
-            except ValueError:
-                raise Refused(".goto takes a time in seconds, such as .goto 2.5") from None
-            if not 0.0 <= time < 1e9:
-                raise Refused(".goto takes a time in seconds, such as .goto 2.5")
-            self._go(lambda: self._debugger.go_to_time(time))
+            self._go(destination(self._debugger, rest))
             return ""
         if word == "changed" and rest.strip():
             self._do_lastChange(Arguments({"name": rest.strip()}))

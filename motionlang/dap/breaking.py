@@ -120,6 +120,20 @@ class Breaking:
         self._searches[kind] = searches
         self._debugger.searches = [each for found in self._searches.values() for each in found]
 
+    def targets(self, given: Arguments) -> list[Body]:
+        """Return where `goto` can go from a line: forward and back to its executions.
+
+        The number of a target is twice the line, and one more to go back.
+        """
+        line = self._debugger.line_for(given.number("line") + self._line)
+        if line is None or not self._is_program(given):
+            return []
+        words = ("the next time that line {} begins", "back to the last time that line {} began")
+        return [
+            {"id": 2 * line + number, "label": text.format(line), "line": line - self._line}
+            for number, text in enumerate(words)
+        ]
+
     def locations(self, given: Arguments) -> list[Body]:
         """Return the lines with statements in a range."""
         first = given.number("line") + self._line

@@ -8,10 +8,11 @@ which is looked up when the client asks.
 from __future__ import annotations
 
 import os
+import re
 
 from motionlang.dap.arguments import Arguments, Refused
-from motionlang.debug.expressions import parse
-from motionlang.debug.scopes import LOCAL, MODULE
+from motionlang.debug.expressions import WrongExpression, parse
+from motionlang.debug.scopes import LOCAL, MACHINE, MODULE
 from motionlang.debug.values import shown
 from motionlang.lang.debugging import Variable
 from motionlang.lang.machine.entries import entries
@@ -31,6 +32,10 @@ if TYPE_CHECKING:
 AXES, INPUTS, OUTPUTS, VALUE = "axes", "inputs", "outputs", "value"
 # More references than a client can show.
 MAX_REFERENCES = 1_000_000
+# More completions than a client shows.
+MAX_COMPLETIONS = 200
+# The word before the cursor, or a command.
+_WORD = re.compile(r"(?:^\.\w*|@?\w+)$")
 
 
 class Showing:
@@ -229,11 +234,8 @@ class Showing:
         return self._value(path, None, found)
 
     def path_of(self, name: str) -> Path:
-        """Return the path of a variable of the program by its name; raise Refused."""
-        found = self._debugger.state().named(name.strip())
-        if found is None:
-            raise Refused(f"there is no variable {name.strip()[:60]} here")
-        return found[0]
+        """Return the path of a variable, an axis or a channel by its name; raise WrongExpression."""
+        return self._debugger.state().path_of(name)
 
     def set_expression(self, given: Arguments) -> Body:
         """Give a variable another value by its name."""
@@ -248,6 +250,23 @@ class Showing:
             return {"result": body["value"], **{key: each for key, each in body.items() if key != "value"}}
         return {"result": shown(found), "variablesReference": 0}
 
+    def completions(self, given: Arguments, commands: Sequence[str]) -> list[Body]:
+        """Return the names that continue the word before the cursor of the console."""
+        column = given.number("column") + self._column - 1
+        text = given.text("text").encode("utf-16-le")[: 2 * max(column, 0)].decode("utf-16-le", "ignore")
+        word = _WORD.search(text)
+        begun = "" if word is None else word[0]
+        if text.startswith("."):
+            names: Sequence[str] = commands if begun == text else self._debugger.state().names()
+        else:
+            names = self._debugger.state().names()
+        start = column - len(begun) + 1 - self._column
+        return [
+            {"label": name, "start": start, "length": len(begun)}
+            for name in names
+            if name.lower().startswith(begun.lower())
+        ][:MAX_COMPLETIONS]
+
     def data_of(self, given: Arguments) -> Body:
         """Return the identity of a variable or a channel for a data breakpoint."""
         name = given.text("name")
@@ -255,8 +274,18 @@ class Showing:
         if given.number("variablesReference", 0):
             path = (*self._referred(given)[0], name)
         else:
-            found = self._debugger.state().named(name)
-            path = () if found is None else found[0]
+            try:
+                path = self.path_of(name)
+            except WrongExpression:
+                path = ()
+        if len(path) == 2 and path[0] == AXES:
+            path = self.path_of(name)
+        if path and path[0] == MACHINE:
+            return {
+                "dataId": f"variable {'/'.join(path)}",
+                "description": f"{name} changes",
+                "accessTypes": ["write"],
+            }
         if path and path[0] in (INPUTS, OUTPUTS) and not name.startswith("analogue"):
             return {"dataId": name, "description": f"{name} changes", "accessTypes": ["write"]}
         if not path or not (path[0] == MODULE or path[0].startswith(LOCAL)):

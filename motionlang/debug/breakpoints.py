@@ -82,7 +82,7 @@ def _message(text: str) -> Callable[[Names], str]:
 
 
 class Watched:
-    """A variable by its path; the program stops after it has changed."""
+    """A variable, an axis or a channel by its path; the program stops after it has changed."""
 
     def __init__(self, path: tuple[str, ...]) -> None:
         self.path = path
@@ -102,9 +102,13 @@ class Watched:
         replay.values[self.path] = now
         if before is _MISSING or before is None or before == now:
             return ""
+        if self.path[0] == scopes.MACHINE and isinstance(now, tuple):
+            return f"{self.path[-1]} changes"
         return f"{self.path[-1]} changes from {shown(before)} to {shown(now)}"
 
     def _value(self, replay: Replay, point: Point) -> object:
+        if self.path[0] == scopes.MACHINE:
+            return scopes.present(replay.machine, self.path[1])
         variable = scopes.find(replay.hook, point, self.path)
         if variable is None:
             return None

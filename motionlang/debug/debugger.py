@@ -299,6 +299,9 @@ class Debugger:
                 return self._at(point, "pause")
             begin = point.number
 
+    def _counted_places(self) -> frozenset[int]:
+        return frozenset(place for each in self.breakpoints if each.is_counted for place in each.places)
+
     def _stopping_places(self) -> frozenset[int]:
         return frozenset(place for each in self.breakpoints for place in each.places)
 
@@ -424,7 +427,7 @@ class Debugger:
         """Run again up to a statement, or from there to where `decide` is true."""
         self._replay.abandon()
         self._replay = replay = self._new()
-        counted = frozenset(place for each in self.breakpoints if each.is_counted for place in each.places)
+        counted = self._counted_places()
 
         def there(point: Point) -> bool:
             if point.place in counted:
@@ -652,12 +655,38 @@ class Debugger:
             point = self._go_to(self._replay.hook.count)
         return self._at(point, "goto")
 
+    def go_to_line(self, line: int) -> Stop | None:
+        """Go to the next time that a line begins; stay if it does not begin again."""
+        places, counted = frozenset(self.places_at(line)), self._counted_places()
+        before = self._point().number
+        self._output.hold()
+
+        def decide(point: Point) -> bool:
+            if point.place in counted:
+                self._hit(point, False)
+            return point.place in places
+
+        point = self._replay.go(decide, INFINITY, places | counted)
+        if point is None:
+            return self._arrive(before, "goto", f"line {line} does not begin again")
+        return self._at(point, "pause" if self._replay.paused else "goto")
+
+    def go_back_to_line(self, line: int) -> Stop | None:
+        """Go back to the last time that a line began; stay if it has not begun before."""
+        places, found = frozenset(self.places_at(line)), [0]
+        ended = self._replay.run is not None
+        here = self._replay.hook.count + 1 if ended else self._point().number
+        self._search(here, here, lambda point: found.append(point.number), places)
+        if not found[-1]:
+            return self.stay(f"line {line} has not begun before")
+        return self._arrive(found[-1], "goto")
+
     def go_to_number(self, number: int) -> Stop | None:
         """Go to a statement by its number."""
         return self._arrive(max(number, 1), "goto")
 
     def last_change(self, path: Sequence[str]) -> Stop | None:
-        """Go back to the statement that gave a variable its value; None if none did."""
+        """Go back to the statement that gave a variable, an axis or a channel its value; None if none did."""
         point = self._point()
         watched = Watched(tuple(path))
         replay, previous, found = self._replay, 0, 0
@@ -721,6 +750,23 @@ class Debugger:
             self.checkpoints.forget_from(0)
         self._output.forget(0)
         return self.go_to_time(time)
+
+
+def destination(debugger: Debugger, text: str) -> Callable[[], Stop | None]:
+    """Return the command that goes to a time, "2.5", or to a line, "line 12"; raise ValueError."""
+    word, _, rest = text.strip().partition(" ")
+    if word.lower() == "line" and rest.strip().isdecimal():
+        line = debugger.line_for(int(rest.strip()[:9]))
+        if line is None:
+            raise ValueError(f"there is no statement in line {rest.strip()} or below")
+        return lambda: debugger.go_to_line(line)
+    try:
+        time = float(text)
+    except ValueError:
+        time = -1.0
+    if not 0.0 <= time < 1e9:
+        raise ValueError(f"{text[:40]} is no time, such as 2.5, and no line, such as line 12")
+    return lambda: debugger.go_to_time(time)
 
 
 def _before(recent: Iterable[Remembered], number: int, task: str, depth: int) -> int | None:

@@ -6,6 +6,8 @@ samples that the run has computed by itself.
 
 from __future__ import annotations
 
+import re
+
 from motionlang.controller.faults import names
 from motionlang.debug.expressions import WrongExpression
 from motionlang.lang.debugging import Variable
@@ -24,9 +26,11 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
 
-# The first word of the path of a variable: of the program, or of the innermost call, the next one and so on.
-MODULE, LOCAL = "module", "local"
+# The first word of the path of a variable: of the program, or of the innermost call, the next one and so on. MACHINE is
+# that of an axis or a channel.
+MODULE, LOCAL, MACHINE = "module", "local", "machine"
 INFINITY = float("inf")
+_OF_MACHINE = re.compile(r"\s*(axis|(?:analogue )?(?:input|output))\s+(\d{1,4})\s*", re.IGNORECASE)
 
 
 @record
@@ -181,6 +185,34 @@ def reading(machine: Machine, time: float, what: str, number: int) -> float:
     if what == "target":
         return axis.scale.position_to_user(axis.target)
     return float(axis.velocity(time) == 0.0 and controller.is_idle(number))
+
+
+def of_machine(name: str) -> str | None:
+    """Return the name of an axis or a channel, such as "output 2"; None if it is none."""
+    match = _OF_MACHINE.fullmatch(name)
+    return None if match is None else f"{match[1].lower()} {int(match[2])}"
+
+
+def present(machine: Machine, name: str) -> object:
+    """Return what changes with an axis or a channel, by its name; None before the program uses the controller.
+
+    An axis changes when a move enters or leaves its buffer, and with its target, its faults and whether it is on.
+    """
+    if not machine.has_controller:
+        return None
+    controller = machine.controller
+    what, _, text = name.rpartition(" ")
+    number = int(text)
+    if what == "axis":
+        axis = controller.axes.get(number)
+        if axis is None:
+            raise WrongExpression(f"there is no axis {number}")
+        return axis.target, axis.enabled, axis.faults, len(axis.buffer)
+    channels: dict[str, Channels] = {
+        "input": controller.inputs, "analogue input": controller.analogue_inputs,
+        "output": controller.outputs, "analogue output": controller.analogue_outputs,
+    }  # fmt: skip
+    return channels[what][number]
 
 
 def inputs(machine: Machine) -> list[Variable]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.debug import scopes
-from motionlang.debug.expressions import WrongExpression, parse
+from motionlang.debug.expressions import READINGS, WrongExpression, parse
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -63,6 +63,24 @@ class State:
     def named(self, name: str) -> tuple[tuple[str, ...], Variable] | None:
         """Return the path and the variable of a name at the stop."""
         return self._ask(lambda: scopes.named(self._replay.hook, self._point, name))
+
+    def path_of(self, name: str) -> tuple[str, ...]:
+        """Return the path of a variable, an axis or a channel such as "output 2"; raise WrongExpression."""
+        found = self.named(name.strip())
+        if found is not None:
+            return found[0]
+        part = scopes.of_machine(name)
+        if part is None:
+            raise WrongExpression(f"there is no variable {name.strip()[:60]} here")
+        self._ask(lambda: scopes.present(self._replay.machine, part))
+        return scopes.MACHINE, part
+
+    def names(self) -> list[str]:
+        """Return the names that an expression may use at the stop: variables and readings."""
+        frames = [] if self._point is None else list(self.frames(self._point.task))[:1]
+        found = [each.name for frame in frames for each in frame.variables]
+        found += [each.name for each in self.module()]
+        return list(dict.fromkeys([*found, *READINGS, "time"]))
 
     def evaluate(self, text: str) -> object:
         """Return the value of an expression, or the variable of a name.

@@ -276,7 +276,10 @@ COMMANDS: dict[str, Command] = {
         Command("over", "", "Run to the next statement, over a sub.", debugging.over),
         Command("back", "", "Go back to the statement before.", debugging.back),
         Command("reverse", "", "Go back to the breakpoint before.", debugging.reverse),
-        Command("goto", "S", "Go to a time, forward or back.", debugging.goto),
+        Command("goto", "S", "Go to a time, forward or back; line 12: to its next start.", debugging.goto),
+        Command(
+            "changed", "X", "Go back to the last change of n, output 2, input 5 or axis 0.", debugging.changed
+        ),
         Command(
             "change",
             "N TEXT",

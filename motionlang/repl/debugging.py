@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint
-from motionlang.debug.debugger import Debugger, NotStopped, Stop
+from motionlang.debug.debugger import Debugger, NotStopped, Stop, destination
 from motionlang.debug.expressions import parse
 from motionlang.debug.values import shown
 from motionlang.errors import Diagnostic, ProgramError
@@ -207,15 +207,20 @@ def reverse(session: Session, _: str) -> None:
 
 
 def goto(session: Session, text: str) -> None:
-    """`.goto S`: go to a time."""
-    try:
-        time = float(text)
-    except ValueError:
-        time = -1.0
-    if not 0.0 <= time < 1e9:
-        _wrong(session, f".goto takes a time in seconds, not {text}", ".goto 2.5")
-        return
-    _moved(session, lambda debugger: debugger.go_to_time(time))
+    """`.goto S` or `.goto line N`: go to a time, or to the next time that a line begins."""
+    _moved(session, lambda debugger: destination(debugger, text)())
+
+
+def changed(session: Session, text: str) -> None:
+    """`.changed X`: go back to the statement that last changed a variable, an axis or a channel."""
+
+    def work(debugging: Debugging) -> str:
+        debugger = debugging.debugger
+        path = debugger.state().path_of(text)
+        stop = debugger.last_change(path)
+        return f"nothing has changed {path[-1]} yet\n" if stop is None else debugging.line(stop)
+
+    _with(session, work)
 
 
 def vars_(session: Session, text: str) -> None:

@@ -146,6 +146,60 @@ def test_data_breakpoints_and_the_last_change(client: Client, program: Path) -> 
     assert client.frames(stop)[0] == ("Add", 5)
 
 
+def test_goto_offers_a_line_forward_and_back(client: Client, program: Path) -> None:
+    client.launch(program, stopOnEntry=True)
+    client.begin()
+    client.go("next")
+    forward, back = client.ask("gotoTargets", source={"path": str(program)}, line=5)["targets"]
+    assert (forward["label"], forward["line"]) == ("the next time that line 5 begins", 5)
+    assert back["label"] == "back to the last time that line 5 began"
+    thread = 1
+    totals = []
+    for target in (forward, forward, back):
+        stop = client.go("goto", threadId=thread, targetId=target["id"])
+        assert (stop["body"]["reason"], client.frames(stop)[0]) == ("goto", ("Add", 5))
+        totals.append(client.scopes(stop)["Variables"]["total"])
+    assert totals == ["0", "2", "0"]
+    assert client.ask("gotoTargets", source={"path": str(program)}, line=99)["targets"] == []
+    assert "no target" in client.refused("goto", threadId=thread, targetId=999)
+    client.ask("evaluate", expression=".goto line 11", context="repl")
+    assert client.frames(client.wait("stopped"))[0] == ("main", 11)
+
+
+def test_the_console_completes_names_and_commands(client: Client, program: Path) -> None:
+    client.launch(program, stopOnEntry=True)
+    client.begin()
+
+    def offered(text: str, column: int | None = None) -> list[tuple[str, int, int]]:
+        column = len(text) + 1 if column is None else column
+        found = client.ask("completions", text=text, column=column)["targets"]
+        return [(each["label"], each["start"], each["length"]) for each in found]
+
+    assert offered("1 + to") == [("total", 5, 2)]
+    assert offered(".go") == [(".goto", 1, 3)]
+    assert offered(".changed to") == [("total", 10, 2)]
+    assert offered("to + 1", 3) == [("total", 1, 2)]
+    assert ("position", 1, 3) in offered("pos")
+    assert offered("nothing") == []
+
+
+def test_an_axis_is_watched_and_its_last_change_is_found(client: Client, tmp_path: Path) -> None:
+    """Line 3 gives the target, and GO in line 4 begins the move."""
+    program = tmp_path / "move.mnt"
+    program.write_text(MOVE)
+    client.launch(program, stopOnEntry=True)
+    stop = client.begin()
+    data = client.ask("dataBreakpointInfo", name="axis 0")["dataId"]
+    client.ask("setDataBreakpoints", breakpoints=[{"dataId": data}])
+    stop = client.go("continue")
+    assert "axis 0 changes before line" in stop["body"]["text"]
+    client.ask("setDataBreakpoints", breakpoints=[])
+    client.ask("evaluate", expression=".goto line 6", context="repl")
+    client.wait("stopped")
+    client.ask("evaluate", expression=".changed output 2", context="repl")
+    assert client.frames(client.wait("stopped"))[0] == ("main", 2)
+
+
 def test_an_input_is_answered_in_the_console(client: Client, tmp_path: Path) -> None:
     program = tmp_path / "asks.mnt"
     program.write_text("Dim n As Integer\nINPUT n\nPrint n * 2\n")

@@ -270,6 +270,64 @@ def test_a_change_of_a_variable_stops_after_it() -> None:
     assert found.line == 5
 
 
+@pytest.mark.parametrize(
+    ("name", "line"), [("output 2", 2), ("axis 0", 4), ("input 5", None), ("OUTPUT  2", 2)]
+)
+def test_the_last_change_of_a_channel_or_an_axis(name: str, line: int | None) -> None:
+    """OUTX sets the output, and GO begins the move; nothing has changed the input."""
+    debugger = mint(MOVE)
+    debugger.start()
+    debugger.set_breakpoints([at(debugger, 5)])
+    debugger.go_on()
+    stop = debugger.last_change(debugger.state().path_of(name))
+    assert (stop.line if stop else None) == line
+
+
+def test_an_axis_changes_again_when_it_is_given_a_target() -> None:
+    debugger = mint(MOVE + "MOVEA(0) = 50\nPrint 1\n")
+    debugger.start()
+    debugger.go_to_time(2.5)
+    stop = debugger.last_change(debugger.state().path_of("axis 0"))
+    assert stop is not None
+    assert stop.line == 7
+
+
+@pytest.mark.parametrize("name", ["nothing", "axis 99", "output", "axis -1", ""])
+def test_what_has_no_changes_is_rejected(name: str) -> None:
+    debugger = mint(MOVE)
+    debugger.start()
+    debugger.next()
+    with pytest.raises(ValueError, match="there is no"):
+        debugger.state().path_of(name)
+
+
+def test_a_line_is_reached_forward_and_back() -> None:
+    """The sub adds 2, 4 and 6 to the total in line 5."""
+    debugger = mint(CALLS)
+    debugger.start()
+    totals = []
+    for go in [debugger.go_to_line] * 3 + [debugger.go_back_to_line] * 2:
+        stop = go(5)
+        assert stop is not None
+        totals.append((stop.line, value(debugger, "total")))
+    assert totals == [(5, 0), (5, 2), (5, 6), (5, 2), (5, 0)]
+    stop = debugger.go_back_to_line(5)
+    assert stop is not None
+    assert (stop.text, value(debugger, "total")) == ("line 5 has not begun before", 0)
+
+
+def test_a_line_that_does_not_begin_again_changes_nothing() -> None:
+    output: list[str] = []
+    debugger = mint(CALLS, show=output.append)
+    debugger.start()
+    debugger.go_to_line(11)
+    stop = debugger.go_to_line(9)
+    assert stop is not None
+    assert (stop.line, stop.text, output) == (11, "line 9 does not begin again", [])
+    debugger.go_on()
+    assert output == ["12\n"]
+
+
 # ----------------------------------------------------------------------------------------------------- changes
 
 
