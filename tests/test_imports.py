@@ -22,7 +22,7 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "fast/__init__.py": "command_rounds loop_counters moves ranges",
+    "fast/__init__.py": "command_counters command_rounds loop_counters loop_switches moves ranges timer_ticks",
     "fast/time_slices.py": "recurrence",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
@@ -54,7 +54,7 @@ LAZY = {
     # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
     "client/mint.py": "virtual",
-    "log/stream.py": "records",
+    "log/stream.py": "records repeated",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mccl/runtime/program.py": "runtime.debugging",

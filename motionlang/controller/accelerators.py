@@ -27,10 +27,21 @@ class Accelerators:
     * `registers(task)`: what knows the registers that the loops of an MCCL task count
     * `rounds(board)`: what skips rounds of several MCCL tasks, by its method `jumped(task)`
     * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
+    * `switches(environment)`: what skips iterations of a Mint loop that switch outputs, by its method `skip`
     * `ticks(events)`: what runs the ticks of a Mint program's timer while all tasks wait, by its method `run`
     """
 
-    __slots__ = ("axes", "counted", "ranges", "registers", "rounds", "scheduler", "servo", "ticks")
+    __slots__ = (
+        "axes",
+        "counted",
+        "ranges",
+        "registers",
+        "rounds",
+        "scheduler",
+        "servo",
+        "switches",
+        "ticks",
+    )
 
     def __init__(
         self,
@@ -42,10 +53,11 @@ class Accelerators:
         rounds: Callable[[Any], Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
+        switches: Callable[[Any], Any] | None = None,
         ticks: Callable[[Any], Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
-        self.registers = registers
+        self.registers, self.switches = registers, switches
         self.rounds, self.scheduler, self.servo, self.ticks = rounds, scheduler, servo, ticks
 
 

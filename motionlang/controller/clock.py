@@ -133,7 +133,7 @@ class Clock:
         return min(self._heap[1:3])[0] if len(self._heap) > 1 else INFINITY
 
     def reach(self, event: Event) -> bool:
-        """Advance to `event` without its call, if it is the next one and no other is at its time."""
+        """Advance to `event` without its call; False if it is not alone and next."""
         heap = self._heap
         time, _, first = heap[0]
         if first is not event or self.second_time() <= time:

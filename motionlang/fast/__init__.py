@@ -24,6 +24,7 @@ def everything() -> Accelerators:
         rounds=_rounds,
         scheduler=TimeSlices,
         servo=_servo,
+        switches=_switches,
         ticks=_ticks,
     )
 
@@ -62,6 +63,12 @@ def _servo(*given: Any, **columns: Any) -> Any:
     from motionlang.fast.closed_form import ClosedFormServo
 
     return ClosedFormServo(*given, **columns)
+
+
+def _switches(environment: Any) -> Any:
+    from motionlang.fast.loop_switches import LoopSwitches
+
+    return LoopSwitches(environment)
 
 
 def _ticks(events: Any) -> Any:

@@ -46,9 +46,9 @@ class CountedRegisters:
         self._values: list[float | int] = []
 
     def advanced(self, effects: int) -> tuple[Counter, ...]:
-        """Return the counters of the iteration that ends here, if they explain its `effects`; else ().
+        """Return the counters of the iteration that ends here; () if they are not all.
 
-        `effects` is negative if the last jump back was another one.
+        They are if they explain its `effects`. `effects` is negative if the last jump back was another one.
         """
         counters = self._counters()
         if not counters:
@@ -61,7 +61,7 @@ class CountedRegisters:
         return counters if counts and all(isinstance(m, int) for m in self._values) else ()
 
     def most(self, counters: Sequence[Counter]) -> float:
-        """Return how many iterations may follow in which all comparisons give the same result."""
+        """Return how many iterations may follow without a comparison that changes."""
         steps, levels = [step for _, step, *_ in counters], [each for _, _, each, _ in counters]
         return counted(self._values, steps, levels)
 
@@ -109,12 +109,13 @@ def _counters_in(commands: Sequence[Command], governs: int) -> list[Counter]:
             return []
         if CONDITIONS.intersection(verbs[max(0, k - governs) : k]):
             return []
-        uses = sum(
-            each.value == first.value and (each.kind == REGISTER or verb in ("recall", "store"))
+        uses = [
+            verb
             for each, verb in zip(commands, verbs, strict=True)
-        )
+            if each.value == first.value and (each.kind == REGISTER or verb in ("recall", "store"))
+        ]
         found = _levels(commands, verbs, k + 3, governs)
-        if first.value in (0, None) or uses != 2 or found is None:
+        if first.value in (0, None) or len(uses) != 2 or found is None:
             return []
         made.append((int(first.value), _STEPS[verbs[k + 1]] * step.value, *found))
     return made if all(step for _, step, *_ in made) else []
@@ -123,7 +124,7 @@ def _counters_in(commands: Sequence[Command], governs: int) -> list[Counter]:
 def _levels(
     commands: Sequence[Command], verbs: Sequence[str], first: int, governs: int
 ) -> tuple[tuple[float, ...], bool] | None:
-    """Return the numbers with which the accumulator is compared from command `first` on.
+    """Return the numbers compared with the accumulator from command `first` on.
 
     The second item is true if the loop ends before the accumulator is set again. None if its value may be used for
     anything else.

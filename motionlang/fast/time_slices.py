@@ -135,7 +135,9 @@ class TimeSlices(Scheduler):
         return went > 0
 
     def _last_checked(self, places: set[int]) -> Task:
-        """Return the task whose wait the scheduler checks last; it places the events that happen next."""
+        """Return the task whose wait the scheduler checks last.
+
+        The next events are logged at its source position."""
         turn, count = self._turn, len(self.tasks)
         return self.tasks[max(places, key=lambda k: (k - turn) % count) if len(places) > 1 else min(places)]
 
@@ -188,13 +190,13 @@ class TimeSlices(Scheduler):
         recurrence.leap(self.tasks, self._turn, self.until)
 
     def _jump(self, until: float) -> None:
-        """Jump to the next time at which something can change; ticks of a timer run on the way."""
+        """Jump to the next time at which something can change, or run ticks."""
         due, ticks = self.next_change(), self.ticks
         if ticks is None or not self.by_itself or self._left or not ticks.run(self, due, until):
             self._jump_to(due, until)
 
     def ran_handler(self, task: Task, until: float) -> bool:
-        """Let a handler interrupt the waiting tasks for a time slice; True if it has ended by then."""
+        """Let a handler interrupt the waiting tasks; True if it ends in one slice."""
         clock, statements, interrupts = self.clock, self._statements, self.interrupts
         several = len(self.tasks) > 1
         interrupts.append(task)

@@ -75,7 +75,7 @@ class TimerTicks:
         self._left = self._back_off = 0
 
     def run(self, scheduler: Any, due: float, until: float) -> bool:
-        """Run ticks, the first of them at `due`, while all tasks wait; False if that is not possible."""
+        """Run ticks from `due` on while all tasks wait; False if that is impossible."""
         events, environment = self._events, self._environment
         event, clock = self._event, environment.clock
         if (
@@ -154,7 +154,7 @@ class TimerTicks:
         self._left, self._back_off = self._back_off, min(2 * self._back_off or 1, MAX_BACK_OFF)
 
     def _skipped(self, end: float) -> bool:
-        """Skip periods that fit before `end`, if the search has found one; False if it has failed."""
+        """Skip periods that fit before `end`; False if the search has failed."""
         search, environment = self._search, self._environment
         assert search is not None
         period = search.period()
@@ -234,7 +234,7 @@ class _Search:
         return number - before
 
     def _advanced(self, number: int, period: int) -> list[float] | None:
-        """Return how far counters advance in a period; None if they have not done so twice."""
+        """Return how far counters advance in a period; None if not twice in a row."""
         after, between = self.marks[number][1], self.marks[number - period][1]
         steps = [n - m for n, m in zip(after, between, strict=True)]
         if any(steps):

@@ -1,4 +1,4 @@
-"""Records of actions that repeat: a template and how often it applies, read like a list.
+"""Records of actions that repeat, as a template that is read like a list.
 
 A handler that toggles an output every millisecond writes 58 million records in eight hours. They differ only
 in their times, which are those of statements: a base, such as a tick of a timer, plus a number of statements.
@@ -75,7 +75,7 @@ def length(shape: Shape) -> int:
 
 
 def _with_times(times: list[float], rest: tuple[object, ...]) -> tuple[object, ...]:
-    """Return a record; one with two times ends with the time between them, like `Turns`."""
+    """Return a record; one with two times also ends with their difference."""
     if len(times) == 1:
         return times[0], *rest
     began, ended = times
@@ -83,7 +83,7 @@ def _with_times(times: list[float], rest: tuple[object, ...]) -> tuple[object, .
 
 
 def rows_of(records: Sequence[tuple[Any, ...]], tick: int, base: float, cost: float) -> list[Row] | None:
-    """Return the rows of records that one tick with its statements from `base` on has written.
+    """Return the rows of the records of one tick, whose statements begin at `base`.
 
     None if a time is not that of a statement. Records with a tuple of a duration at the end have two times.
     """

@@ -191,7 +191,7 @@ class Chunks:
             self._total = 0
 
     def repeat(self, template: tuple[Shape, Pace], count: int) -> None:
-        """Store a chunk of `count` records that are made from a template when they are read."""
+        """Store a chunk of `count` records, made from a template as they are read."""
         self._places.append(self._store.put(dumps(template)))
         self.firsts.append(self.count)
         self.count += count

@@ -44,7 +44,7 @@ def outcome(text: str, fast: bool, until: float = 0.6) -> dict[str, Any]:
     ),
 )
 def test_a_counting_loop_is_skipped(loop: str, counted: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A move of 1000 takes 1.05 s, so several thousand iterations of some ten commands pass."""
+    """A move of 1000 takes 1.05 s: thousands of iterations of ten commands."""
     text = f"{HEAD}MD6,{loop}\n{MOVES}\n1MR1000,MC6,TR40,TR43\n"
     assert outcome(text, True, 5.0) == outcome(text, False, 5.0)
     calls = 0

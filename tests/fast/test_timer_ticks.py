@@ -29,7 +29,7 @@ def ticks(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 
 
 def ran(handler: str, wait: str = "WAIT(10000)", period: int = 1, **machine: object) -> Run:
-    """Run a program that waits while a timer ticks, and prints the variables of its handler."""
+    """Run a program that waits while a timer ticks, and prints its variables."""
     text = (
         "Dim n As Integer, m As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
         f"TIMEREVENT = {period}\n{wait}\nPRINT n, ' ', m\nEnd\nEvent TIMER\n{handler}\nEnd Event\n".replace(
@@ -49,7 +49,7 @@ def printed(found: Run) -> list[int]:
 
 
 def test_a_counter_has_counted_every_tick(ticks: list[float]) -> None:
-    """The three statements before TIMEREVENT take 30 µs, and so the wait of 10 s ends after tick 10 000."""
+    """The timer starts at 30 µs, and the wait of 10 s ends after its tick 10 000."""
     found = ran("n = n + 1")
     assert printed(found)[0] == 10_000
     assert len(found.machine.log.events) == 10_000

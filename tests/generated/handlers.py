@@ -1,4 +1,4 @@
-"""Random programs whose TIMER handlers count, toggle, compare and act, alongside moves and tasks.
+"""Random programs with TIMER handlers alongside moves and tasks.
 
 Each is run with the accelerators and without. The reports and all records of the log must be equal.
 
@@ -97,7 +97,7 @@ def _handler(random: Random) -> list[str]:
 
 
 def document(text: str, machine: dict[str, object], fast: bool) -> str:
-    """Return the report of a run, and the records of its log that have a time of their own."""
+    """Return the report of a run and the records of its log."""
     made = run(Source("a.mnt", text), machine=machine, cache=False, until=UNTIL, fast=fast)
     log = made.machine.log
     streams = (log.inputs, log.outputs, log.prints, log.events, log.settings)

@@ -1,4 +1,4 @@
-"""The counters of a handler: variables that it only counts and compares with constants."""
+"""The counters of a handler, which it only counts and compares with constants."""
 
 from __future__ import annotations
 

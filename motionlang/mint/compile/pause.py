@@ -38,7 +38,9 @@ def pause(b: Body, node: nodes.Pause) -> None:
 
 
 def _ignores_data(node: nodes.Expr) -> bool:
-    """True if a condition reads the world alone, and no variable, setting or memory of the program."""
+    """True if a condition reads the world alone.
+
+    It has no variable, setting or memory of the program."""
     names = [each for each in walk([node]) if isinstance(each, nodes.Name)]
     return all(
         each.row is not None and each.symbol is None and each.definition is None

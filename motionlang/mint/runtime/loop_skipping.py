@@ -18,6 +18,7 @@ from motionlang.lang.task import INFINITY, WATCH
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from motionlang.lang.dependencies import Note
     from motionlang.mint.runtime.environment import Environment
@@ -54,6 +55,7 @@ class Site:
         "_environment",
         "_levels",
         "_statements",
+        "_switches",
         "alters",
         "asks",
         "carries",
@@ -72,6 +74,7 @@ class Site:
     ) -> None:
         self._environment, self.asks, self.carries, self.alters = environment, asks, carries, alters
         self.looks_at, self._levels = looks_at, levels
+        self._switches: Any = None
         self.left = self._due = 0.0
         self._statements = environment.statements
         self._base = self._statements.base
@@ -99,6 +102,8 @@ class Site:
         dependencies, statements = self._environment.dependencies, self._environment.statements
         if look is not None:
             found = self.skip(t, horizon, look, state, counters) if look[0] == state else None
+            if found is None and look[0] != state:
+                found = self._switched(t, horizon, look, state, counters)
             if found is None:
                 self._environment.task.look = None
                 elements = sum([len(each) for each in state if isinstance(each, tuple)])
@@ -110,7 +115,27 @@ class Site:
                 self.left = 0.0
                 t, horizon, counters = found
         since = t, statements.base, statements.at(t), self._environment.resumed
-        return t, horizon, (state, counters, *since, *dependencies.begin()), 0.0, counters
+        look = state, counters, *since, *dependencies.begin()
+        if self._switches is not None:
+            self._switches.begin(look)
+        return t, horizon, look, 0.0, counters
+
+    def _switched(
+        self, t: float, horizon: float, look: Look, state: State, counters: Counters
+    ) -> tuple[float, float, Counters] | None:
+        """Skip iterations that only switch outputs, if there is an accelerator for them.
+
+        The first such iteration is only noticed.
+        """
+        environment = self._environment
+        if self._switches is not None:
+            return self._switches.skip(t, look, state, counters, self._levels, self.carries)  # type: ignore[no-any-return]
+        make = environment.machine.accelerators.switches
+        acted = environment.acts - look[0][0]  # type: ignore[index,operator]
+        if make is None or not 0 < acted <= environment.switches:
+            return None
+        self._switches = make(environment)
+        return t, horizon, counters
 
     def skip(
         self, t: float, horizon: float, look: Look, state: State, counters: Counters
@@ -153,7 +178,9 @@ class Site:
             most = counted(counters, steps, self._levels)
         if until == most == INFINITY:
             raise Rejected("never", "the loop polls for something that can no longer happen", "")
-        if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
+        # A loop that counts may end by itself.
+        asks = self.asks and not any(steps)
+        if asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
             task.in_vain = began if level == scheduler.next_change() == INFINITY else None
         environment.task = task  # the conditions of other tasks may have set another running task
         turns = max(0, int(min(statements.periods(base, since, t, until) - self.carries, most)))
