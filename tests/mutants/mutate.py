@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
@@ -62,15 +63,23 @@ def files() -> list[Path]:
     return sorted({*PACKAGE.rglob("*.py")} - {PACKAGE / name for name in GENERATED})
 
 
+@cache
+def every() -> tuple[Mutant, ...]:
+    """Return every change of the package."""
+    return tuple(mutant for path in files() for mutant in mutants(path))
+
+
 def mutants(path: Path) -> Iterator[Mutant]:
     """Yield every change of a file, in order, except in types and messages."""
     times: Counter[str] = Counter()
+    file = path.relative_to(ROOT)
     for place, (where, node, after) in enumerate(_changes(ast.parse(path.read_bytes()), "")):
-        name = f"{path.relative_to(ROOT)}: {where}{ast.unparse(node)} -> {after}"
+        before = ast.unparse(node)
+        name = f"{file}: {where}{before} -> {after}"
         times[name] += 1
         name += f" #{times[name]}" if times[name] > 1 else ""
         imported = not any(part.isidentifier() and part.islower() for part in where.split(": "))
-        yield Mutant(path, place, name, node.lineno, ast.unparse(node), after, imported)
+        yield Mutant(path, place, name, node.lineno, before, after, imported)
 
 
 def woven(path: Path, numbers: Mapping[int, int]) -> str:
@@ -160,4 +169,4 @@ def chosen(count: int, seed: int) -> list[Mutant]:
     def rank(mutant: Mutant) -> bytes:
         return sha256(f"{seed} {mutant.name}".encode()).digest()
 
-    return sorted((mutant for path in files() for mutant in mutants(path)), key=rank)[:count]
+    return sorted(every(), key=rank)[:count]
