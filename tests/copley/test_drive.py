@@ -114,6 +114,15 @@ def test_an_empty_buffer_in_mid_move_is_an_underflow_and_brakes() -> None:
     assert told(drive)[-1] == "underflow at 500: the next point was not in the buffer in time"
 
 
+def test_a_long_stop_ends_at_its_time_to_the_microsecond() -> None:
+    """10 000 counts/s at 5000 counts/s²: 2 s after 0.1 s."""
+    drive = loaded([WirePoint(0, 0, 100), WirePoint(500, 100_000, 100)])
+    drive.abort_deceleration = 5_000.0
+    drive.start()
+    drive.run_until(3_000_000)
+    assert drive.starts[-1] == pytest.approx(2.1, rel=0.0, abs=1e-7)
+
+
 def test_a_start_without_points_is_an_underflow() -> None:
     drive = Drive(7.0)
     drive.start()

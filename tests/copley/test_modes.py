@@ -146,6 +146,15 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
     assert axis.has(LIMIT) == [False]
 
 
+def test_a_set_point_where_the_axis_stands_is_no_motion_towards_a_limit_switch() -> None:
+    """It is switched on 5 counts beyond the switch."""
+    axis = Axis(PP, Switches(positive=-5.0))
+    axis.move(0)
+    assert axis.at(1.0) == 0
+    assert axis.has(REACHED, LIMIT) == [True, False]
+    assert axis.errors == []
+
+
 # ------------------------------------------------------------------------------------------------ profile velocity
 
 

@@ -330,3 +330,48 @@ def test_the_eds_has_what_the_drive_has(node: Any) -> None:
                 assert 8 * len(node.sdo.upload(variable.index, variable.subindex)) == len(variable)
     assert node.object_dictionary[0x1800][1].default == 0x181
     assert eds() == eds()
+
+
+# The entries of a mapping: index, sub-index and bits, as CiA 402 gives them for PDO 1 to 4.
+DEFAULT_MAPPINGS = {
+    0x1600: [0x6040_00_10],
+    0x1601: [0x6040_00_10, 0x6060_00_08],
+    0x1602: [0x6040_00_10, 0x607A_00_20],
+    0x1603: [0x6040_00_10, 0x60FF_00_20],
+    0x1A00: [0x6041_00_10],
+    0x1A01: [0x6041_00_10, 0x6061_00_08],
+    0x1A02: [0x6041_00_10, 0x6064_00_20],
+    0x1A03: [0x6041_00_10, 0x606C_00_20],
+}
+
+
+def number(bus: Bus, index: int, sub: int) -> int:
+    """Return the value of an object, read by SDO from drive 2."""
+    answer = bus.ask(2, 0x40, index & 0xFF, index >> 8, sub)
+    assert answer[0] & 0xE0 == 0x40
+    return int.from_bytes(answer[4:], "little")
+
+
+@pytest.mark.parametrize("index", DEFAULT_MAPPINGS, ids=hex)
+def test_the_default_mapping_is_that_of_the_profile(index: int, bus: Bus) -> None:
+    entries = DEFAULT_MAPPINGS[index]
+    assert number(bus, index, 0) == len(entries)
+    assert [number(bus, index, sub) for sub in range(1, 9)] == entries + [0] * (8 - len(entries))
+
+
+def test_the_identity_has_the_node_as_its_serial_number(bus: Bus) -> None:
+    assert [number(bus, 0x1018, sub) for sub in range(5)] == [4, 0, 0, 0x10000, 2]
+
+
+def test_a_mapping_of_more_than_eight_objects_is_too_long(bus: Bus) -> None:
+    too_long = (0x06040042).to_bytes(4, "little")
+    for objects in (9, 64, 255):
+        assert bus.ask(1, 0x2F, 0x01, 0x16, 0, objects)[4:] == too_long
+
+
+def test_a_pdo_that_stays_as_it_was_is_not_sent_again(bus: Bus) -> None:
+    """PDO 1 is sent as the drive becomes operational, and then when its status word changes."""
+    bus.send(0, 1, 1)
+    assert 0x181 in dict(bus.until(0.05))
+    bus.ask(1, 0x2F, 0x01, 0x18, 2, 255)  # the transmission type of PDO 2
+    assert 0x181 not in dict(bus.until(0.06))

@@ -6,6 +6,9 @@ Effects within rounding do not count, as two computations of one figure may diff
 from __future__ import annotations
 
 EQUIVALENT: dict[str, str] = {
+    "motionlang/copley/export.py: _read_back: initial + point.position -> initial - point.position": (
+        "the point after an initial position is at that position: its distance is 0"
+    ),
     "motionlang/controller/moves/path_run.py: PathRun: _enter: True -> False": (
         "a path has as many moves as axes"
     ),
