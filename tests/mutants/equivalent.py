@@ -6,6 +6,9 @@ Effects within rounding do not count, as two computations of one figure may diff
 from __future__ import annotations
 
 EQUIVALENT: dict[str, str] = {
+    "motionlang/copley/modes.py: ProfileModes: _run: last > here -> last >= here": (
+        "an axis at rest at its target is not run; at speed it comes back to it from either side"
+    ),
     "motionlang/copley/export.py: _read_back: initial + point.position -> initial - point.position": (
         "the point after an initial position is at that position: its distance is 0"
     ),
