@@ -77,6 +77,7 @@ BESIDE: tuple[set[str], ...] = (
 # do not import each other. The lookup of a keyword ("vocabulary") is at the bottom, its file higher up.
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
+        ("collector",),
         (
             "debugging",
             "keyword",

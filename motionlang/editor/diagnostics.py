@@ -17,9 +17,12 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 
-def findings(page: Page) -> list[Diagnostic]:
-    """Return the diagnostics of a program, as `check` reports them."""
-    found = page.language.check(page.source, page.settings)
+def findings(page: Page, known: dict[object, object] | None = None) -> list[Diagnostic]:
+    """Return the diagnostics of a program, as `check` reports them.
+
+    `known` is as in `Dialect.check`.
+    """
+    found = page.language.check(page.source, page.settings, known)
     return one_sentence(page.language, page.source, found)
 
 

@@ -1,4 +1,4 @@
-"""A pause of Python's garbage collector, for passes that make many objects and drop few."""
+"""A pause of Python's garbage collector, for passes that make many objects."""
 
 from __future__ import annotations
 

@@ -141,10 +141,17 @@ class Dialect:
         """True if a compiled program depends on a key of the machine file."""
         return False
 
-    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    def check(
+        self,
+        source: Source,
+        settings: Mapping[str, object] | None = None,
+        known: dict[object, object] | None = None,
+    ) -> list[Diagnostic]:
         """Return all errors and warnings without a run.
 
-        `settings` are those of the machine file.
+        `settings` are those of the machine file. `known` is a dict, empty at first, that passes from one check of
+        a text to the next: a language may store in it what it found, so that it checks only what has changed. The
+        result is the same.
         """
         raise NotImplementedError
 

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from motionlang.editor.times import Times
 
 CHECK, TIMES = "check", "times"
+# What the checks of a text have found, for the next check of it; by file name, the latest last.
+_known: dict[str, dict[object, object]] = {}
+MAX_TEXTS = 4
 
 
 @record
@@ -48,7 +51,10 @@ def work(job: Job) -> list[Diagnostic] | Times:
     page = Page(source, language, settings)
     if job.what == TIMES:
         return times(page)
-    found = findings(page)
+    known = _known[job.name] = _known.pop(job.name, {})
+    if len(_known) > MAX_TEXTS:
+        del _known[next(iter(_known))]
+    found = findings(page, known)
     if wrong:
         message = f"{job.machine_name} is invalid, and the program is checked without it: {wrong[0].message}"
         found.insert(0, Diagnostic("machine-file", message, 1, 1, severity="warning"))

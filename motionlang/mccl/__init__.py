@@ -87,7 +87,16 @@ class Mccl(Dialect):
             syntax = [each for each in mistakes if (each.line, each.column) in places]
             raise ProgramError(syntax or mistakes) from None  # the line may be too long, too
 
-    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    def check(
+        self,
+        source: Source,
+        settings: Mapping[str, object] | None = None,
+        known: dict[object, object] | None = None,
+    ) -> list[Diagnostic]:
+        """Return all errors and warnings.
+
+        Nothing is stored in `known`: a check takes only twice as long as parsing.
+        """
         from motionlang.mccl.lint.check import check
 
         return check(source, settings)

@@ -88,10 +88,16 @@ class Mint(Dialect):
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")
 
-    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    def check(
+        self,
+        source: Source,
+        settings: Mapping[str, object] | None = None,
+        known: dict[object, object] | None = None,
+    ) -> list[Diagnostic]:
+        """Return all errors and warnings; `known` stores those of each function."""
         from motionlang.mint.lint import check
 
-        return check(source, settings)
+        return check(source, settings, known)
 
     def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
         from motionlang.mint.resolve.definitions import names

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Ranges
     from motionlang.mint.compile.assembly import TypedLine
     from motionlang.mint.compile.stops import Stops
+    from motionlang.mint.resolve.recall import Recall
     from motionlang.mint.resolve.symbols import Function, Scope
     from motionlang.mint.runtime.code_units import Code
     from motionlang.mint.syntax.nodes import Module
@@ -61,20 +62,47 @@ def compile_module(
     settings: dict[str, object] | None = None,
     ranges: Ranges | None = None,
     debug: bool = False,
+    recall: Recall | None = None,
 ) -> Compiled:
     """Compile a program; raise ProgramError with all errors.
 
-    With `debug` it counts its statements, and a debugger may stop it.
+    With `debug` it counts its statements, and a debugger may stop it. With `recall` functions that it knows are
+    not compiled, so the code is incomplete.
     """
     problems = Problems(module)
     _mark_faults(module, settings, problems)
     whole = _declared(module, settings, problems, None, "")
     whole.ranges, whole.debugging = ranges, Debugging() if debug else None
-    bodies = {function: _function(whole, function) for function in whole.names.functions}
+    bodies = _new_bodies(whole, recall)
     warn_of_misspellings(whole)
     problems.raise_errors()
     code = assemble(whole, bodies)
     return Compiled(code, whole.names, problems, whole.debugging.payload() if whole.debugging else None)
+
+
+def _new_bodies(whole: SharedData, recall: Recall | None) -> dict[Function, Body]:
+    """Write the functions that are not recalled; report the problems of all."""
+    if recall is None:
+        return {function: _function(whole, function) for function in whole.names.functions}
+    names, problems = whole.names, whole.problems
+    interfaces, bank = recall.resolve(names), names.default_bank
+    facts = (
+        whole.axes, whole.told, whole.guarded, whole.others, names.uses_axes, names.uses_terminal,
+        None if bank is None else bank.name, interfaces.types,
+    )  # fmt: skip
+    bodies: dict[Function, Body] = {}
+    problems.recorder = recall.recorder
+    for function in names.functions:
+        key = recall.key("compile", function, facts)
+        known = recall.find(key)
+        if known is not None:
+            recall.repeat(known, function, problems.add)
+            continue
+        recall.recorder.begin()
+        bodies[function] = _function(whole, function)
+        recall.store(key, function)
+    problems.recorder = None
+    return bodies
 
 
 def compile_line(

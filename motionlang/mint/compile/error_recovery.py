@@ -5,12 +5,14 @@ from __future__ import annotations
 from motionlang.errors import ProgramError
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.keywords import table
+from motionlang.mint.resolve.recall import Recall
 from motionlang.mint.syntax.recovery import readable
 from motionlang.mint.syntax.tables import TABLES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
+    from motionlang.mint.resolve.recall import Known
     from motionlang.source import Source
 
 # Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by a
@@ -34,12 +36,12 @@ _OF_A_STATEMENT = frozenset(
 
 
 def with_other_lines(
-    source: Source, settings: dict[str, object] | None, unreadable: ProgramError
+    source: Source, settings: dict[str, object] | None, unreadable: ProgramError, known: Known | None = None
 ) -> ProgramError:
     """Return the errors of a text, and compile errors of its readable lines.
 
     The unreadable lines are removed. A name in a removed line may have been declared there, so lines that use
-    it are not reported.
+    it are not reported. `known` is as in `check`.
     """
     lines = source.text.split("\n")
     module, taken = readable(source, unreadable)
@@ -47,7 +49,7 @@ def with_other_lines(
         return unreadable
     names = {name for number in taken for name in _names(lines[number - 1])}
     try:
-        compile_module(module, settings)
+        compile_module(module, settings, recall=None if known is None else Recall(module, known))
     except ProgramError as error:
         more = [each for each in error.diagnostics if _stands(each, lines, names)]
         return ProgramError([*unreadable.diagnostics, *more])

@@ -123,6 +123,7 @@ def _is_kept(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
 
 
 def _once(b: Body, node: nodes.Node, row: Keyword, message: str) -> None:
+    b.whole.problems.depends()
     if all(message != each.message for each in b.whole.problems.found.values()):
         b.warn(CODE, message, node, f"{row.name}: {row.help}")
 

@@ -126,26 +126,34 @@ class State:
 
 
 ANYTHING = State(ANY, {})
+# The facts about the axes that a sub changes, when it returns.
+After = dict[Key, Axis]
 
 
 class Follower:
     """Follow the axes through every function.
 
-    `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `tell` passes findings to
-    `report(code, step, act, key, axis)`.
+    `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
+    states before the steps of a function, and `after`, the facts about the axes that it changes when it returns.
+    `recalled` may return these facts, so that a function that is known need not be followed. `tell` passes
+    findings to `report(code, step, act, key, axis)`.
     """
 
-    def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
-        self.facts, self.is_out_of_reach = facts, is_out_of_reach
+    def __init__(
+        self,
+        facts: Facts,
+        is_out_of_reach: Callable[[Key, Axis], bool],
+        recalled: Callable[[Function], After | None] = lambda function: None,
+    ) -> None:
+        self.facts, self.is_out_of_reach, self._recalled = facts, is_out_of_reach, recalled
         self.before: dict[Function, dict[Step, State]] = {}
+        self.after: dict[Function, After] = {}
         self.apart = self._shared()
         self.stopped = self._stopped_by_handlers()
         self.led = self._led()
         self.before_act = ANYTHING
         self._at_work: set[Function] = set()
         self._report: Report | None = None
-        for function in facts.functions:
-            self._analyse(function)
 
     def _shared(self) -> set[Key]:
         """Find the axes commanded by more than one parent task, task or handler.
@@ -188,28 +196,33 @@ class Follower:
         They follow a master, belong to the path of another axis, or are started by a trigger.
         """
         found = self.facts.given("follows", "hands-over")
-        for _, _, act in self.facts.all_acts():
-            if act.row is not None and act.row.role == "path":
-                found.update(act.axes[1:])
+        for act in self.facts.written_by(lambda row: row.role == "path"):
+            found.update(act.axes[1:])
         return found
 
-    def tell(self, report: Report) -> None:
-        """Go through every step again and report the problems there."""
+    def tell(self, function: Function, report: Report) -> None:
+        """Go through every step of a function again and report the problems there."""
         self._report = report
-        for function, before in self.before.items():
-            for step in self.facts.graphs[function].steps:
-                if step in before:
-                    self._follow(step, before[step])
+        before = self.before[function]
+        for step in self.facts.graphs[function].steps:
+            if step in before:
+                self._follow(step, before[step])
         self._report = None
 
     # ---------------------------------------------------------------------------------------- following
 
-    def _analyse(self, function: Function) -> dict[Step, State]:
-        if function in self.before or function in self._at_work:
-            return self.before.get(function, {})
+    def analyse(self, function: Function) -> None:
+        """Follow the axes through a function, after all that it calls."""
+        if function in self.after or function in self._at_work:
+            return
         self._at_work.add(function)
         for each in sorted(function.calls, key=lambda f: f.at):
-            self._analyse(each)
+            self.analyse(each)
+        self._at_work.discard(function)
+        known = self._recalled(function)
+        self.after[function] = self._states(function) if known is None else known
+
+    def _states(self, function: Function) -> After:
         graph = self.facts.graphs[function]
         first = ANYTHING
         if function.kind == "main":
@@ -225,9 +238,9 @@ class Follower:
             return one if joined == one else joined
 
         graph.forward(first, follow, join, ANYTHING, lambda state: state)
-        self._at_work.discard(function)
         self.before[function] = found
-        return found
+        last = found.get(graph.leave, ANYTHING)
+        return {key: _after_call(last[key]) for key in self.facts.touched(function, CHANGES)}
 
     def _follow(self, step: Step, state: State) -> tuple[State, State]:
         for act in self.facts.acts[step]:
@@ -265,22 +278,18 @@ class Follower:
         callee = call.callee
         assert callee is not None
         state = state.passed()
-        graph = self.facts.graphs[callee]
-        after = self.before.get(callee, {}).get(graph.leave, ANYTHING)
-        for key in self.facts.touched(callee, _CHANGES):
+        after = self.after.get(callee, {})  # none while it is being analysed: it is recursive
+        changed = self.facts.touched(callee, CHANGES)
+        for key in changed:
             outer = self.facts.outer(call, key)
             if outer is None:
                 return ANYTHING
-            state = state.put(outer, self._after_call(state[outer], after[key]))
-        if any(isinstance(key, Symbol) for key in state.axes) and self.facts.touched(callee, _CHANGES):
-            named = {self.facts.outer(call, key) for key in self.facts.touched(callee, _CHANGES)}
+            state = state.put(outer, after.get(key, ANY))
+        if any(isinstance(key, Symbol) for key in state.axes) and changed:
+            named = {self.facts.outer(call, key) for key in changed}
             if any(not isinstance(key, Symbol) for key in named):
                 return ANYTHING
         return state
-
-    def _after_call(self, old: Axis, inner: Axis) -> Axis:
-        """Return the facts about an axis after a sub; settings made before it stay valid."""
-        return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
 
     def _tell(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
         if self._report is not None:
@@ -472,8 +481,13 @@ class Follower:
         )
 
 
+def _after_call(inner: Axis) -> Axis:
+    """Return the facts about an axis after a sub; settings made before it stay valid."""
+    return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
+
+
 # Roles of keywords in a sub that change the facts its caller has about an axis.
-_CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
+CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
 _FOLLOW: dict[str, Callable[..., Axis]] = {
     "read": Follower._read,
     "move": Follower._move,

@@ -27,7 +27,7 @@ def check_blends(facts: Facts, add: Add) -> None:
     """
     words = {row.verb: row.name for row in table()}
     distances, modes = (facts.constants(words[verb]) for verb in ("blend_distance", "blend_mode"))
-    paths = [act for _, _, act in facts.all_acts() if act.role == "path"]
+    paths = list(facts.written_by(lambda row: row.role == "path"))
     last = {act.axes: act for act in sorted(paths, key=lambda act: act.at)}
     for act in paths:
         key, length = act.axes[0], _length(facts, act)

@@ -16,33 +16,33 @@ if TYPE_CHECKING:
 
     from motionlang.lang.parsing.source_offsets import SourceOffsets
     from motionlang.mint.lint.effects import Facts
+    from motionlang.mint.resolve.symbols import Function
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _BITS = frozenset("&|")
 _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
-def check_brackets(facts: Facts, places: SourceOffsets, add: Callable[..., None]) -> None:
+def check_brackets(facts: Facts, function: Function, places: SourceOffsets, add: Callable[..., None]) -> None:
     """Report each comparison with an `&` or `|` that is not in brackets.
 
     The hint shows the line in both interpretations.
     """
-    for function in facts.functions:
-        inner: set[int] = set()
-        for node in walk(function.body):  # `walk` yields a node before its children.
-            if type(node) is not nodes.Binary or node.op not in _COMPARED or id(node) in inner:
-                continue
-            chain = _Chain(places, node)
-            inner |= chain.inner
-            bits = [op for op in chain.ops if places.text(op) in _BITS]
-            if bits and chain.is_written and not any(_is_text(each) for each in chain.operands):
-                sign = places.text(bits[0])
-                add(
-                    "mixed-operators",
-                    f"{sign} binds tighter than a comparison here, unlike in other languages",
-                    bits[0],
-                    f"add brackets: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
-                )
+    inner: set[int] = set()
+    for node in facts.of_kind(nodes.Binary, function):  # a node comes before its children
+        if node.op not in _COMPARED or id(node) in inner:
+            continue
+        chain = _Chain(places, node)
+        inner |= chain.inner
+        bits = [op for op in chain.ops if places.text(op) in _BITS]
+        if bits and chain.is_written and not any(_is_text(each) for each in chain.operands):
+            sign = places.text(bits[0])
+            add(
+                "mixed-operators",
+                f"{sign} binds tighter than a comparison here, unlike in other languages",
+                bits[0],
+                f"add brackets: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
+            )
 
 
 def _is_text(node: nodes.Expr) -> bool:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Add = Callable[..., None]
 
 DEFAULT_SIZE = 2
-_GO = frozenset(("go",))
+GO = frozenset(("go",))
 _LOADS = ("move", "entry", "course", "path")
 _BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Label)
 
@@ -31,16 +31,18 @@ class Buffers:
         self.facts, self.follower, self.add = facts, follower, add
         self.sizes = facts.constants("MOVEBUFFERSIZE")
         self.triggered = facts.named("TRIGGERMODE")
+        # The axes that the parent task and each task and handler start.
+        self.started = {root: facts.touched(root, GO) for root in facts.functions if root.kind != "sub"}
 
-    def check(self) -> None:
-        """Run both checks."""
-        for function, before in self.follower.before.items():
-            for step in self.facts.graphs[function].steps:
-                if step in before:
-                    self._loads(step, before[step])
-                    if type(step.node) is nodes.For:
-                        self._counted(function, step, step.node, before[step])
-        self._never_started()
+    def check(self, function: Function) -> None:
+        """Run both checks on a function."""
+        before = self.follower.before[function]
+        for step in self.facts.graphs[function].steps:
+            if step in before:
+                self._loads(step, before[step])
+                if type(step.node) is nodes.For:
+                    self._counted(function, step, step.node, before[step])
+        self._never_started(function)
 
     # ------------------------------------------------------------------------------------- too many entries
 
@@ -121,19 +123,19 @@ class Buffers:
 
     # -------------------------------------------------------------------------------------- moves without a GO
 
-    def _never_started(self) -> None:
-        elsewhere = self._elsewhere()
-        for function, graph in self.facts.graphs.items():
-            keys = self._keys(function)
-            number = {key: 1 << n for n, key in enumerate(keys)}
-            last = self._behind_the_end(function, number, set().union(*elsewhere.values()))
-            behind = graph.backward(last, 0, partial(self._goes, number)) if keys else {}
-            for step in graph.steps:
-                for act in self.facts.acts[step]:
-                    if act.role in _LOADS and step in self.follower.before[function]:
-                        bits = sum(number[key] for key in set(act.axes))
-                        if not behind[step] & bits and not self._started_elsewhere(function, act, elsewhere):
-                            self._not_started(act)
+    def _never_started(self, function: Function) -> None:
+        graph, keys = self.facts.graphs[function], self._keys(function)
+        if not keys:
+            return
+        number = {key: 1 << n for n, key in enumerate(keys)}
+        last = self._behind_the_end(function, number, set().union(*self.started.values()))
+        behind = graph.backward(last, 0, partial(self._goes, number))
+        for step in graph.steps:
+            for act in self.facts.acts[step]:
+                if act.role in _LOADS and step in self.follower.before[function]:
+                    bits = sum(number[key] for key in set(act.axes))
+                    if not behind[step] & bits and not self._started_elsewhere(function, act):
+                        self._not_started(act)
 
     def _behind_the_end(self, function: Function, number: dict[Key, int], started: set[Key]) -> int:
         """Return the axes that may be started after a function returns, as bits.
@@ -158,16 +160,12 @@ class Buffers:
             f"GO({names}) starts the buffered moves",
         )
 
-    def _elsewhere(self) -> dict[Function, set[Key]]:
-        """Map the parent task and each task and handler to the axes that it starts."""
-        return {root: self.facts.touched(root, _GO) for root in self.facts.functions if root.kind != "sub"}
-
-    def _started_elsewhere(self, function: Function, act: Act, elsewhere: dict[Function, set[Key]]) -> bool:
+    def _started_elsewhere(self, function: Function, act: Act) -> bool:
         """True if another task, a handler or a trigger may start the move."""
         if any(self._may_trigger(key) for key in act.axes) or None in act.axes:
             return True
         mine = self.facts.roots[function]
-        others = set().union(*(keys for root, keys in elsewhere.items() if root not in mine))
+        others = set().union(*(keys for root, keys in self.started.items() if root not in mine))
         any_axis = any(isinstance(key, Symbol) for key in act.axes)
         return bool(others & {*act.axes, None}) or (any_axis and bool(others))
 
@@ -179,7 +177,7 @@ class Buffers:
                 for key in act.axes:
                     bits &= ~number.get(key, 0)
             elif act.callee is not None:
-                started = {self.facts.outer(act, key) for key in self.facts.touched(act.callee, _GO)}
+                started = {self.facts.outer(act, key) for key in self.facts.touched(act.callee, GO)}
                 bits = self._with(bits, tuple(started), number)
         return bits
 
@@ -192,8 +190,7 @@ class Buffers:
 
     def _keys(self, function: Function) -> list[Key]:
         found: dict[Key, None] = {}
-        for step in self.facts.graphs[function].steps:
-            for act in self.facts.acts[step]:
-                if act.role in _LOADS:
-                    found.update(dict.fromkeys(act.axes))
+        for act in self.facts.acts_of[function]:
+            if act.role in _LOADS:
+                found.update(dict.fromkeys(act.axes))
         return list(found)

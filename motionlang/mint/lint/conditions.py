@@ -49,35 +49,36 @@ class Conditions:
     ) -> None:
         self.facts, self.follower, self.places, self.add = facts, follower, places, add
         self.limited = _limited(facts, settings)
-        # The names in the tree that move or stop an axis, or call a sub.
-        self.commands = {
+        # The names in the function being checked that move or stop an axis, or call a sub.
+        self._commands: set[int] = set()
+
+    def check(self, function: Function) -> None:
+        """Run all checks of conditions on a function."""
+        before = self.follower.before[function]
+        self._commands = {
             id(act.node)
-            for _, _, act in facts.all_acts()
+            for act in self.facts.acts_of[function]
             if act.role == "call" or (act.axes and act.role not in ("read", "slot"))
         }
-
-    def check(self) -> None:
-        """Run all checks of conditions."""
-        for function, before in self.follower.before.items():
-            for step in self.facts.graphs[function].steps:
-                node = step.node
-                if step not in before or node is None:
-                    continue
-                if type(node) is nodes.Assign or type(node) is nodes.Call:
-                    self._wait_for_condition(node)
-                elif type(node) is nodes.Pause:
-                    self._waits(node.condition, True, before[step], node.at)
-                elif step.kind == TEST:
-                    self._equalities(node, None, before[step])
-            tests = {id(step.node): step for step in before if step.kind == TEST}
-            for loop, condition, truth in _loops(function):
-                test = tests.get(id(condition))
-                if test is None:
-                    continue
-                if self._only_polls(loop):
-                    self._waits(condition, truth, before[test], condition.at)
-                else:
-                    self._equalities(condition, truth, before[test])
+        for step in self.facts.graphs[function].steps:
+            node = step.node
+            if step not in before or node is None:
+                continue
+            if type(node) is nodes.Assign or type(node) is nodes.Call:
+                self._wait_for_condition(node)
+            elif type(node) is nodes.Pause:
+                self._waits(node.condition, True, before[step], node.at)
+            elif step.kind == TEST:
+                self._equalities(node, None, before[step])
+        tests = {id(step.node): step for step in before if step.kind == TEST}
+        for loop, truth in self._loops(function):
+            test = tests.get(id(loop.condition))
+            if test is None:
+                continue
+            if self._only_polls(loop):
+                self._waits(loop.condition, truth, before[test], loop.condition.at)
+            else:
+                self._equalities(loop.condition, truth, before[test])
 
     # ------------------------------------------------------------------------------------ WAIT with a condition
 
@@ -216,23 +217,18 @@ class Conditions:
 
     def _only_polls(self, loop: nodes.While | nodes.Repeat) -> bool:
         """True if the body of a loop neither leaves it nor affects an axis."""
-        return not any(isinstance(each, _LEAVES) or id(each) in self.commands for each in walk(loop.body))
+        return not any(isinstance(each, _LEAVES) or id(each) in self._commands for each in walk(loop.body))
 
-
-def _loops(function: Function) -> Iterator[tuple[nodes.While | nodes.Repeat, nodes.Expr, bool]]:
-    """Yield each loop with a condition, and the truth value that ends it."""
-    for node in walk(function.body):
-        if type(node) is nodes.While:
-            yield node, node.condition, False
-        elif type(node) is nodes.Repeat:
-            yield node, node.condition, True
+    def _loops(self, function: Function) -> Iterator[tuple[nodes.While | nodes.Repeat, bool]]:
+        """Yield each loop with a condition, and the truth value that ends it."""
+        yield from ((node, False) for node in self.facts.of_kind(nodes.While, function))
+        yield from ((node, True) for node in self.facts.of_kind(nodes.Repeat, function))
 
 
 def _limited(facts: Facts, settings: Mapping[str, object]) -> set[Key]:
     """Return the axes that something other than the program may stop."""
     found: set[Key] = set()
-    for _, _, act in facts.all_acts():
-        if act.row is not None and act.role != "read" and act.row.group in _MAY_STOP:
-            found.update(act.axes or (None,))
+    for act in facts.written_by(lambda row: row.group in _MAY_STOP):
+        found.update(act.axes or (None,))
     found.update(int(key.split(".")[1]) for key in settings if key.startswith("axis."))
     return found

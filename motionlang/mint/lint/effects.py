@@ -10,15 +10,18 @@ from typing import TYPE_CHECKING
 from motionlang.mint.resolve.folding import fold
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.traversal import meant, walk
+from motionlang.mint.syntax.traversal import by_kind, meant, walk
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterator
+    from typing import TypeVar
 
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint.resolve.flowgraph import Graph, Step
     from motionlang.mint.resolve.folding import Known
     from motionlang.mint.resolve.names import Names
+
+    AnyNode = TypeVar("AnyNode", bound=nodes.Node)
 
 # An axis: its number, the parameter of a sub that holds it, or None if it is unknown.
 Key = int | Symbol | None
@@ -79,9 +82,13 @@ class Facts:
         self.functions = names.functions
         self.graphs: dict[Function, Graph] = {}
         self.acts: dict[Step, list[Act]] = {}
+        # The nodes of each function by their classes, its acts, and the acts of all functions by keyword.
+        self.nodes = {function: by_kind(function.body) for function in self.functions}
+        self.acts_of: dict[Function, list[Act]] = {}
+        self.used: dict[Keyword, list[Act]] = {}
         self._apart: set[Symbol] = set()  # parameters that name the only axis of their sub
-        self._touched: dict[tuple[Function, frozenset[str]], set[Key]] = {}
-        self.default_axes = False  # the program uses AXES, so a keyword without brackets may mean any axis
+        self._touched: dict[frozenset[str], dict[Function, set[Key]]] = {}
+        self.default_axes = names.uses_axes  # then a keyword without brackets may mean any axis
         self.writers = self._writers()
         self.roots = self._roots()
         self.kept, self.begun = self._kept()
@@ -92,18 +99,28 @@ class Facts:
         self.kept |= self.hosted
         for function in self.functions:
             graph = self.graphs[function] = function.graph
+            mine = self.acts_of[function] = []
             for step in graph.steps:
-                self.acts[step] = list(self._acts(function, step))
+                acts = self.acts[step] = list(self._acts(function, step))
+                mine += acts
             self._keep_apart(function)
+            for act in mine:
+                if act.row is not None:
+                    self.used.setdefault(act.row, []).append(act)
 
     # ------------------------------------------------------------------------------------- who and where
 
-    def all_acts(self, functions: Iterable[Function] | None = None) -> Iterator[tuple[Function, Step, Act]]:
-        """Yield every act, in the order of the functions and their steps."""
-        for function in self.functions if functions is None else functions:
-            for step in self.graphs[function].steps:
-                for act in self.acts[step]:
-                    yield function, step, act
+    def written_by(self, wanted: Callable[[Keyword], object]) -> Iterator[Act]:
+        """Yield the uses of some keywords, except reads."""
+        for row, acts in self.used.items():
+            if wanted(row):
+                yield from (act for act in acts if act.role != "read")
+
+    def of_kind(self, kind: type[AnyNode], function: Function | None = None) -> list[AnyNode]:
+        """Return the nodes of a class in a function, or in the whole program."""
+        if function is not None:
+            return self.nodes[function].get(kind, [])
+        return [node for found in self.nodes.values() for node in found.get(kind, ())]
 
     def called(self, function: Function) -> list[Function]:
         """Return the function and everything it calls, directly or indirectly, each once."""
@@ -132,11 +149,12 @@ class Facts:
         """Map each variable to the functions that assign to it after its declaration."""
         found: dict[Symbol, set[Function]] = {}
         for function in self.functions:
-            for node in walk(function.body):
-                for name in self.written(node):
-                    symbol = self.symbol(name)
-                    if symbol is not None:
-                        found.setdefault(symbol, set()).add(function)
+            for kind in (nodes.Assign, nodes.Input, nodes.For, nodes.Name):
+                for node in self.of_kind(kind, function):
+                    for name in self.written(node):
+                        symbol = self.symbol(name)
+                        if symbol is not None:
+                            found.setdefault(symbol, set()).add(function)
         return found
 
     def _kept(self) -> tuple[set[Symbol], set[Symbol]]:
@@ -146,15 +164,13 @@ class Facts:
         """
         kept: set[Symbol] = set()
         begun: set[Symbol] = set()
-        for function in self.functions:
-            for node in walk(function.body):
-                if type(node) is nodes.Dim:
-                    for variable in node.variables:
-                        symbol = variable.symbol
-                        if symbol is not None and node.nv:
-                            kept.add(symbol)
-                        if symbol is not None and variable.values:
-                            begun.add(symbol)
+        for node in self.of_kind(nodes.Dim):
+            for variable in node.variables:
+                symbol = variable.symbol
+                if symbol is not None and node.nv:
+                    kept.add(symbol)
+                if symbol is not None and variable.values:
+                    begun.add(symbol)
         return kept, begun
 
     def written(self, node: nodes.Node) -> Iterator[nodes.Name]:
@@ -225,8 +241,6 @@ class Facts:
             return
         if row is None or row.kind in ("function", "constant", "statement"):
             return
-        if row.verb == "default_axes":
-            self.default_axes = True
         yield Act(_role(row, written), row, name, self._axes(name, row), values)
 
     def _axes(self, name: nodes.Name, row: Keyword) -> tuple[Key, ...]:
@@ -254,15 +268,12 @@ class Facts:
 
     def given(self, *effects: str) -> set[Key]:
         """Return the axes of all keywords with one of these effects, except reads."""
-        acts = [
-            act for _, _, act in self.all_acts() if act.row is not None and any(map(act.row.does, effects))
-        ]
-        return {key for act in acts if act.role != "read" for key in act.axes}
+        acts = self.written_by(lambda row: any(map(row.does, effects)))
+        return {key for act in acts for key in act.axes}
 
     def named(self, word: str) -> set[Key]:
         """Return the axes for which the program sets or carries out a keyword."""
-        acts = [act for _, _, act in self.all_acts() if act.row is not None and act.row.name == word]
-        return {key for act in acts if act.role != "read" for key in act.axes}
+        return {key for act in self.written_by(lambda row: row.name == word) for key in act.axes}
 
     def constants(self, word: str) -> dict[Key, list[float] | None]:
         """Map each axis to the constants that a keyword assigns to it.
@@ -270,9 +281,7 @@ class Facts:
         The value is None if one of them is unknown.
         """
         found: dict[Key, list[float] | None] = {}
-        for _, _, act in self.all_acts():
-            if act.row is None or act.row.name != word or act.role == "read":
-                continue
+        for act in self.written_by(lambda row: row.name == word):
             for number, key in enumerate(act.axes):
                 value = self.number(act.value(number))
                 known = found.setdefault(key, [])
@@ -294,7 +303,7 @@ class Facts:
 
         A parameter may be the same axis as another one that the function names.
         """
-        mine = [act for step in self.graphs[function].steps for act in self.acts[step]]
+        mine = self.acts_of[function]
         keys = {key for act in mine for key in act.axes}
         if len(keys) > 1:
             for act in mine:
@@ -307,17 +316,32 @@ class Facts:
 
         The axes are those of the caller: parameters of callees are replaced by their arguments.
         """
-        known = self._touched.get((function, roles))
+        known = self._touched.get(roles)
         if known is None:
-            known = self._touched[function, roles] = set()  # a recursive call adds nothing new
-            for step in self.graphs[function].steps:
-                for act in self.acts[step]:
-                    if act.role in roles:
-                        known.update(act.axes)
-                    elif act.callee is not None:
-                        inner = self.touched(act.callee, roles)
-                        known.update(self.outer(act, key) for key in inner)
-        return known
+            known = self._touched[roles] = self._all_touched(roles)
+        return known[function]
+
+    def _all_touched(self, roles: frozenset[str]) -> dict[Function, set[Key]]:
+        """Return the axes of each function, to a fixed point.
+
+        Subs may be recursive.
+        """
+        found: dict[Function, set[Key]] = {}
+        calls: dict[Function, list[tuple[Function, Act]]] = {}
+        for function, acts in self.acts_of.items():
+            found[function] = {key for act in acts if act.role in roles for key in act.axes}
+            for act in acts:
+                if act.callee is not None:
+                    calls.setdefault(act.callee, []).append((function, act))
+        grown = list(calls)
+        while grown:
+            callee = grown.pop()
+            for caller, act in calls.get(callee, ()):
+                more = {self.outer(act, key) for key in found[callee]} - found[caller]
+                if more:
+                    found[caller] |= more
+                    grown.append(caller)
+        return found
 
     def outer(self, call: Act, key: Key) -> Key:
         """Return the caller's axis for an axis of the called sub."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.effects import Facts, spelt
-from motionlang.mint.resolve.symbols import Symbol
+from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -25,25 +25,24 @@ _UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.E
 _BLOCKS = frozenset(("move", "entry", "course", "path"))
 
 
-def check_iterations(facts: Facts, add: Add) -> None:
+def check_iterations(facts: Facts, function: Function, add: Add) -> None:
     """Report the first motion of each loop that every iteration replaces."""
-    acts = {id(act.node): act for _, _, act in facts.all_acts()}
-    for function in facts.functions:
-        for node in walk(function.body):
-            if not isinstance(node, _LOOPS) or any(isinstance(each, _UNSURE) for each in walk(node.body)):
-                continue
-            names = [each for each in walk(node.body) if type(each) is nodes.Name]
-            found = [acts[id(each)] for each in names if id(each) in acts]
-            if any(act.role in _BLOCKS or act.role == "call" or _waits(act.row) for act in found):
-                continue
-            changing = _changing(facts, node)
-            for act in found:
-                if act.role == "act" and any(_depends(facts, each, changing) for each in act.values):
-                    assert act.row is not None
-                    axis = spelt(act.axes[0])
-                    message = f"each iteration of this loop starts a motion of axis {axis} without waiting"
-                    add("never-waits", message, act.at, "add WAIT = 10 to the loop to give each its time")
-                    break
+    acts = {id(act.node): act for act in facts.acts_of[function]}
+    for node in (node for kind in _LOOPS for node in facts.nodes[function].get(kind, ())):
+        inner = list(walk(node.body))
+        if any(isinstance(each, _UNSURE) for each in inner):
+            continue
+        found = [acts[id(each)] for each in inner if id(each) in acts]
+        if any(act.role in _BLOCKS or act.role == "call" or _waits(act.row) for act in found):
+            continue
+        changing = _changing(facts, node)
+        for act in found:
+            if act.role == "act" and any(_depends(facts, each, changing) for each in act.values):
+                assert act.row is not None
+                axis = spelt(act.axes[0])
+                message = f"each iteration of this loop starts a motion of axis {axis} without waiting"
+                add("never-waits", message, act.at, "add WAIT = 10 to the loop to give each its time")
+                break
 
 
 def _waits(row: object) -> bool:

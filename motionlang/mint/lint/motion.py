@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from motionlang.mint.resolve.flowgraph import Step
+    from motionlang.mint.resolve.symbols import Function
 
     Add = Callable[..., None]
 
@@ -63,9 +64,9 @@ class Motion:
     def __init__(self, follower: Follower, reach: Reach, add: Add) -> None:
         self.follower, self.reach, self.add = follower, reach, add
 
-    def check(self) -> None:
-        """Run all checks of motion."""
-        self.follower.tell(self._hear)
+    def check(self, function: Function) -> None:
+        """Run all checks of motion on a function."""
+        self.follower.tell(function, self._hear)
 
     def _hear(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
         _HEARD[code](self, step, act, key, axis)

@@ -36,12 +36,7 @@ def check_names(facts: Facts, add: Add) -> None:
                 _unused_variable(facts, symbol, suggestions, add)
             elif symbol not in facts.writers:
                 _no_value(facts, symbol, suggestions, add)
-    run = {
-        node.name.lower()
-        for function in facts.functions
-        for node in walk(function.body)
-        if type(node) is nodes.Run
-    }
+    run = {node.name.lower() for node in facts.of_kind(nodes.Run)}
     for function in facts.functions:
         if function.kind == "task" and function.name.lower() not in run:
             add(
@@ -113,20 +108,15 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
     An example is `n = n + 1`.
     """
     found: dict[Symbol, int] = {}
-    for function in facts.functions:
-        for node in walk(function.body):
-            if (
-                type(node) is not nodes.Assign
-                or type(node.target) is not nodes.Name
-                or node.target.args is not None
-            ):
-                continue
-            symbol = facts.symbol(node.target)
-            names = [each for each in walk(node.values) if type(each) is nodes.Name]
-            # The sub may print its argument or use it in another way.
-            if symbol is None or any(each.kind == "sub" for name in names if (each := facts.symbol(name))):
-                continue
-            found[symbol] = found.get(symbol, 0) + sum(facts.symbol(name) is symbol for name in names)
+    for node in facts.of_kind(nodes.Assign):
+        if type(node.target) is not nodes.Name or node.target.args is not None:
+            continue
+        symbol = facts.symbol(node.target)
+        symbols = [facts.symbol(each) for each in walk(node.values) if type(each) is nodes.Name]
+        # A sub may print its argument or use it in another way.
+        is_called = any(each is not None and each.kind == "sub" for each in symbols)
+        if symbol is not None and symbol in symbols and not is_called:
+            found[symbol] = found.get(symbol, 0) + symbols.count(symbol)
     return found
 
 
@@ -156,10 +146,9 @@ def _take_turns(facts: Facts) -> bool:
     symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
     if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
         return True
-    if any(act.row is not None and act.row.verb in _TURNS for _, _, act in facts.all_acts()):
+    if any(row.verb in _TURNS for row in facts.used):
         return True
-    bodies = [node for function in facts.functions for node in walk(function.body)]
-    return any(type(node) is nodes.End and node.name is not None for node in bodies)
+    return any(node.name is not None for node in facts.of_kind(nodes.End))
 
 
 def _is_told(facts: Facts, task: Function) -> bool:
@@ -195,7 +184,8 @@ def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
 def _two(facts: Facts, task: Function, other: Function, key: Key, add: Add) -> None:
     at = next(
         act.at
-        for _, _, act in facts.all_acts(facts.called(task))
+        for function in facts.called(task)
+        for act in facts.acts_of[function]
         if act.role in _COMMANDS
         and (key in act.axes or None in act.axes or any(isinstance(k, Symbol) for k in act.axes))
     )

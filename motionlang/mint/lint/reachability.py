@@ -38,18 +38,19 @@ class Ways:
         # Without a machine file any input may change.
         self.driven = driven_inputs(settings)
 
-    def check(self) -> None:
-        """Run all checks of control flow."""
-        for function, graph in self.facts.graphs.items():
-            reached = graph.reached()
-            self._unreachable(graph.steps, reached)
-            self._labels(function, graph.labels)
-            for step in graph.steps:
-                if step in reached:
-                    self._step(function, step)
-            for node in walk(function.body):
-                if type(node) is nodes.While or type(node) is nodes.Repeat:
-                    self._endless_loop(function, node)
+    def check(self, function: Function) -> None:
+        """Run all checks of control flow on a function."""
+        graph = self.facts.graphs[function]
+        reached = graph.reached()
+        self._unreachable(graph.steps, reached)
+        self._labels(function, graph.labels)
+        for step in graph.steps:
+            if step in reached:
+                self._step(function, step)
+        for loop in self.facts.of_kind(nodes.While, function):
+            self._endless_loop(function, loop)
+        for repeat in self.facts.of_kind(nodes.Repeat, function):
+            self._endless_loop(function, repeat)
 
     # ------------------------------------------------------------------------------------------ never reached
 
@@ -67,7 +68,7 @@ class Ways:
                          "the code before it never ends")  # fmt: skip
 
     def _labels(self, function: Function, labels: Mapping[str, Step]) -> None:
-        targets = {node.name.lower() for node in walk(function.body) if type(node) is nodes.Jump}
+        targets = {node.name.lower() for node in self.facts.of_kind(nodes.Jump, function)}
         for name, step in labels.items():
             handler = function.kind == "main" and label_event(name) is not None
             if name not in targets and not handler and " " not in name:

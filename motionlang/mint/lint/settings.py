@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     # A bit for each property of each axis.
     Bits = dict[tuple[Key, str], int]
 
-_TOUCHES = COMMANDS | {"read", "slot", "use"}
+TOUCHES = COMMANDS | {"read", "slot", "use"}
 
 
 class Settings:
@@ -31,18 +31,17 @@ class Settings:
     def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
         self.facts, self.follower, self.add = facts, follower, add
 
-    def check(self) -> None:
+    def check(self, function: Function) -> None:
         """Report settings that are replaced or left over before anything can use them."""
-        for function, graph in self.facts.graphs.items():
-            bits = self._slot_bits(function)
-            if not bits:
-                continue
-            everything = (1 << len(bits)) - 1
-            last = self._left_over(function, bits) if function.kind == "main" else everything
-            behind = graph.backward(last, last, partial(self._used, bits, everything))
-            for step in graph.steps:
-                if step in self.follower.before[function]:
-                    self._useless(step, behind[step], bits)
+        graph, bits = self.facts.graphs[function], self._slot_bits(function)
+        if not bits:
+            return
+        everything = (1 << len(bits)) - 1
+        last = self._left_over(function, bits) if function.kind == "main" else everything
+        behind = graph.backward(last, last, partial(self._used, bits, everything))
+        for step in graph.steps:
+            if step in self.follower.before[function]:
+                self._useless(step, behind[step], bits)
 
     def _slot_bits(self, function: Function) -> Bits:
         """Assign a bit to each property of each axis that only this function uses."""
@@ -50,17 +49,13 @@ class Settings:
         others = self._others(function)
         if others is None:
             return found
-        for step in self.facts.graphs[function].steps:
-            for act in self.facts.acts[step]:
-                if act.role == "slot":
-                    assert act.row is not None
-                    for key in act.axes:
-                        if (
-                            key is not None
-                            and not {key, None} & others
-                            and not (isinstance(key, Symbol) and others)
-                        ):
-                            found.setdefault((key, act.row.gives), 1 << len(found))
+        for act in self.facts.acts_of[function]:
+            if act.role == "slot":
+                assert act.row is not None
+                for key in act.axes:
+                    alone = not {key, None} & others and not (isinstance(key, Symbol) and others)
+                    if key is not None and alone:
+                        found.setdefault((key, act.row.gives), 1 << len(found))
         return found
 
     def _others(self, function: Function) -> set[Key] | None:
@@ -72,7 +67,7 @@ class Settings:
         if len(mine) > 1:
             return None
         others = [root for root in self.facts.functions if root.kind != "sub" and root not in mine]
-        return set().union(*(self.facts.touched(root, _TOUCHES) for root in others))
+        return set().union(*(self.facts.touched(root, TOUCHES) for root in others))
 
     def _left_over(self, function: Function, bits: Bits) -> int:
         """Return the settings that still count at the end of the parent task, as bits.
@@ -124,9 +119,9 @@ class Settings:
             self.add("unused-setting", message, act.at, "remove it, or set it before the move that needs it")
             return
         assert later.row is not None
-        line = self.facts.names.problems.line(later.at)
-        message = f"{act.row.name} of axis {spelt(key)} is replaced by {later.row.name} in line {line} before any move"
-        self.add("unused-setting", message, act.at, "remove one of the two")
+        by = f"{later.row.name} in line {{line}}"
+        message = f"{act.row.name} of axis {spelt(key)} is replaced by {by} before any move"
+        self.add("unused-setting", message, act.at, "remove one of the two", other=later.at)
 
     def _next_setting(self, step: Step, key: Key, slot: str) -> Act | None:
         """Return the statement that replaces a setting."""

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from motionlang.lang.keyword import Table
+    from motionlang.mint.resolve.recorder import Recorder
     from motionlang.mint.syntax.nodes import Module
 
 # More are not useful; most errors after the first hundred are consequences of earlier ones.
@@ -20,6 +21,7 @@ class Problems:
 
     def __init__(self, module: Module) -> None:
         self._module = module
+        self.recorder: Recorder | None = None  # records the problems of each function
         self.found: dict[tuple[str, int], Diagnostic] = {}
         # Keys in `found` of warnings about keywords that end a run. The run reports them before it starts.
         self.ends: set[tuple[str, int]] = set()
@@ -46,6 +48,16 @@ class Problems:
 
         `fix` is the text that would replace the token, `candidates` are texts that might.
         """
+        if self.recorder is not None:
+            self.recorder.note(
+                code=code,
+                message=message,
+                at=at,
+                hint=hint,
+                severity=severity,
+                fix=fix,
+                candidates=candidates,
+            )
         if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
             line, column, length = self._place(at)
@@ -85,6 +97,11 @@ class Problems:
         # A candidate replaces the marked text, so that has to be the word.
         candidates = (near,) if near and not meant and self.text(at).lower() == word.lower() else ()
         self.add("unknown-word", message, at, hint, fix=meant or "", candidates=candidates)
+
+    def depends(self) -> None:
+        """Note that what is reported now depends on the whole program."""
+        if self.recorder is not None:
+            self.recorder.depends()
 
     def of_the_run(self) -> list[Diagnostic]:
         """Return the warnings that a run also reports, of keywords that may end it early."""

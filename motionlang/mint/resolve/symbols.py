@@ -79,6 +79,11 @@ class Scope:
         """Freeze the scope: no more names can be added."""
         self._found = {}
 
+    @property
+    def found(self) -> dict[str, Symbol | None]:
+        """The names that were looked up here since the scope is settled."""
+        return self._found or {}
+
     def find(self, name: str) -> Symbol | None:
         """Return the symbol of a name in any case, searching from the innermost block out."""
         found = self._found

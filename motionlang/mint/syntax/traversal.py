@@ -8,6 +8,7 @@ from motionlang.mint.syntax.nodes import Assign, Binary, For, Given, Input, Name
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
+    from typing import Any
 
 # Slots that hold no nodes, such as names and operators. All other slots of a class are in `_CHILDREN`.
 _NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
@@ -47,6 +48,31 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
                 stack.extend(value)
             elif value is not None:
                 stack.append(value)
+
+
+def by_kind(start: Iterable[object]) -> dict[type, list[Any]]:
+    """Return the nodes that `walk` yields by their classes, without literals.
+
+    Each class has them in the order of `walk`. Like `Survey` it is long because every node passes through it.
+    """
+    found: dict[type, list[Any]] = {kind: [] for kind in _CHILDREN}
+    stack = list(start)
+    while stack:
+        node = stack.pop()
+        kind = node.__class__
+        if kind is Number or kind is String or (children := _CHILDREN.get(kind)) is None:
+            continue
+        found[kind].append(node)
+        if kind is Binary:
+            stack += (node.left, node.right)  # type: ignore[attr-defined]
+            continue
+        for slot in children:
+            value = getattr(node, slot)
+            if value.__class__ is list:
+                stack += value
+            elif value is not None:
+                stack.append(value)
+    return found
 
 
 def meant(node: nodes.Expr) -> nodes.Expr:

@@ -1,0 +1,68 @@
+"""The warnings of the linter, each reported once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.mint.resolve.recorder import Recorder
+    from motionlang.mint.syntax.nodes import Module
+
+
+class Findings:
+    """Warnings at token numbers, turned into lines and columns.
+
+    They are passed to `recorder`, too.
+    """
+
+    def __init__(self, module: Module, recorder: Recorder | None = None) -> None:
+        self._module, self._recorder = module, recorder
+        self.found: dict[tuple[str, int, str], Diagnostic] = {}
+
+    def add(
+        self,
+        code: str,
+        message: str,
+        at: int,
+        hint: str = "",
+        candidates: Sequence[str] = (),
+        *,
+        length: int = 0,
+        fix: str = "",
+        other: int | None = None,
+    ) -> None:
+        """Record a warning; `{line}` in its message becomes the line of the token `other`."""
+        if self._recorder is not None:
+            more = {} if other is None else {"other": other}
+            self._recorder.note(
+                code=code,
+                message=message,
+                at=at,
+                hint=hint,
+                candidates=candidates,
+                length=length,
+                fix=fix,
+                **more,
+            )
+        module = self._module
+        if other is not None:
+            message = message.replace("{line}", str(module.line(other)))
+        where = module.line(at), module.column(at)
+        length = length or module.length(at)
+        self.found.setdefault(
+            (code, at, message),
+            Diagnostic(
+                code,
+                message,
+                *where,
+                length=length,
+                hint=hint,
+                severity="warning",
+                fix=fix,
+                candidates=candidates,
+            ),
+        )

@@ -1,0 +1,192 @@
+"""The checks that go through one function at a time, and what each depends on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.axis_state import CHANGES, Follower
+from motionlang.mint.lint.brackets import check_brackets
+from motionlang.mint.lint.buffer import GO, Buffers
+from motionlang.mint.lint.conditions import Conditions
+from motionlang.mint.lint.iterations import check_iterations
+from motionlang.mint.lint.motion import Motion, Reach
+from motionlang.mint.lint.reachability import Ways
+from motionlang.mint.lint.settings import TOUCHES, Settings
+from motionlang.mint.resolve.symbols import Function, Symbol
+
+if TYPE_CHECKING:
+    from collections.abc import Hashable, Iterable, Mapping
+
+    from motionlang.lang.parsing.source_offsets import SourceOffsets
+    from motionlang.mint.lint.axis_state import After, Axis
+    from motionlang.mint.lint.effects import Facts, Key
+    from motionlang.mint.lint.findings import Findings
+    from motionlang.mint.resolve.recall import Recall
+
+
+class FunctionChecks:
+    """The checks of each function, which `recall` may know from an earlier check."""
+
+    def __init__(
+        self,
+        facts: Facts,
+        settings: Mapping[str, object],
+        places: SourceOffsets,
+        findings: Findings,
+        recall: Recall | None,
+    ) -> None:
+        self._facts, self._settings, self._places = facts, settings, places
+        self._findings, self._recall = findings, recall
+        add = findings.add
+        reach = self._reach = Reach(facts, settings)
+        follower = self._follower = Follower(
+            facts, lambda key, axis: bool(reach.beyond(key, axis)), self._recalled
+        )
+        self._motion = Motion(follower, reach, add)
+        self._buffers = Buffers(facts, follower, add)
+        self._unused = Settings(facts, follower, add)
+        self._ways = Ways(facts, follower, settings, add)
+        self._conditions = Conditions(facts, follower, places, settings, add)
+        self._keys: dict[Function, Hashable] = {}
+        self._program = self._program_facts() if recall is not None else None
+        self._seen: dict[Symbol, Hashable] = {}
+
+    def check(self) -> None:
+        """Report the problems of all functions."""
+        for function in self._facts.functions:
+            self._follower.analyse(function)
+            if self._recall is None:
+                self._check(function)
+                continue
+            key = self._keys[function]
+            known = self._recall.find(key)
+            if known is not None:
+                self._recall.repeat(known, function, self._findings.add)
+                continue
+            self._recall.recorder.begin()
+            self._check(function)
+            left = self._portable(function)
+            if left is None:
+                self._recall.recorder.depends()
+            self._recall.store(key, function, left)
+
+    def _check(self, function: Function) -> None:
+        self._motion.check(function)
+        self._buffers.check(function)
+        self._unused.check(function)
+        self._ways.check(function)
+        self._conditions.check(function)
+        check_iterations(self._facts, function, self._findings.add)
+        check_brackets(self._facts, function, self._places, self._findings.add)
+
+    # --------------------------------------------------------------------------------- what a result depends on
+
+    def _recalled(self, function: Function) -> After | None:
+        """Return the facts about axes after a function that is known.
+
+        Its callees have been analysed.
+        """
+        if self._recall is None:
+            return None
+        facts, calls = self._facts, sorted(function.calls, key=lambda each: each.at)
+        key = self._keys[function] = self._recall.key(
+            "lint",
+            function,
+            self._program,
+            _names(facts.roots[function]),
+            tuple(map(self._of_symbol, self._recall.symbols.get(function, ()))),
+            tuple(map(self._of_callee, calls)),
+        )
+        found = self._recall.find(key)
+        return None if found is None else self._after(function, found[1])
+
+    def _program_facts(self) -> Hashable:
+        """Return what the checks use of the program as a whole."""
+        facts, follower, reach, buffers = self._facts, self._follower, self._reach, self._buffers
+        roots = [each for each in facts.functions if each.kind != "sub"]
+        return (
+            repr(self._settings),
+            facts.default_axes,
+            bool(facts.hosted),
+            *map(_axes, (follower.apart, follower.stopped, follower.led, reach.unlimited, reach.wrapped)),
+            *map(_constants, (reach.forward, reach.reverse, buffers.sizes)),
+            *map(_axes, (buffers.triggered, self._conditions.limited)),
+            tuple(
+                (each.python, _axes(buffers.started[each]), _axes(facts.touched(each, TOUCHES)))
+                for each in roots
+            ),
+        )
+
+    def _of_symbol(self, symbol: Symbol) -> Hashable:
+        """Return which tasks and handlers write a variable."""
+        known = self._seen.get(symbol)
+        if known is None:
+            facts = self._facts
+            writers = facts.writers.get(symbol)
+            roots = set() if writers is None else set().union(*(facts.roots[each] for each in writers))
+            known = self._seen[symbol] = (
+                writers is not None, _names(roots), _names(facts.roots[symbol.home]), symbol in facts.hosted
+            )  # fmt: skip
+        return known
+
+    def _of_callee(self, callee: Function) -> Hashable:
+        """Return what a call of a sub does to axes."""
+        touched = (_axes(self._facts.touched(callee, roles)) for roles in (CHANGES, GO))
+        left = self._portable(callee) if callee in self._follower.after else ()
+        # An object is equal to no other, so a caller of this sub is not recalled.
+        return callee.python, *touched, object() if left is None else repr(left)
+
+    # ------------------------------------------------------------------------------------- facts of another check
+
+    def _portable(self, function: Function) -> tuple[tuple[Hashable, Hashable], ...] | None:
+        """Return the facts after a function without symbols and tokens of this program.
+
+        Returns None if a token of another function is among them. A function that is being analysed has none.
+        """
+        assert self._recall is not None
+        number = self._recall.own(function).number
+        found = []
+        for key, axis in self._follower.after[function].items():
+            place = function.parameters.index(key) if isinstance(key, Symbol) else None
+            loaded = None if axis.loaded is None else number(axis.loaded)
+            scaled = None if not axis.scaled else number(axis.scaled)
+            if (loaded is None) is not (axis.loaded is None) or (scaled is None) is not (not axis.scaled):
+                return None
+            found.append(
+                (
+                    (place, None if place is not None else key),
+                    replace(axis, loaded=loaded, scaled=scaled or 0),
+                )
+            )
+        return tuple(sorted(found, key=lambda each: repr(each[0])))
+
+    def _after(self, function: Function, found: Iterable[tuple[tuple[int | None, Key], Axis]]) -> After:
+        """Return stored facts with the symbols and tokens of this program."""
+        assert self._recall is not None
+        at = self._recall.own(function).at
+        return {
+            key if place is None else function.parameters[place]: replace(
+                axis,
+                loaded=None if axis.loaded is None else at(axis.loaded),
+                scaled=at(axis.scaled) if axis.scaled else 0,
+            )
+            for (place, key), axis in found
+        }
+
+
+def _names(functions: Iterable[Function]) -> tuple[str, ...]:
+    return tuple(sorted(each.python for each in functions))
+
+
+def _axis(key: Key) -> Hashable:
+    """Return an axis as a plain value; a parameter has the name of its sub."""
+    return (key.home.python, key.python) if isinstance(key, Symbol) else key
+
+
+def _axes(keys: Iterable[Key]) -> Hashable:
+    return frozenset(map(_axis, keys))
+
+
+def _constants(given: Mapping[Key, list[float] | None]) -> Hashable:
+    return frozenset((_axis(key), repr(values)) for key, values in given.items())

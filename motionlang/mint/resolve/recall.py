@@ -1,0 +1,219 @@
+"""Repeat what earlier checks have found in functions that are still the same.
+
+Problem. An editor checks a program after each pause. One sub has changed, and checking all others again takes
+fifteen times as long as parsing.
+
+Idea. A stage of the check, such as compiling, finds the same in a function if three things are equal: the text
+of the function, what its names stand for, and the facts about the program that the stage uses. These are its
+key. The findings under a key are stored with positions relative to the function, and repeated at its present
+place.
+
+    Sub fill(n)            key: the text · fill, n, level and drain as `Interfaces` describes them ·
+     level = level + n          the facts of the stage
+     drain
+    End Sub
+
+Data. `Recall` belongs to one check. The dict `known` passes from one check to the next; after a check that came
+to its end it has the entries of that check alone. `OwnTokens` are the tokens that belong to one function: those
+of a sub inside a task are not the task's, and the parent task has what is outside all blocks. A `Finding` is one
+call of the function that records a problem, with the numbers of its tokens among these.
+
+Invariants.
+- What the key does not determine is not stored: a finding at a token of another function, as in a Define, and a
+  message that is reported once in a program. Nothing of a program with errors is stored; their hints use all names.
+- Findings are repeated through the same function that recorded them, in the order of the functions, so limits and
+  duplicates are treated as if they were new.
+
+Cost. Parsing and resolving stay, about two parses. A description of each name that a function uses is about a
+fifth of a parse.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from sys import maxsize
+
+from motionlang.mint.resolve.recorder import Recorder
+from motionlang.mint.syntax import outline
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Hashable, Sequence
+    from typing import Any
+
+    from motionlang.mint.resolve.names import Names
+    from motionlang.mint.resolve.symbols import Function, Symbol, Type
+    from motionlang.mint.syntax.nodes import Module
+
+    # Findings and a value of the stage by key.
+    Known = dict[object, Any]
+    Findings = list[dict[str, Any]]
+
+_FUNCTIONS = frozenset(("SUB", "FUNCTION", "TASK", "EVENT"))
+# Arguments of the functions that record a problem which are tokens.
+_TOKENS = ("at", "other")
+
+
+class OwnTokens:
+    """The tokens of one function as ranges of the text, each with a number among them."""
+
+    __slots__ = ("_firsts", "_numbers", "ranges")
+
+    def __init__(self, ranges: Sequence[tuple[int, int]]) -> None:
+        self.ranges = [each for each in ranges if each[0] < each[1]]
+        self._firsts, self._numbers = [first for first, _ in self.ranges], [0]
+        for first, end in self.ranges:
+            self._numbers.append(self._numbers[-1] + end - first)
+
+    def number(self, at: int) -> int | None:
+        """Return the number of a token, None if it is not among these."""
+        place = bisect_right(self._firsts, at) - 1
+        if place < 0 or at >= self.ranges[place][1]:
+            return None
+        return self._numbers[place] + at - self._firsts[place]
+
+    def at(self, number: int) -> int:
+        """Return the token with a number."""
+        place = bisect_right(self._numbers, number) - 1
+        return self._firsts[place] + number - self._numbers[place]
+
+
+def own_tokens(names: Names, kinds: Sequence[str]) -> dict[Function, OwnTokens]:
+    """Return the tokens of each function, nothing if the end of one is not visible."""
+    functions = {each.at: each for each in names.functions if each is not names.main}
+    found: dict[Function, list[tuple[int, int]]] = {names.main: []}
+    # The blocks around a token, each with its function, its end, and its first token that is not assigned yet.
+    opened: list[tuple[Function, int]] = [(names.main, len(kinds))]
+    begin = 0
+    for block in outline.blocks(kinds):
+        if block.kind not in _FUNCTIONS or block.first not in functions:
+            continue
+        while block.first >= opened[-1][1]:
+            function, end = opened.pop()
+            found[function].append((begin, end))
+            begin = end
+        found[opened[-1][0]].append((begin, block.first))
+        begin = block.first
+        function = functions.pop(block.first)
+        found[function] = []
+        opened.append((function, block.last + 1))
+    while opened:
+        function, end = opened.pop()
+        found[function].append((begin, end))
+        begin = end
+    return {} if functions else {function: OwnTokens(ranges) for function, ranges in found.items()}
+
+
+class Interfaces:
+    """The view that functions of a program have of each other, as plain values."""
+
+    def __init__(self, names: Names) -> None:
+        self._symbols: dict[Symbol, Hashable] = {}
+        self.types = tuple(
+            (each.name, *((name, self._type(kind), more) for name, (_, kind, more) in each.members.items()))
+            for each in names.types.values()
+        )
+
+    def seen_by(self, function: Function) -> Hashable:
+        """Describe a function and all names that it uses or declares."""
+        names = {**function.scope.names, **function.scope.found}
+        return self.function(function), tuple(
+            (name, None if symbol is None else self.symbol(symbol)) for name, symbol in names.items()
+        )
+
+    def symbol(self, symbol: Symbol) -> Hashable:
+        """Describe what a name stands for, apart from where it is declared."""
+        known = self._symbols.get(symbol)
+        if known is None:
+            known = self._symbols[symbol] = (
+                symbol.name,
+                symbol.kind,
+                self._type(symbol.type),
+                symbol.home.python,
+                symbol.dimensions,
+                (symbol.given, symbol.shared, symbol.boxed, symbol.by_ref, symbol.declared),
+                repr(symbol.const),
+                repr(symbol.node) if symbol.kind == "define" else "",
+                self.function(symbol.home) if symbol.kind in ("sub", "task") else None,
+            )
+        return known
+
+    def function(self, function: Function) -> Hashable:
+        """Describe a function for its callers."""
+        result = None if function.result is None else self._type(function.result.type)
+        parameters = tuple(map(self.symbol, function.parameters))
+        return function.kind, function.python, parameters, result, function.plain, function.counted
+
+    def _type(self, kind: Type) -> Hashable:
+        return kind.name, kind.size, None if kind.record is None else kind.record.name
+
+
+class Recall:
+    """The findings of earlier checks, for one check; see the module."""
+
+    def __init__(self, module: Module, known: Known) -> None:
+        self._module, self._known = module, known
+        self._used: Known = {}
+        self._kinds = module.places.tokens()[1]
+        self._own: dict[Function, OwnTokens] = {}
+        self._keys: dict[Function, Hashable] = {}
+        # What each function uses of its own names and of those around it.
+        self.symbols: dict[Function, list[Symbol]] = {}
+        self.recorder = Recorder()
+
+    def resolve(self, names: Names) -> Interfaces:
+        """Find the keys of all functions, once all names are resolved."""
+        interfaces = Interfaces(names)
+        self._own = own_tokens(names, self._kinds)
+        places = self._module.places
+        places.span(maxsize - 1)
+        for function, own in self._own.items():
+            self.symbols[function] = [each for each in function.scope.found.values() if each is not None]
+            text = "\0".join(
+                places.source.text[places.span(first)[0] : places.span(end - 1)[1]]
+                for first, end in own.ranges
+            )
+            self._keys[function] = text, interfaces.seen_by(function)
+        return interfaces
+
+    def own(self, function: Function) -> OwnTokens:
+        """Return the tokens of a function, none if they are unknown."""
+        return self._own.get(function) or OwnTokens([])
+
+    def key(self, stage: str, function: Function, *facts: Hashable) -> Hashable:
+        """Return the key of a function for a stage, None if it cannot be recalled."""
+        own = self._keys.get(function)
+        return None if own is None else (stage, own, facts)
+
+    def find(self, key: Hashable) -> Any:
+        """Return what was stored under a key, None if nothing was."""
+        found = None if key is None else self._known.get(key)
+        if found is not None:
+            self._used[key] = found
+        return found
+
+    # ---------------------------------------------------------------------------------------- findings
+
+    def store(self, key: Hashable, function: Function, value: object = None) -> None:
+        """Store the recorded findings and a value, if they depend on the key alone."""
+        recorded = self.recorder.end()
+        if key is None or recorded is None:
+            return
+        own, findings = self.own(function), []
+        for given in recorded:
+            moved = {name: own.number(given[name]) for name in _TOKENS if name in given}
+            if None in moved.values():
+                return
+            findings.append({**given, **moved})
+        self._used[key] = findings, value
+
+    def repeat(self, found: tuple[Findings, object], function: Function, add: Callable[..., None]) -> None:
+        """Record stored findings again, at the present place of their function."""
+        own = self.own(function)
+        for given in found[0]:
+            add(**{**given, **{name: own.at(given[name]) for name in _TOKENS if name in given}})
+
+    def finish(self) -> None:
+        """Pass the entries of a complete check on to the next one."""
+        self._known.clear()
+        self._known.update(self._used)

@@ -1,0 +1,35 @@
+"""A record of the problems that are found in one function."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Recorder:
+    """The arguments with which problems are reported, between `begin` and `end`."""
+
+    __slots__ = ("_found", "_local")
+
+    def __init__(self) -> None:
+        self._found: list[dict[str, Any]] | None = None
+        self._local = True
+
+    def begin(self) -> None:
+        """Begin to record."""
+        self._found, self._local = [], True
+
+    def note(self, **given: Any) -> None:
+        """Record a problem."""
+        if self._found is not None:
+            self._found.append(given)
+
+    def depends(self) -> None:
+        """Note that what was found depends on other functions of the program."""
+        self._local = False
+
+    def end(self) -> list[dict[str, Any]] | None:
+        """Return what was recorded, None if it depends on other functions."""
+        found, self._found = self._found, None
+        return found if self._local else None
