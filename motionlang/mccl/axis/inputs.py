@@ -10,6 +10,8 @@ mark.
 
 from __future__ import annotations
 
+from functools import cache
+
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
 
 TYPE_CHECKING = False
@@ -30,6 +32,7 @@ INFINITY = float("inf")
 INVERTED = 128
 
 
+@cache
 def channel_of(axis: int, name: str) -> int:
     """Return the channel of an axis's input."""
     if name in SINGLE:
@@ -43,13 +46,21 @@ def is_active(board: Board, axis: AxisState, name: str) -> bool:
 
     An input that nothing drives is off, whatever its polarity.
     """
+    return bool(active_bits(board, axis, {name: 1}))
+
+
+def active_bits(board: Board, axis: AxisState, bits: dict[str, int]) -> int:
+    """Return the bits of the inputs that are on."""
     a = board.controller.axes[axis.number]
-    if name == "home" and board.controller.is_on_home_switch(axis.number):
-        return True
-    bit = SWITCHES.get(name)
-    if bit is not None and any(each.bit == bit and each.physical and each.passed for each in a.limits):
-        return True
-    return is_channel_active(board, axis, name)
+    closed = [each.bit for each in a.limits if each.physical and each.passed]
+    at_home = board.controller.is_on_home_switch(axis.number)
+    found = 0
+    for name, bit in bits.items():
+        if is_channel_active(board, axis, name) or (
+            (name == "home" and at_home) or (closed and SWITCHES.get(name) in closed)
+        ):
+            found |= bit
+    return found
 
 
 def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:

@@ -20,7 +20,7 @@ from motionlang.mccl.axis.flags import (
     TRAJECTORY_COMPLETE,
     VELOCITY_MODE,
 )
-from motionlang.mccl.axis.inputs import index_input, is_active
+from motionlang.mccl.axis.inputs import active_bits, index_input
 from motionlang.mccl.axis.motion_phase import at_target_time, heading, next_turn, phase
 from motionlang.mccl.codes import Fault
 
@@ -79,9 +79,7 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
             until = min(until, time)
     elif axis.mode == VELOCITY:
         bits |= VELOCITY_MODE
-    for name, bit in INPUTS.items():
-        if is_active(board, axis, name):
-            bits |= bit
+    bits |= active_bits(board, axis, INPUTS)
     if controller.axes[number].index_every:
         on, leaves = index_input(board, axis)
         until = min(until, leaves)

@@ -220,8 +220,10 @@ class Board:
 
     def is_driven(self, channel: int) -> bool:
         """True if the world or the program drives an input."""
+        if self.controller.inputs[channel] != 0:
+            return True
         world = self.machine.world
-        return (world is not None and channel in world.driven) or self.controller.input(channel) != 0
+        return world is not None and channel in world.driven
 
     def seconds(self, value: float) -> float:
         """Convert a time from the unit of UT to seconds."""
