@@ -216,6 +216,10 @@ class Axis:
         """Start the move of `loader`; false if there is none."""
         return False
 
+    def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
+        """Start a move to a target, counts, without the buffer; false if it must be a `Move`."""
+        return False
+
     def finish_updates(self, now: float) -> None:
         """Roll back or finish partial updates after an interrupt."""
 

@@ -29,8 +29,11 @@ class Core(Readings):
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from any state of motion."""
+        if self.axes[axis].start_at_once(self, position, command, line):
+            return
         a = self.movable(axis)
         move = moves.buffer.stamped(a, Move(axis, command, line, position))
+        move.released = True
         profile = self.plan_move(a, move)
         self.end_move(a, "retarget")
         self.run_profile(a, move, profile)

@@ -5,8 +5,8 @@ which the engine makes for each move. Here a move in the buffer is an `Entry`, a
 (log/plain_moves.py), in the log and alongside the track of its axis, and the event is reused.
 
 Hook: `Accelerators.axes` makes the axes of a controller. `GO` calls `start_loaded` before it reads the
-buffer, and a language that loads moves repeatedly requests a `loader`; both are no-ops on an `Axis` of the
-engine.
+buffer, `move_to` calls `start_at_once`, and a language that loads moves repeatedly requests a `loader`; all
+three are no-ops on an `Axis` of the engine.
 
 Gain: a shift to its report 3.0 times, its run 3.8 times (`shift` and `shift_run` of benchmarks/shift.py).
 
@@ -324,6 +324,28 @@ class FastAxis(Axis):
         if log.room < 0:
             controller.make_room()
         return True
+
+    def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
+        """Start a move to a target, counts, without the buffer; false if it must be a `Move`."""
+        if (
+            self.in_motion
+            or self._move is not None
+            or self.loaded is not None
+            or self._buffer
+            or self.own_rates is not None
+            or self.feedrate_mode > 1
+            or not -1e300 < target < 1e300
+        ):
+            return False
+        if self.logged is None:
+            self.logged = controller.log.moves
+        last_id = self.last_id
+        self.loaded = target, None, command, line, self.speed if self.feedrate_mode else None, self.move_id
+        if self.start_loaded(controller):
+            self.last_id = last_id  # that of the last entry of the buffer
+            return True
+        self.loaded = None
+        return False
 
     def _arrival_of(self, controller: Core) -> Callable[[], bool]:
         """Return the handler of the end of each fast-path move.

@@ -301,10 +301,10 @@ class Scheduler:
                     first = due
         return first
 
-    def _waited(self, task: Task, wait: Wait) -> None:
-        """Write a wait that is over to the log."""
+    def waited(self, wait: tuple[object, ...]) -> None:
+        """Write the record of a wait that is over to the log."""
         log = self.machine.log
-        log.waits.add(task.waited(wait, self.clock.now))
+        log.waits.add(wait)
         if log.turns.seconds:
             log.turns.close(self.clock.now)
 
@@ -439,7 +439,7 @@ class Scheduler:
             return None
         wait = found.wait
         if wait is not None:
-            self._waited(found, wait)
+            self.waited(found.waited(wait, now))
             found.wait = None
         self._turn = turn
         self.current = found

@@ -123,15 +123,19 @@ def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait
     A follower is idle when its master is.
     """
     waited = tuple(axes)
-    names = ", ".join(str(axis) for axis in waited)
     return Wait(
         since,
         lambda: all(controller.is_at_standstill(axis) for axis in waited),
         lambda: max((controller.standing_time(axis) for axis in waited), default=since),
-        f"for axis {names} to be idle",
+        until_idle(waited),
         "axis",
         waited,
     )
+
+
+def until_idle(axes: tuple[int, ...]) -> str:
+    """Describe a wait until axes are idle."""
+    return f"for axis {', '.join(map(str, axes))} to be idle"
 
 
 class Task:

@@ -104,12 +104,15 @@ def orders(result: Run) -> list[object]:
     return [found, kept.data, kept.standstills]
 
 
-def held_apart(text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, object] | None) -> list[Run]:
+def held_apart(
+    text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, object] | None, file: str = "a.mnt"
+) -> list[Run]:
     """Run the program with plain moves and without."""
-    source = Source("a.mnt", text)
+    source = Source(file, text)
     first = run(source, cache=False, until=6.0, machine=machine, prove=True)
     with monkeypatch.context() as patch:
         patch.setattr(FastAxis, "loader", Axis.loader)
+        patch.setattr(FastAxis, "start_at_once", Axis.start_at_once)
         second = run(source, cache=False, until=6.0, machine=machine, prove=True)
     return [first, second]
 
@@ -127,6 +130,49 @@ def test_looks_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) ->
 def test_nor_do_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     plain, ordinary = held_apart(program(seed), monkeypatch, None)
     assert all_of(plain) == all_of(ordinary)
+
+
+def commands(seed: int) -> str:
+    """Return an MCCL program of moves, which are read, changed and stopped at any time."""
+    random = Random(seed)
+    lines = ["1MN,2MN", "0SV2000,0SA9000,0DS7000", "MD1,{k}WS,{k}TP".format(k=random.randint(1, 2))]
+    for _ in range(random.randint(8, 25)):
+        k, far, near = random.randint(1, 2), random.randint(-900, 900), random.randint(1, 90)
+        lines.append(
+            random.choice(
+                (
+                    f"{k}MR{far}",
+                    f"{k}MA{far}",
+                    f"{k}MR{near},{k}WS",
+                    f"{k}MA{far},{k}WS0.{near:02d}",
+                    f"{k}MR{far},WA0.{near:02d},{k}TP,{k}TT",
+                    f"{k}MR{far},{k}WR{far // 2},{k}TV",
+                    f"{k}MR{far},WA0.05,{k}ST,{k}WS",
+                    f"{k}MR{far},{k}WT",
+                    f"{k}MR{far},MC1",
+                    f"{k}SV{10 * near},{k}MR{near},{k}WS",
+                    "0WS",
+                    f"{k}MR0,{k}WS",
+                    f"{k}MR{near},{k}WS,RP2",
+                )
+            )
+        )
+    return "\n".join(lines) + "\n"
+
+
+@cases("seed", range(40))
+def test_moves_of_mccl_begin_at_once_and_are_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    travel = {"axis.1.travel": [-700.0, 1500.0]}
+    for machine in (None, travel):
+        plain, ordinary = held_apart(commands(seed), monkeypatch, machine, "a.mcl")
+        assert all_of(plain) == all_of(ordinary)
+        assert orders(plain) == orders(ordinary)
+
+
+def test_a_move_of_mccl_that_nobody_looks_at_stays_a_row() -> None:
+    result = run(Source("a.mcl", "1MN,1SV100,1SA500,1DS500\n1MR50,1WS\n1MA0,1TV,1WS"), cache=False)
+    assert kept(result) == [tuple, Move]
+    assert result.time == pytest.approx(2 * (50 / 100 + 100 / 500), abs=1e-3)
 
 
 def there_and_back(seed: int) -> str:

@@ -36,11 +36,12 @@ def wait_stop(task: CommandTask, command: Command) -> Wait | None:
     """Wait until the trajectory is complete, then for the given time."""
     controller = task.board.controller
     now = controller.clock.now
-    axes = [axis.number for axis in task.axes(command)]
-    if all(controller.is_at_standstill(axis) for axis in axes):
-        return _dwell(task, command, now)
-    task.then = lambda time: _dwell(task, command, time)
-    return wait_idle(controller, now, axes)
+    axes = tuple([axis.number for axis in task.axes(command)])
+    for number in axes:
+        if not controller.is_at_standstill(number) and not task.comes_to_rest(axes):
+            task.then = lambda time: _dwell(task, command, time)
+            return wait_idle(controller, now, axes)
+    return _dwell(task, command, controller.clock.now)
 
 
 def wait_target(task: CommandTask, command: Command) -> Wait | None:

@@ -199,10 +199,10 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
                 f"{axis.number}PM switches it back",
             )
     stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target)]
-    _check_rest(task, command, stalled)
     if not stalled:
         _start(task, command, targets)
         return None
+    _check_rest(task, command, stalled)
     at_once = [pair for pair in targets if pair[0].number not in stalled]
     later = [pair for pair in targets if pair[0].number in stalled]
     _start(task, command, at_once)

@@ -7,7 +7,7 @@ cost`, so that it is the same number whether commands are run one by one or skip
 from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import INFINITY, Task
+from motionlang.lang.task import INFINITY, Task, until_idle
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import of_families
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import TypeAlias
 
+    from motionlang.lang.scheduler import Scheduler
     from motionlang.lang.task import Wait
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.motion.path import Path
@@ -116,6 +117,12 @@ class CommandTask(Task):
         return (*called, self.place)
 
     @property
+    def standing(self) -> tuple[int, tuple[int, ...]]:
+        if self.calls:
+            return super().standing
+        return self.place, ()
+
+    @property
     def loops(self) -> list[tuple[int, float, tuple[int, ...]]]:
         return self.loop_log.open()
 
@@ -138,15 +145,17 @@ class CommandTask(Task):
         if now != self.base + self.count * self.cost:
             self.base, self.count = now, 0
         self.horizon = horizon
+        board, cost, lacks, gated = self.board, self.cost, self.lacks, self.gated
+        clock, left = board.controller.clock, SLICE
         wait = self._go_on(now)
         if wait is not None:
-            return now, wait
-        board, cost, lacks, gated = self.board, self.cost, self.lacks, self.gated
+            if (wait := self._pass(wait)) is not None:
+                return now, wait
+            now = clock.now
         hook = board.hook
         if hook is not None:
             tally = hook.tally
         loop_log = self.loop_log
-        clock, left = board.controller.clock, SLICE
         if len(board.tasks) > 1:
             board.take_turn(self)
         while left:
@@ -162,7 +171,7 @@ class CommandTask(Task):
             else:
                 self.count += 1
                 now = self.base + self.count * cost
-                if now >= horizon or now >= clock.horizon:
+                if now >= self.horizon or now >= clock.horizon:
                     self.paid = True
                     return now, None
                 clock.now = now
@@ -189,7 +198,9 @@ class CommandTask(Task):
                 self._refused(trouble)
             else:
                 if wait is not None:
-                    return now, wait
+                    if (wait := self._pass(wait)) is not None:
+                        return now, wait
+                    now = clock.now
             if len(board.tasks) > 1 and board.is_shared(self):
                 return self.base + self.count * cost, None
             left -= 1
@@ -310,6 +321,19 @@ class CommandTask(Task):
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
         self.path_open = None
 
+    def comes_to_rest(self, axes: tuple[int, ...]) -> bool:
+        """Let the time until axes are at rest pass within the time slice; false if the task must yield."""
+        scheduler = self.board.machine.scheduler
+        if scheduler is None:
+            return False
+        since = scheduler.clock.now
+        if not scheduler.comes_to_rest(since, self.board.controller.end_of_moves(axes)):
+            return False
+        at, callers = self.standing
+        now = self._continue(scheduler)
+        scheduler.waited((self.name, at, since, now, "axis", axes, until_idle(axes), callers))
+        return True
+
     # ----------------------------------------------------------------------------------------- for subclasses
 
     def next_line(self) -> Line | None:
@@ -341,6 +365,30 @@ class CommandTask(Task):
             if wait is not None:
                 return wait
         return None
+
+    def _pass(self, wait: Wait) -> Wait | None:
+        """Let waits pass within the time slice, as long as nothing else can happen meanwhile.
+
+        Returns the wait for which the task must yield, if any.
+        """
+        scheduler = self.board.machine.scheduler
+        if scheduler is None:
+            return wait
+        left: Wait | None = wait
+        while left is not None and scheduler.passes(left):
+            now = self._continue(scheduler)
+            scheduler.waited(self.waited(left, now))
+            left = self._go_on(now)
+        return left
+
+    def _continue(self, scheduler: Scheduler) -> float:
+        """Continue at the present machine time, and return it."""
+        clock = scheduler.clock
+        now, horizon, until = clock.now, clock.horizon, scheduler.until
+        if now != self.base + self.count * self.cost:
+            self.base, self.count = now, 0
+        self.horizon = horizon if horizon < until else until
+        return now
 
     def _refused(self, trouble: Fault | Rejected) -> None:
         if self.board.refused(self, trouble):
