@@ -258,8 +258,9 @@ class PathRun:
             for k, (a, move) in enumerate(zip(self.axes, course.here.moves, strict=True)):
                 move.target = course.ends[k]
                 move.ended = self.ended
-                controller.log_move(a, move, course.of(k))
-                controller.extend_track(a, self._total(k))
+                made = course.of(k)
+                controller.log_move(a, move, made)
+                controller.extend_track(a, self._total(k, made))
             self._await()
         if self.ended:
             self._aim()
@@ -275,7 +276,7 @@ class PathRun:
         self._join([course for course, _, _ in plans])
         with controller.together():
             for k, a in enumerate(self.axes):
-                controller.extend_track(a, self._total(k))
+                controller.extend_track(a, self._total(k, self.courses[-1].of(k)))
             self._await()
 
     def _join(self, changed: Sequence[Course] = ()) -> None:
@@ -296,11 +297,10 @@ class PathRun:
         for a, place in zip(self.axes, self.courses[-1].places_at_rest(), strict=True):
             a.target = place
 
-    def _total(self, k: int) -> Profile:
-        """The motion of axis index k: the newest course and the rest of the one before."""
+    def _total(self, k: int, made: Profile) -> Profile:
+        """The motion of axis index k: the newest course, `made`, and the rest of the one before."""
         now = self._controller.clock.now
-        newest = self.courses[-1]
-        made = newest.of(k).after(now - newest.began)
+        made = made.after(now - self.courses[-1].began)
         for course, following in pairwise(self.courses):
             rest = course.of(k).after(now - course.began)
             tail = rest.shifted(-following.begins[k])
