@@ -10,9 +10,11 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 ORDER = ["Install", "The first program", "Six things it does", "Accuracy", "Documentation", "Built with"]
 
 
-def test_a_sentence_and_the_picture_come_first() -> None:
-    title, sentence, picture = README.split("\n\n")[:3]
+def test_a_sentence_the_playground_and_the_picture_come_first() -> None:
+    title, lead, picture = README.split("\n\n")[:3]
     assert title == "# motionlang"
+    sentence, _, link = lead.partition("\n[")
+    assert link.startswith("Try it in your browser](playground/")
     assert len(sentence) <= 240
     assert sentence.count(". ") == 0
     assert re.fullmatch(r"!\[[^\]]+\]\((.+)\)", picture), picture

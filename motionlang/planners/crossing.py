@@ -72,12 +72,12 @@ def _first(
     value = how[0]
     for i in range(max(bisect_left(knots, after) - 1, 0), len(pieces)):
         piece, begin, finish = pieces[i], knots[i], knots[i + 1]
+        length = finish - begin
         following = value(pieces[i + 1], 0.0) if i + 1 < len(pieces) else last
-        if value is position_in and _stays_on_one_side(piece, wanted, finish - begin, following):
+        if value is position_in and _stays_on_one_side(piece, wanted, length, following):
             continue
-        ending = _joined(value(piece, 0.0), value(piece, finish - begin), following)
-        low = max(after - begin, 0.0)
-        x = _first_in(piece, wanted, (low, finish - begin), how, ending)
+        ending = _joined(value(piece, 0.0), value(piece, length), following)
+        x = _first_in(piece, wanted, (max(after - begin, 0.0), length), how, ending)
         if x is not None:
             return min(begin + x, finish)
     return None

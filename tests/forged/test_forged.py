@@ -55,7 +55,7 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("controller.motion.halt", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
     ("controller.motion.follow", "tie_of", _TIE, "None if isinstance(action, Follow) else action", "gears of PMC.mcl"),
     ("controller.motion.follow", "Gear.set_ratio", _AT, "0.0 if ramp else INFINITY", "gears.mnt"),
-    ("controller.motion.follow", "FollowMove.profile", "finish - start", "finish", "speed references.mnt"),
+    ("controller.motion.follow", "FollowMove._sequence", "following[0] - start", "following[0]", "speed references.mnt"),
 )  # fmt: skip
 
 

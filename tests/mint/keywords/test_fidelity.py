@@ -8,7 +8,7 @@ from pathlib import Path
 from motionlang.assumptions.facts import of_word
 from motionlang.mint.keywords import table
 
-PAGE = (Path(__file__).parents[3] / "docs" / "fidelity.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[3] / "docs" / "contributing" / "assumptions.md").read_text(encoding="utf-8")
 CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")
 
 
