@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.errors import ProgramError
+from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
@@ -12,9 +12,11 @@ from motionlang.lang.machine.machine import DEFAULT_AXES
 
 if TYPE_CHECKING:
     from motionlang.editor.page import Page
-    from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.source import Source
+
+# The character that stands for one that could not be decoded.
+_UNKNOWN = "\ufffd"
 
 
 def findings(page: Page, known: dict[object, object] | None = None) -> list[Diagnostic]:
@@ -23,7 +25,29 @@ def findings(page: Page, known: dict[object, object] | None = None) -> list[Diag
     `known` is as in `Dialect.check`.
     """
     found = page.language.check(page.source, page.settings, known)
-    return one_sentence(page.language, page.source, found)
+    return decoded(page.source, one_sentence(page.language, page.source, found))
+
+
+def decoded(source: Source, found: list[Diagnostic], code: str = "syntax") -> list[Diagnostic]:
+    """Return diagnostics, with one for all characters that an editor could not decode.
+
+    An editor that opens a file in another encoding than its own puts U+FFFD in place of such characters.
+    """
+    first = source.text.find(_UNKNOWN)
+    if first < 0:
+        return found
+    count = source.text.count(_UNKNOWN)
+    many = "1 character has" if count == 1 else f"{count} characters have"
+    line, column = source.place(first)
+    wrong = Diagnostic(
+        code,
+        f"{many} been lost: the editor has opened this file in a wrong encoding",
+        line,
+        column,
+        hint="open it again in its own encoding, such as Windows-1252 for an old file; saving it now loses them",
+    )
+    others = [each for each in found if source.line(each.line)[each.column - 1 : each.column] != _UNKNOWN]
+    return [wrong, *others]
 
 
 def settings_of(machine: Source, language: Dialect | None) -> tuple[dict[str, object], list[Diagnostic]]:

@@ -15,6 +15,7 @@ from motionlang.editor.formatting import format
 from motionlang.editor.hover import hover
 from motionlang.editor.signature import signature
 from motionlang.editor.tokens import MODIFIERS, TYPES, tokens
+from motionlang.execution import MACHINE_SUFFIX
 from motionlang.lsp.convert import ITEMS, diagnostic, edits, markdown, symbol, workspace_edit
 from motionlang.lsp.documents import units
 from motionlang.lsp.protocol import REQUEST_FAILED
@@ -246,6 +247,7 @@ class _Display(_Feature):
 
     def register(self) -> None:
         self.on(types.INITIALIZE, self.initialize)
+        self.on(types.INITIALIZED, self.watch)
         self.on(types.TEXT_DOCUMENT_FOLDING_RANGE, self.folding)
         self.on(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, self.tokens, LEGEND)
         self.on(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, self.changed_tokens, LEGEND)
@@ -259,6 +261,23 @@ class _Display(_Feature):
         options = params.initialization_options
         commands = options.get("commands") if isinstance(options, dict) else None
         self._lenses = [name for name in LENSES if isinstance(commands, list) and name in commands]
+
+    def watch(self, params: types.InitializedParams) -> None:
+        """Ask an editor that can to report machine files that change on disk."""
+        workspace = self.server.capabilities.workspace
+        watched = workspace.did_change_watched_files if workspace is not None else None
+        if watched is None or not watched.dynamic_registration:
+            return
+        watchers = [
+            types.FileSystemWatcher(f"**/{name}") for name in (f"*{MACHINE_SUFFIX}", MACHINE_SUFFIX[1:])
+        ]
+        wanted = types.Registration(
+            "machine files",
+            types.WORKSPACE_DID_CHANGE_WATCHED_FILES,
+            types.DidChangeWatchedFilesRegistrationOptions(watchers),
+        )
+        # An editor that refuses reports nothing; programs are still checked again with each change of theirs.
+        self.server.client_register_capability(types.RegistrationParams([wanted]), lambda answer: None)
 
     def folding(self, params: types.FoldingRangeParams) -> list[types.FoldingRange]:
         found = self.known(params)

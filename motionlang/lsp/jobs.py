@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.editor.diagnostics import findings, settings_of
+from motionlang.editor.diagnostics import decoded, findings, settings_of
 from motionlang.editor.page import Page
 from motionlang.editor.times import times
 from motionlang.errors import Diagnostic
@@ -45,7 +45,7 @@ def work(job: Job) -> list[Diagnostic] | Times:
     language = dialect(job.language) if job.language else None
     source = Source(job.name, job.text)
     if language is None:
-        return settings_of(source, None)[1]
+        return decoded(source, settings_of(source, None)[1], "machine-file")
     machine = None if job.machine is None else Source(job.machine_name, job.machine)
     settings, wrong = settings_of(machine, language) if machine is not None else ({}, [])
     page = Page(source, language, settings)

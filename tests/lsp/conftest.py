@@ -27,6 +27,8 @@ class Editor:
     def __init__(self, client: LanguageClient, uri: str) -> None:
         self.client, self.uri, self.version = client, uri, 0
         self.document = types.TextDocumentIdentifier(uri)
+        # What the server has asked the editor to report.
+        self.registered: list[types.Registration] = []
 
     async def open(self, text: str, language: str = "mint") -> list[types.Diagnostic]:
         """Open a text and return its diagnostics."""
@@ -74,13 +76,19 @@ def session(
 
     async def whole() -> int:
         client = make_test_lsp_client()
+        shown = Editor(client, (folder / name).as_uri())
+
+        @client.feature(types.CLIENT_REGISTER_CAPABILITY)
+        def register(params: types.RegistrationParams) -> None:
+            shown.registered += params.registrations
+
         await client.start_io(sys.executable, "-m", "motionlang", "lsp", cwd=str(ROOT))
         capabilities = client_capabilities(editor)
         await client.initialize_session(
             types.InitializeParams(capabilities, workspace_folders=[], initialization_options=options)
         )
         try:
-            await work(Editor(client, (folder / name).as_uri()))
+            await work(shown)
         finally:
             await client.shutdown_session()
         process = client._server

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -115,6 +117,61 @@ def test_a_program_is_checked_with_the_machine_file_next_to_it(tmp_path: Path) -
         assert found.code == "beyond-travel"
 
     assert session(work, tmp_path) == 0
+
+
+def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: Path) -> None:
+    """The editor is asked to report such files, and the move ends at 500."""
+    machine = tmp_path / "a.machine.toml"
+
+    async def work(client: Editor) -> None:
+        assert await client.open("MOVEA(0) = 500 : GO(0)\n") == []
+        (registered,) = client.registered
+        assert registered.method == "workspace/didChangeWatchedFiles"
+        event = types.FileEvent(machine.as_uri(), types.FileChangeType.Changed)
+        for travel, codes in ((100, ["beyond-travel"]), (600, [])):
+            machine.write_text(f"[axis.0]\ntravel = [0, {travel}]\n", encoding="utf-8")
+            client.client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams([event]))
+            assert [each.code for each in await client.diagnostics()] == codes
+
+    assert session(work, tmp_path) == 0
+
+
+def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(tmp_path: Path) -> None:
+    text = "# Fräse\n[axis.0]\ntravel = [0, 100]\n"
+    (tmp_path / "a.machine.toml").write_bytes(text.encode("latin-1"))
+
+    async def work(client: Editor) -> None:
+        (found,) = await client.open("MOVEA(0) = 500 : GO(0)\n")
+        assert found.code == "beyond-travel"
+
+    assert session(work, tmp_path) == 0
+
+
+def test_a_text_in_a_wrong_encoding_has_one_diagnostic(tmp_path: Path) -> None:
+    """Editors replace a byte that they cannot decode, here the `ß` and the `ä` of Latin-1."""
+
+    async def work(client: Editor) -> None:
+        (found,) = await client.open("' Ma\ufffde\nL\ufffdnge = 3 : Print L\ufffdnge\n")
+        assert (found.code, found.range.start) == ("syntax", at(0, 4))
+        assert found.message.startswith(
+            "3 characters have been lost: the editor has opened this file in a wrong"
+        )
+        machine = Editor(client.client, client.uri.removesuffix(".mnt") + ".machine.toml")
+        (found,) = await machine.open("# Fr\ufffdse\n[axis.0]\ntravel = [0, 100]\n", "toml")
+        assert found.message.startswith("1 character has been lost")
+
+    assert session(work, tmp_path) == 0
+
+
+def test_without_pygls_the_command_says_what_to_install() -> None:
+    program = (
+        "import sys; sys.modules['pygls'] = None; from motionlang.cli import main; sys.exit(main(['lsp']))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "motionlang lsp needs pygls" in done.stderr
+    assert 'python -m pip install "motionlang[lsp]"' in done.stderr
+    assert "Traceback" not in done.stderr
 
 
 def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
