@@ -2,6 +2,7 @@
 
 import { StreamLanguage } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
+import { Drafts } from "./drafts.js";
 import { Editor } from "./editor.js";
 import { LANGUAGES } from "./highlight.js";
 import { Problems } from "./problems.js";
@@ -30,6 +31,7 @@ const editors = {
   machine: newEditor("machine", "Machine file"),
 };
 editors.machine.syntax = StreamLanguage.define(toml);
+const drafts = new Drafts();
 
 let name = FIRST;
 let answers = [];
@@ -55,7 +57,8 @@ function request() {
   return { name, dialect, program: editors.program.text, machine: editors.machine.text };
 }
 
-function open(file) {
+// Show a program; `draft` is its number if it is one of the reader's own.
+function open(file, draft = null) {
   stop("");
   name = named(file);
   element("dialect").value = file.dialect;
@@ -65,6 +68,14 @@ function open(file) {
   server?.open(request());
   results.clear();
   choose("program");
+  drafts.open(request(), draft);
+}
+
+// Keep what the reader has written before another program is shown.
+function keep() {
+  const label = drafts.keep(request());
+  listDrafts();
+  return label === null ? "" : ` What you wrote is kept as ${label}, under Example.`;
 }
 
 // The name of a file without folders, with a suffix of its language.
@@ -196,14 +207,17 @@ async function share() {
 async function openLink() {
   const fragment = location.hash.slice(1);
   if (!fragment || fragment === shared) return false;
+  let kept;
   try {
-    open(await fromFragment(fragment));
+    const file = await fromFragment(fragment);
+    kept = keep();
+    open(file);
   } catch (error) {
     say(error instanceof BadLink ? error.message : "This browser cannot read the link.");
     return false;
   }
   element("gallery").value = "";
-  say("This program came with the link. Press Run to run it.");
+  say(`This program came with the link. Press Run to run it.${kept}`);
   return true;
 }
 
@@ -236,6 +250,19 @@ function listen() {
     if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) start();
   });
   addEventListener("hashchange", openLink);
+  addEventListener("pagehide", () => drafts.save(request()));
+}
+
+// The reader's own programs, above the examples.
+function listDrafts() {
+  const list = element("gallery");
+  list.querySelector("#yours")?.remove();
+  if (!drafts.all.length) return;
+  const group = document.createElement("optgroup");
+  group.id = "yours";
+  group.label = "Yours";
+  group.append(...drafts.all.map(({ label }, number) => new Option(label, `${number}`)));
+  list.firstElementChild.after(group);
 }
 
 function fillGallery(gallery) {
@@ -249,12 +276,16 @@ function fillGallery(gallery) {
     }
     element("gallery").append(group);
   }
-  element("gallery").addEventListener("change", ({ target }) => {
-    const chosen = gallery.find((one) => one.name === target.value);
+  element("gallery").addEventListener("change", ({ target: { value } }) => {
+    const number = /^\d+$/.test(value) ? Number(value) : null;
+    const chosen = number === null ? gallery.find((one) => one.name === value) : drafts.all[number];
     if (!chosen) return;
+    const kept = keep();
     history.replaceState(null, "", location.pathname + location.search);
-    open(chosen);
-    if (chosen.needs) say(`This program needs ${chosen.needs}, which a browser does not have: install motionlang to run it.`);
+    open(number === null ? chosen : drafts.all[number], number);
+    element("gallery").value = value;
+    if (chosen.needs) say(`This program needs ${chosen.needs}, which a browser does not have: install motionlang to run it.${kept}`);
+    else say(kept.trim() || READY);
   });
 }
 
@@ -269,10 +300,12 @@ async function begin() {
   // The pages of the documentation, which the playground is part of, link here with ?docs.
   element("docs").hidden = !new URLSearchParams(location.search).has("docs");
   fillGallery(contents.gallery);
-  if (!linked) {
-    if (!editors.program.text) open(contents.gallery.find((one) => one.name === FIRST));
-    element("gallery").value = FIRST;
-  }
+  const number = drafts.restore();
+  listDrafts();
+  if (linked || editors.program.text) return;
+  const draft = number === null ? undefined : drafts.all[number];
+  open(draft ?? contents.gallery.find((one) => one.name === FIRST), draft ? number : null);
+  element("gallery").value = draft ? `${number}` : FIRST;
 }
 
 if (typeof WebAssembly !== "object") {
