@@ -712,15 +712,20 @@ def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: 
     assert result.controller.axes[0].at(2.6).velocity == pytest.approx(16.0, abs=1e-4)
 
 
-def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_suspension() -> None:
-    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2; a DECEL of 50 needs 4.
+@pytest.mark.parametrize("decel", [50.0, 70.0, 76.0])
+def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_suspension(decel: float) -> None:
+    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2; a DECEL of 50 needs 4, one of 76 2.63.
 
-    The other 0.6 from rest, with 100 and 50, reach v² / 200 + v² / 100 = 0.6, and take v / 100 + v / 50.
+    The other 0.6 from rest, with 100 and D, reach v² / 200 + v² / 2D = 0.6, and take v / 100 + v / D. Both
+    together take longer than a stop with 70 or 76.
     """
-    path = "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 2470\nSUSPEND(0) = 1\nDECEL(0) = 50\nSUSPEND(0) = 0\n"
+    path = (
+        f"VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 2470\nSUSPEND(0) = 1\nDECEL(0) = {decel}\nSUSPEND(0) = 0\n"
+    )
     result = proved(f"{RATES}{path}PAUSE IDLE(0)\n")
     assert places(result, 0, 1) == pytest.approx([30.0, 40.0])
-    assert result.time == pytest.approx(2.47 + 0.2 + 0.03 * sqrt(40.0), abs=1e-6)
+    per_speed = 1.0 / 100.0 + 1.0 / decel
+    assert result.time == pytest.approx(2.47 + 0.2 + sqrt(2.0 * 0.6 * per_speed), abs=1e-6)
 
 
 def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_time() -> None:
@@ -1107,3 +1112,19 @@ def test_a_slave_that_a_limit_stops_as_its_master_reverses_never_had_the_new_spe
     slave = next(each for each in result.report["moves"] if each["axis"] == 2)
     assert (slave["ended"], slave["peak_speed"]) == ("fault", 16.0)
     assert slave["distance"] == pytest.approx(24.0 - 40.0 * 0.023**2, abs=1e-5)
+
+
+@pytest.mark.parametrize("following", ["", "VECTORR(0, 1) = 40, 0\n"])
+def test_a_path_resumed_in_its_last_flank_keeps_it_if_the_jerk_was_lowered(following: str) -> None:
+    """S-ramps at 1000 reach 10 in 0.2 s, by 100: 50 take 0.2 + 48/10 + 0.2 s, with or without a blend.
+
+    At 5.15 s it is at 1.25 and -50, which a jerk of 200 would take back beyond a rest, by 50²/400 = 6.25.
+    """
+    ramps = "SPEED(0) = 10 : PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
+    path = f"BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 1\nVECTORR(0, 1) = 30, 40\n{following}GO(0)\nWAIT = 5150\n"
+    change = "DECELJERK(0) = 200\nSUSPEND(0) = 1\nWAIT = 10\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(RATES + ramps + path + change)
+    first = result.controller.log.moves[0]
+    assert first.profile is not None
+    assert first.start_time + first.profile.duration == pytest.approx(5.2, abs=1e-6)
+    assert places(result, 0, 1) == pytest.approx([70.0 if following else 30.0, 40.0])

@@ -49,7 +49,8 @@ def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
         if finish - begin > ROUNDED * (1.0 + begin):
             ends.append(finish)
             entries.append(moves)
-            check_tail(proof, run, _tail_in_force(run, master, i, tail), begin, finish - begin)
+            plan, suspended = _tail_in_force(run, master, i, tail), _suspended_by(run, master, i, tail)
+            check_tail(proof, run, plan, begin, finish - begin, suspended)
     if len(ends) >= MAX_OVERLAP:
         count = len(ends) + 1
         words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
@@ -73,6 +74,17 @@ def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
         if order.path is None or order.path.begun < tail.path.begun:
             break
     return tail
+
+
+def _suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | None:
+    """Return the order by which a path that is resumed was run until then; None if it was not suspended."""
+    order = run.orders.of[master.index][i - 1]
+    assert tail.path is not None
+    for each in (order, *(order.path.tails if order.path is not None else ())):
+        if each.path is not None and each.path.entry == tail.path.entry:
+            resumed = each.path.rests and not tail.path.rests
+            return _tail_in_force(run, master, i - 1, each) if resumed else None
+    return None
 
 
 def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:

@@ -176,7 +176,8 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         if plan is not order:
             _check_along(proof, plan, way, along, where, beyond=beyond)
             rest = []
-        elif _keeps_stop(before, order, way, along, beyond):
+        keeps_stop = plan is order and _keeps_stop(before, order, way, along, beyond)
+        if keeps_stop:
             stop, rest = _until_rest(along)
             _check_along(proof, before, way, stop, where)
         if rest:
@@ -197,7 +198,11 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         if gone >= way.length * (1.0 - SLACK) and all(
             abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
         ):
-            _check_path_time(proof, order, way, along, where)
+            timed = (
+                _until_rest(along)[1] if keeps_stop else along
+            )  # a stop by earlier rates takes its own time
+            if timed:
+                _check_path_time(proof, order, way, timed, where)
 
 
 def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
@@ -243,15 +248,24 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
     return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] <= left * (1.0 + SLACK)
 
 
-def check_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
-    """Check the speed along a path, and its changes, while another is blended onto it."""
+def check_tail(
+    proof: Proof, run: Run, order: Order, begin: float, length: float, suspended: Order | None = None
+) -> None:
+    """Check the speed along a path, and its changes, while another is blended onto it.
+
+    `suspended` is the order of its motion until it is resumed then.
+    """
     path = order.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
     way = PathLayout(path, run.origins(path))
     along = spans_along([(profile, begin - path.begun) for profile in profiles], way, length)
+    where = f"path from {path.begun:.6f} s at {begin:.6f} s"
+    if along and suspended is not None and _cannot_stop(order, way, along, 0.0):
+        stop, along = _until_rest(along)
+        _check_along(proof, suspended, way, stop, where)
     if along:
-        _check_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
+        _check_along(proof, order, way, along, where)
 
 
 def _check_way(
@@ -287,17 +301,24 @@ def _check_way(
 
 
 def _keeps_stop(before: Order, order: Order, way: PathLayout, along: list[Span], beyond: float) -> bool:
-    """True if a resumed path comes to rest first, as it could not stop before its end.
-
-    This is by the present rates.
-    """
+    """True if a resumed path comes to rest first."""
     path, earlier = order.path, before.path
     assert path is not None
     if earlier is None or earlier.entry != path.entry or not earlier.rests or path.rests:
         return False
+    return _cannot_stop(order, way, along, beyond)
+
+
+def _cannot_stop(order: Order, way: PathLayout, along: list[Span], beyond: float) -> bool:
+    """True if a path could not stop before its end by its rates.
+
+    Or if it could not reduce its deceleration to zero before it comes to rest.
+    """
     gone, v0, a0, _ = along[0].at(0.0)
     by = _least(order, way)[1]
     left = way.length - gone + beyond
+    if by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] >= v0 * (1.0 - SLACK):
+        return True
     return by.rates[1] > 0.0 and lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > left * (1.0 + SLACK)
 
 
