@@ -27,6 +27,9 @@ LAZY = {
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",
+    # The process that passes messages on does not load the debugger, which its engine does.
+    "dap/relay.py": "engine",
+    "dap/server.py": "adapter relay",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
     "mccl/__init__.py": "keywords keywords.row keywords.switchable lint.check models "
     "resolve.definitions resolve.loop_dependencies resolve.listing "

@@ -276,7 +276,10 @@ class Adapter:
             self._write(self._hand_over(handover.key, state))
 
     def revive(self, state: Mapping[str, Any]) -> None:
-        """Continue the session in this copy of the process; called in the thread of the program."""
+        """Continue the session in this copy of the process.
+
+        Called in the thread of the program.
+        """
         self._lock, self._idle = threading.Lock(), threading.Event()
         self._work, self._answers, self._worker = SimpleQueue(), SimpleQueue(), None
         self._asking, self._after = False, []
@@ -481,7 +484,10 @@ class Adapter:
 
 
 def _failure(command: str, text: str, code: str = "") -> Message:
-    """Return what a response has after an error; the client's own requests open no message box."""
+    """Return what a response has after an error.
+
+    Requests that the client makes on its own open no message box.
+    """
     plain = text.replace("{", "(").replace("}", ")")
     error = {"id": 1, "format": plain, "showUser": command not in READS}
     return {"success": False, "message": code or text, "body": {"error": error}}

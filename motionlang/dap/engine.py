@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 
 
 class Engine:
-    """An adapter whose client is at the other end of a channel; `announcements` takes new copies."""
+    """An adapter whose client is at the other end of a channel.
+
+    `announcements` takes the channels of new copies.
+    """
 
     def __init__(self, channel: socket.socket, announcements: socket.socket) -> None:
         self._channel, self._announcements = channel, announcements

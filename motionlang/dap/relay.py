@@ -1,8 +1,8 @@
-"""The front of a session: passes messages between a client and the engine, which is a process of its own.
+"""The front of a session: passes messages between a client and the engine.
 
-The engine is the adapter and the program. To go back in a slow run, the session continues in a copy of the engine
-(`debug/checkpoints.py`), and the engine ends. The front has the channels of all copies. It sends requests that have no
-response yet to the copy, too. When the client or the engine dies, the front closes all channels, and every process of
+The engine, a process of its own, is the adapter and the program. To go back in a slow run, the session continues in a
+copy of the engine (`debug/checkpoints.py`), and the engine ends. The front has the channels of all copies. It sends
+requests that have no response yet to the copy, too. When the client or the engine dies, the front closes all channels, and every process of
 the session ends. If the front dies, the system does that.
 """
 
@@ -31,7 +31,10 @@ END = "the debugger has ended unexpectedly"
 
 
 class Relay:
-    """The front, with the methods of an `Adapter`; `send` writes a message to the client."""
+    """The front, with the methods of an `Adapter`.
+
+    `send` writes a message to the client.
+    """
 
     def __init__(self, send: Callable[[Message], None], close: Callable[[], None]) -> None:
         """Fork the engine; `close` closes in it what belongs to the client."""

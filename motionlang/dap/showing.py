@@ -234,7 +234,10 @@ class Showing:
         return self._value(path, None, found)
 
     def path_of(self, name: str) -> Path:
-        """Return the path of a variable, an axis or a channel by its name; raise WrongExpression."""
+        """Return the path of a variable, an axis or a channel by its name.
+
+        Raises WrongExpression.
+        """
         return self._debugger.state().path_of(name)
 
     def set_expression(self, given: Arguments) -> Body:

@@ -82,7 +82,10 @@ def _message(text: str) -> Callable[[Names], str]:
 
 
 class Watched:
-    """A variable, an axis or a channel by its path; the program stops after it has changed."""
+    """A variable, an axis or a channel by its path.
+
+    The program stops after it has changed.
+    """
 
     def __init__(self, path: tuple[str, ...]) -> None:
         self.path = path

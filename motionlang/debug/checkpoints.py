@@ -146,7 +146,10 @@ def can_fork() -> bool:
 
 
 def close_here(descriptor: int) -> None:
-    """Close a file in this process alone; objects that still have its number read and write nothing."""
+    """Close a file in this process alone.
+
+    Objects that still have its number read and write nothing.
+    """
     nothing = os.open(os.devnull, os.O_RDWR)
     os.dup2(nothing, descriptor)
     os.close(nothing)

@@ -143,7 +143,10 @@ class Debugger:
         return replay
 
     def observe(self, checkpoints: Checkpoints | None, progress: Callable[[float], None]) -> None:
-        """Make copies of the process while a run is slow, and report the progress of replays; before `start`."""
+        """Make copies of the process in slow runs, and report the progress of replays.
+
+        Called before `start`.
+        """
         self.checkpoints, self.progress = checkpoints, progress
         self._replay = self._new()
 
@@ -441,7 +444,7 @@ class Debugger:
             self._last = 0
 
     def _arrive(self, number: int, reason: str, text: str = "") -> Stop | None:
-        """Go to a statement and make it the stop: in this process, or in a copy that is closer."""
+        """Go to a statement and make it the stop, here or in a copy that is closer."""
         self._hand_over(number, "arrive", number, reason, text)
         point = self._go_to(number)
         return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
@@ -453,7 +456,7 @@ class Debugger:
             raise HandOver(key, *then)
 
     def _may_hand_over(self) -> bool:
-        """False if a copy would not know the hits of a breakpoint, or the last value of a variable."""
+        """False if a copy would not know the hits of a breakpoint or a watched value."""
         return not self.watched and not any(each.is_counted for each in self.breakpoints)
 
     def state_for_copy(self) -> dict[str, object]:
@@ -686,7 +689,10 @@ class Debugger:
         return self._arrive(max(number, 1), "goto")
 
     def last_change(self, path: Sequence[str]) -> Stop | None:
-        """Go back to the statement that gave a variable, an axis or a channel its value; None if none did."""
+        """Go back to the statement that last changed a variable, an axis or a channel.
+
+        Returns None if none did.
+        """
         point = self._point()
         watched = Watched(tuple(path))
         replay, previous, found = self._replay, 0, 0
@@ -753,7 +759,10 @@ class Debugger:
 
 
 def destination(debugger: Debugger, text: str) -> Callable[[], Stop | None]:
-    """Return the command that goes to a time, "2.5", or to a line, "line 12"; raise ValueError."""
+    """Return the command that goes to a time, "2.5", or to a line, "line 12".
+
+    Raises ValueError.
+    """
     word, _, rest = text.strip().partition(" ")
     if word.lower() == "line" and rest.strip().isdecimal():
         line = debugger.line_for(int(rest.strip()[:9]))

@@ -240,7 +240,10 @@ class Replay:
         self.hook.limit = 0
 
     def copy_soon(self) -> None:
-        """Make a copy of the process before the next statement; may be called from any thread."""
+        """Make a copy of the process before the next statement.
+
+        May be called from any thread.
+        """
         self._is_due = True
         self.hook.limit = 0
 

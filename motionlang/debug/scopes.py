@@ -194,9 +194,10 @@ def of_machine(name: str) -> str | None:
 
 
 def present(machine: Machine, name: str) -> object:
-    """Return what changes with an axis or a channel, by its name; None before the program uses the controller.
+    """Return what changes with an axis or a channel, by its name.
 
-    An axis changes when a move enters or leaves its buffer, and with its target, its faults and whether it is on.
+    The result is None before the program uses the controller. An axis changes when a move enters or leaves its buffer,
+    and with its target, its faults and whether it is on.
     """
     if not machine.has_controller:
         return None

@@ -65,7 +65,10 @@ class State:
         return self._ask(lambda: scopes.named(self._replay.hook, self._point, name))
 
     def path_of(self, name: str) -> tuple[str, ...]:
-        """Return the path of a variable, an axis or a channel such as "output 2"; raise WrongExpression."""
+        """Return the path of a variable, an axis or a channel such as "output 2".
+
+        Raises WrongExpression.
+        """
         found = self.named(name.strip())
         if found is not None:
             return found[0]

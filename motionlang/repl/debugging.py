@@ -207,12 +207,12 @@ def reverse(session: Session, _: str) -> None:
 
 
 def goto(session: Session, text: str) -> None:
-    """`.goto S` or `.goto line N`: go to a time, or to the next time that a line begins."""
+    """`.goto S` or `.goto line N`: go to a time, or to the next start of a line."""
     _moved(session, lambda debugger: destination(debugger, text)())
 
 
 def changed(session: Session, text: str) -> None:
-    """`.changed X`: go back to the statement that last changed a variable, an axis or a channel."""
+    """`.changed X`: go back to the last change of a variable, axis or channel."""
 
     def work(debugging: Debugging) -> str:
         debugger = debugging.debugger

@@ -1,4 +1,4 @@
-"""A client of `motionlang dap` as a process, whose engine makes copies of itself all the time.
+"""A client of `motionlang dap` as a process whose engine makes many copies.
 
     python -m tests.dap.remote
 
@@ -48,7 +48,7 @@ class Remote(Client):
         assert self.finish() == (0, b"")
 
     def finish(self) -> tuple[int, bytes]:
-        """Close the stream to the process, and return its status and what it wrote as errors."""
+        """Close the stream to the process; return its status and its errors."""
         process = self.process
         assert process.stdin is not None
         assert process.stdout is not None

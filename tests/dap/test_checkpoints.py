@@ -1,4 +1,4 @@
-"""Going back by copies of the process gives the same stops, states and texts as running again."""
+"""Going back by copies of the process shows the same as running again."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def walk(client: Client, program: Path, seed: int, steps: int) -> list[Any]:
 @pytest.mark.parametrize("text", [POLLS, MOTOR], ids=["polls", "motor"])
 @pytest.mark.parametrize("seed", range(2))
 def test_copies_change_nothing(text: str, seed: int, tmp_path: Path) -> None:
-    """Copies are at other statements in each run; what a client sees is always the same."""
+    """Copies are at other statements in each run; clients see no difference."""
     program = write(tmp_path, text)
     found = []
     for client in (Client(), Remote()):
@@ -123,7 +123,7 @@ def children(process: int) -> set[int]:
 
 
 def copied(client: Remote, tmp_path: Path) -> tuple[int, set[int]]:
-    """Start a program that never ends; return its engine and the copies, of which there is one at least."""
+    """Start a program that never ends; return its engine and at least one copy."""
     client.launch(write(tmp_path, "Dim n As Integer\nLoop\n  n = n + 1\n  If n > 99 Then n = 0\nEnd Loop\n"))
     client.ask("configurationDone")
     (engine,) = (
@@ -178,7 +178,7 @@ def test_a_client_that_leaves_ends_all_copies(tmp_path: Path) -> None:
 def test_a_slow_replay_reports_its_progress_and_is_cancelled(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In one process, a step back from the end runs the program again; cancelled, it stops on the way."""
+    """A step back from the end runs again; if it is cancelled, it stops before that."""
     monkeypatch.setattr("motionlang.debug.checkpoints.INTERVAL", 0.001)
     monkeypatch.setattr("motionlang.debug.checkpoints.SLOW", 1)
     client = Client()

@@ -56,7 +56,7 @@ def test_breakpoints_stack_scopes_and_steps_both_ways(client: Client, program: P
 def test_references_of_an_earlier_stop_are_refused_without_a_message_box(
     client: Client, program: Path
 ) -> None:
-    """Clients ask for the scopes of a frame while the next step already runs, as VS Code does."""
+    """VS Code asks for the scopes of a frame while the next step already runs."""
     client.launch(program, stopOnEntry=True)
     stop = client.begin()
     thread = stop["body"]["threadId"]

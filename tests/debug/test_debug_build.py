@@ -86,7 +86,7 @@ def test_functions_without_statements_are_debug_builds_too(text: str) -> None:
 
 @pytest.mark.parametrize("branch", ["done = done + 1", "Print TIME"])
 def test_a_call_in_a_condition_begins_at_the_same_time(branch: str) -> None:
-    """`If` is paid for after the call, or before it if its branch reads the time; a debug build does the same."""
+    """`If` takes its time after the call, or before it if its branch reads the time."""
     text = f"""\
 Dim done As Integer
 Repeat
