@@ -1,12 +1,17 @@
 // The extension: starts the language server, and the commands of its lenses.
 
+import { execFile } from "node:child_process";
 import * as path from "node:path";
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
 import { findPython } from "./python";
+import { ScopePage } from "./scope";
 
+// Tasks with equal definitions are the same one, and may not run twice at a time.
+let tasks = 0;
 const COMMANDS = ["motionlang.run", "motionlang.profile", "motionlang.scope", "motionlang.debug"];
 let client: LanguageClient | undefined;
+let differences: vscode.OutputChannel | undefined;
 let python: string | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -15,7 +20,14 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   };
   on("motionlang.run", (uri) => inTerminal(uri, (file) => ["run", file]));
   on("motionlang.profile", (uri) => inTerminal(uri, (file) => ["run", file, "--profile"]));
-  on("motionlang.scope", (uri) => showPage(context, uri));
+  const page = new ScopePage(
+    () => storage(context, "scope.html"),
+    (program, file, words) => inTerminal(program, (path) => ["run", path, "--plot", file.fsPath, "--quiet", ...words], false),
+  );
+  on("motionlang.scope", async (uri) => {
+    const file = fileOf(uri);
+    return file && page.show(file);
+  });
   on("motionlang.diff", (uri) => compareWithSaved(context, uri));
   on("motionlang.debug", debug);
   on("motionlang.restart", restart);
@@ -24,6 +36,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   context.subscriptions.push(
     vscode.debug.registerDebugAdapterDescriptorFactory("motionlang", adapter),
     vscode.debug.registerDebugConfigurationProvider("motionlang", configurations),
+    vscode.debug.registerDebugAdapterTrackerFactory("motionlang", page),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("motionlang")) {
         void restart();
@@ -34,6 +47,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
 }
 
 export async function deactivate(): Promise<void> {
+  differences?.dispose();
   await client?.stop();
 }
 
@@ -69,41 +83,36 @@ async function saved(uri?: string | vscode.Uri): Promise<string | undefined> {
   return file.fsPath;
 }
 
+/** Saves a program and runs a command with it; returns the status. */
 async function inTerminal(
   uri: string | vscode.Uri | undefined,
   command: (file: string) => string[],
+  shown = true,
 ): Promise<number | undefined> {
   const file = await saved(uri);
+  return file === undefined ? undefined : runTask(command(file), path.dirname(file), shown);
+}
+
+/** Runs a command in a terminal that stays open; returns the status. */
+async function runTask(words: string[], folder: string, shown = true): Promise<number | undefined> {
   python ??= await findPython();
-  if (!file || !python) {
+  if (!python) {
     return undefined;
   }
-  const words = command(file);
-  const execution = new vscode.ProcessExecution(python, ["-m", "motionlang", ...words], { cwd: path.dirname(file) });
-  const task = new vscode.Task({ type: "motionlang", command: words[0] }, vscode.TaskScope.Workspace, words[0], "motionlang", execution);
-  const started = await vscode.tasks.executeTask(task);
-  return new Promise((done) => {
+  const execution = new vscode.ProcessExecution(python, ["-m", "motionlang", ...words], { cwd: folder });
+  const definition = { type: "motionlang", command: words[0], number: ++tasks };
+  const task = new vscode.Task(definition, vscode.TaskScope.Workspace, words[0], "motionlang", execution);
+  const reveal = shown ? vscode.TaskRevealKind.Always : vscode.TaskRevealKind.Silent;
+  task.presentationOptions = { reveal, clear: true, showReuseMessage: false };
+  return new Promise((done, failed) => {
     const ended = vscode.tasks.onDidEndTaskProcess((event) => {
-      if (event.execution === started) {
+      if (event.execution.task.definition.number === definition.number) {
         ended.dispose();
         done(event.exitCode);
       }
     });
+    vscode.tasks.executeTask(task).then(undefined, failed);
   });
-}
-
-async function showPage(context: vscode.ExtensionContext, uri?: string | vscode.Uri): Promise<void> {
-  const page = await storage(context, "scope.html");
-  await inTerminal(uri, (file) => ["run", file, "--plot", page.fsPath]);
-  try {
-    const text = Buffer.from(await vscode.workspace.fs.readFile(page)).toString("utf8");
-    const panel = vscode.window.createWebviewPanel("motionlang.scope", "motion", vscode.ViewColumn.Beside, {
-      enableScripts: true,
-    });
-    panel.webview.html = text;
-  } catch {
-    void vscode.window.showWarningMessage("the run has written no page; its terminal shows why");
-  }
 }
 
 async function compareWithSaved(context: vscode.ExtensionContext, uri?: string | vscode.Uri): Promise<void> {
@@ -114,12 +123,28 @@ async function compareWithSaved(context: vscode.ExtensionContext, uri?: string |
   }
   const edited = await storage(context, `edited${path.extname(file.fsPath)}`);
   await vscode.workspace.fs.writeFile(edited, Buffer.from(document.getText(), "utf8"));
+  const machine = file.fsPath.slice(0, -path.extname(file.fsPath).length) + ".machine.toml";
+  const words = (await exists(machine)) ? ["--machine-b", machine] : [];
   python ??= await findPython();
   if (!python) {
     return;
   }
-  const terminal = vscode.window.createTerminal("motionlang diff", python, ["-m", "motionlang", "diff", file.fsPath, edited.fsPath]);
-  terminal.show();
+  // A task would save the program first.
+  const command = ["-m", "motionlang", "diff", file.fsPath, edited.fsPath, ...words];
+  execFile(python, command, { cwd: path.dirname(file.fsPath) }, (_error, output, errors) => {
+    differences ??= vscode.window.createOutputChannel("motionlang diff");
+    differences.replace(output + errors);
+    differences.show(true);
+  });
+}
+
+async function exists(file: string): Promise<boolean> {
+  try {
+    await vscode.workspace.fs.stat(vscode.Uri.file(file));
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 async function storage(context: vscode.ExtensionContext, name: string): Promise<vscode.Uri> {

@@ -121,6 +121,10 @@ field.addEventListener("keydown", (event) => {
   if (event.key === "Enter") searchFor(field.value, event.shiftKey ? -1 : 1);
   else if (event.key === "Escape") field.blur();
 });
+// A program that shows this page, such as an editor with a debugger, sends a time for cursor A.
+addEventListener("message", ({ data: sent }) => {
+  if (typeof sent?.time === "number") goTo(clamp(sent.time, 0, END));
+});
 field.addEventListener("input", () => { if (!field.value) searchFor("", 1); });
 
 function chip(name) {
