@@ -450,3 +450,42 @@ _add(
     "1MN,1SV100,1SA5000,1DS5000\nMD1,1MR10,1WS\nMC1,RP\n",
     neighbour="mccl_moves_mint",
 )
+
+# Ten styles written after the work on timers, counters and switches, to see what it covers.
+_POLLED = "  While Not IDLE(0)\n  End While\n"
+_TICKS = "Dim ticks As Integer, parts As Integer, stage As Integer, t As Integer\nTIMEREVENT = {}\n"
+for _name, _text in {
+    "timer_while_polling": _cycle(
+        _POLLED, head=_TICKS.format(1), blocks="Event TIMER\n  ticks = ticks + 1\nEnd Event\n"
+    ),
+    "timer_prescaler": _cycle(
+        head=_TICKS.format(1),
+        blocks="Event TIMER\n  ticks = ticks + 1\n  If ticks >= 250 Then\n    ticks = 0\n"
+        "    OUTX(3) = Not OUTX(3)\n  End If\nEnd Event\n",
+    ),
+    "timer_watchdog": _cycle(
+        head=_TICKS.format(10),
+        each="  parts = parts + 1 : ticks = 0\n  WAIT(500)\n",
+        blocks="Event TIMER\n  ticks = ticks + 1\n  If ticks > 2000 Then STOP(0)\n"
+        "  If INX(5) Then STOP(0)\nEnd Event\n",
+    ),
+    "timer_step_chain": f"{_AXES}{_TICKS.format(10)}Loop\n  PAUSE INX(9)\nEnd Loop\nEnd\n"
+    f"Event TIMER\n{_SELECT}End Event\n",
+    "blinks_while_waiting": _cycle(
+        "  While Not IDLE(0)\n    OUTX(1) = Not OUTX(1)\n    WAIT(100)\n  End While\n"
+    ),
+    "flickers": _cycle("  While Not IDLE(0)\n    OUTX(1) = Not OUTX(1)\n  End While\n"),
+    "display_of_parts": _cycle(
+        each='  parts = parts + 1\n  LINE 1, "parts ", parts\n  WAIT(500)\n', head="Dim parts As Integer\n"
+    ),
+    "heartbeat_and_stop": _cycle(
+        head="Run Beat\nRun Guard\n",
+        blocks="Task Beat\nLoop\n  OUTX(7) = 1\n  WAIT(500)\n  OUTX(7) = 0\n  WAIT(500)\nEnd Loop\nEnd Task\n"
+        "Task Guard\nLoop\n  If Not INX(5) Then STOP(1)\n  WAIT(5)\nEnd Loop\nEnd Task\n",
+    ),
+}.items():
+    _add("field", _name, _text, neighbour="rest_pause")
+_add("mccl_field", "time_out", 'LU"STATUS",AR60\nMD6,RA30,AA1,AR30,IG500000,1ST,NO,1RL@60,IC3,JR-8,NO\n'
+     + _MOVES.format("AL0,AR30,MC6"), neighbour="mccl_ws")  # fmt: skip
+_add("mccl_field", "two_counts", "MD5,RA40,AA1,AR40,NO,RP\nMD6,IN6,RA41,AA1,AR41,NO,RP\nGT5\nGT6\n"
+     + _MOVES.format("1WS"), neighbour="mccl_ws")  # fmt: skip
