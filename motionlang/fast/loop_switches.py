@@ -1,4 +1,4 @@
-"""Polling loops that switch outputs and leave them as they were.
+"""Polling loops that switch outputs and come back to the same levels.
 
 Replaces: running every iteration of such a loop, as OUTX(1) = 1 : OUTX(1) = 0 is.
 
@@ -9,10 +9,10 @@ Gain: 10³ to 10⁴ times (`watch_outputs_toggle` of benchmarks/cliffs.py).
 
 Held equal by: tests/fast/test_loop_switches.py, with generated loops.
 
-An iteration after which variables and outputs are as before it repeats until one of its readings changes, like one
-that does nothing. The changes of the outputs are in the log: those of one iteration become a template
-(`log/repeated.py`). This is done for a task that has the machine for itself, in a loop that never waits, whose times
-all count from one base.
+Iterations after which variables and outputs are as before them repeat until one of their readings changes, like one
+that does nothing. There may be several: OUTX(1) = Not OUTX(1) has a period of two. The changes of the outputs are in
+the log: those of one period become a template (`log/repeated.py`). This is done for a task that has the machine for
+itself, in a loop that never waits, whose times all count from one base.
 """
 
 from __future__ import annotations
@@ -28,26 +28,28 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.runtime.loop_skipping import Counters, Look, State
 
-# An iteration with more changes is not skipped.
-MAX_ROWS = 64
+# Periods of more iterations, or with more changes, are not found.
+MAX_PERIOD, MAX_ROWS = 8, 64
 
 
 class LoopSwitches:
-    """The outputs and the log at the beginning of an iteration of one loop."""
+    """The latest iterations of one loop that switches outputs, up to its period.
+
+    Of each it has the outputs and the lengths of the log at the beginning.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
-        self._look: Look | None = None
-        self._switches = 0
-        self._outputs: tuple[tuple[int, float], ...] = ()
-        self._lengths: list[int] = []
+        self._begun: list[tuple[Look, int, tuple[tuple[int, float], ...], list[int]]] = []
 
-    def begin(self, look: Look) -> None:
-        """Record the outputs and the lengths of the log as an iteration begins."""
+    def begin(self, look: Look, follows: bool) -> None:
+        """Record the beginning of an iteration; `follows` if it is the one after the last."""
         environment = self._environment
-        self._look, self._switches = look, environment.switches
-        self._outputs = environment.controller.outputs.values
-        self._lengths = list(map(len, environment.machine.log.streams()))
+        if not follows or len(self._begun) >= MAX_PERIOD:
+            self._begun.clear()
+        lengths = list(map(len, environment.machine.log.streams()))
+        values = environment.controller.outputs.values
+        self._begun.append((look, environment.switches, values, lengths))
 
     def skip(
         self,
@@ -58,31 +60,51 @@ class LoopSwitches:
         levels: Sequence[Sequence[float]],
         carries: bool,
     ) -> tuple[float, float, Counters] | None:
-        """Skip iterations like that before statement `t`; None if it may not repeat.
+        """Skip iterations like those before statement `t`; None if they may not repeat.
 
         Returns the end of the last of them like `Site.skip`.
         """
-        environment = self._environment
-        statements, scheduler = environment.statements, environment.machine.scheduler
-        before, began_with, since, base, began, others, notes, first = look
+        environment, begun = self._environment, self._begun
+        scheduler = environment.machine.scheduler
         assert scheduler is not None
-        assert before is not None
-        log, outputs = environment.machine.log, environment.controller.outputs
         if (
-            self._look is not look
-            or before[1:] != state[1:]
-            or environment.acts - before[0] != environment.switches - self._switches  # type: ignore[operator]
-            or outputs.values != self._outputs
-            or outputs.listeners
-            or statements.base != base
-            or environment.resumed != others
+            not begun
+            or begun[-1][0] is not look
+            or environment.controller.outputs.listeners
+            or environment.statements.base != look[3]
+            or environment.resumed != look[5]
             or len(scheduler.tasks) > 1
             or scheduler.interrupts
             or not scheduler.by_itself
         ):
             return None
+        for begin, switches, outputs, lengths in reversed(begun):
+            before = begin[0]
+            assert before is not None
+            if environment.acts - before[0] != environment.switches - switches:  # type: ignore[operator]
+                return None
+            if before[1:] == state[1:] and outputs == environment.controller.outputs.values:
+                return self._repeated(t, begin, lengths, counters, levels, carries)
+        if len(begun) == MAX_PERIOD:
+            return None
+        statements = environment.statements
+        return t, statements.limit(statements.until), counters
+
+    def _repeated(
+        self,
+        t: float,
+        look: Look,
+        lengths: list[int],
+        counters: Counters,
+        levels: Sequence[Sequence[float]],
+        carries: bool,
+    ) -> tuple[float, float, Counters] | None:
+        """Skip periods like that from `look` to statement `t`; None without any."""
+        environment = self._environment
+        statements, log = environment.statements, environment.machine.log
+        _, began_with, since, base, began, _, notes, first = look
         rows = None
-        for stream, length in zip(log.streams(), self._lengths, strict=True):
+        for stream, length in zip(log.streams(), lengths, strict=True):
             if stream is log.outputs:
                 rows = rows_of(stream[length:], 0, base, statements.cost)
             elif len(stream) != length:
@@ -94,10 +116,11 @@ class LoopSwitches:
         most = counted(counters, steps, levels) if any(steps) else INFINITY
         times = int(min(statements.periods(base, since, t, until) - carries, most))
         if times > 0:
-            length = t - since
-            again = [(tick, tuple([n + length for n in counts]), rest) for tick, counts, rest in rows]
-            log.outputs.repeat((again, times, 0, length), (base, 0, 0.0, statements.cost))
+            lasts = t - since
+            again = [(tick, tuple([n + lasts for n in counts]), rest) for tick, counts, rest in rows]
+            log.outputs.repeat((again, times, 0, lasts), (base, 0, 0.0, statements.cost))
             statements.leave(t)
             t = statements.repeat(base, since, times)
             counters = tuple([n + times * step for n, step in zip(counters, steps, strict=True)])
+        self._begun.clear()
         return t, statements.limit(statements.until), counters

@@ -81,6 +81,15 @@ def test_the_iterations_are_not_executed(monkeypatch: pytest.MonkeyPatch) -> Non
         begin(self, *given)  # type: ignore[arg-type]
 
     monkeypatch.setattr(LoopSwitches, "begin", counted)
-    text = "While TIME < 5000\n  OUTX(1) = 1\n  OUTX(1) = 0\nEnd While\n"
-    run(Source("a.mnt", text), cache=False, fast=True)
-    assert 0 < calls < 20
+    for body in ("OUTX(1) = 1\n  OUTX(1) = 0", "OUTX(1) = Not OUTX(1)"):
+        run(Source("a.mnt", f"While TIME < 5000\n  {body}\nEnd While\n"), cache=False, fast=True)
+    assert 0 < calls < 40
+
+
+def test_an_output_that_alternates_has_a_change_for_each_iteration() -> None:
+    """An iteration takes two statements of 10 µs."""
+    text = "While TIME < 5000\n  OUTX(1) = Not OUTX(1)\nEnd While\n"
+    changes = run(Source("a.mnt", text), cache=False, fast=True).machine.log.outputs
+    assert len(changes) == 250_000
+    assert {changes[number].value for number in range(0, 250_000, 2)} == {1}
+    assert changes[249_999].time - changes[0].time == pytest.approx(249_999 * 2e-5, abs=1e-9)

@@ -69,12 +69,13 @@ NO_IDLE = Idle({}, frozenset(), False)
 class Poll:
     """The watch on a loop: the line before its `first` iteration, and the end of each."""
 
-    __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
+    __slots__ = ("_asks", "_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
     def __init__(
         self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = NO_IDLE
     ) -> None:
         counters, mere = idle.counters, idle.mere
+        self._asks = asks
         levels = tuple(map(tuple, counters.values()))
         carries, alters = bool(mere) or idle.copies, alters or idle.copies
         self._site = b.whole.use("loop", asks, carries, alters, looks_at, levels, len(b.whole.specs))
@@ -99,7 +100,8 @@ class Poll:
         b.pending = 0
         self._spell(b)
         b.emit(f"if {now} >= {self._next}: {self._looked('turn_at')}")
-        b.horizon(then=f"{again}; {self._look} = None")
+        # A loop that only counts gives way nowhere else, so its iterations are compared across time slices.
+        b.horizon(then=f"{again}; {self._look} = None" if self._asks else again)
 
     def counted(self, b: Body) -> None:
         """Write the end of an iteration that counts unchecked iterations."""
@@ -123,7 +125,7 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     if any(map(_plainly_acts, body)):
         return None
     turn = list(reached(b, [*body, *conditions]))
-    left = left_behind(b, turn)
+    left = left_behind(b, turn, not conditions)
     if left is None:
         return None
     poll = Poll(b, *left, idle(b, turn))
@@ -132,8 +134,12 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     return poll
 
 
-def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool, str] | None:
+def left_behind(
+    b: Body, turn: Sequence[nodes.Node], endless: bool = False
+) -> tuple[State, bool, bool, str] | None:
     """Return the state by which iterations of a loop are compared.
+
+    `endless`: the loop has no condition.
 
     The result has the variables as text, True if the loop reads what others can change, True if it assigns to
     variables of others, and the names of what it reads. The variables are all those named in the statements
@@ -145,15 +151,25 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool,
     reads = any(row.kind in ("reading", "setting") for row in rows) or any(
         symbol.shared or symbol.by_ref or symbol.type.name == TIME for symbol in symbols
     )
-    values = [value for node in turn if isinstance(node, nodes.Assign) for value in node.values]
-    if not reads and not all(isinstance(value, nodes.Number) for value in values):
-        return None  # a loop with only its own variables computes
+    assigns = [node for node in turn if isinstance(node, nodes.Assign)]
+    if not reads and not all(isinstance(value, nodes.Number) for node in assigns for value in node.values):
+        # A loop that ends is often short, and quicker without a watch.
+        ends = not endless or any(isinstance(node, (nodes.Exit, nodes.Jump, nodes.Return)) for node in turn)
+        counters = {} if ends else idle(b, turn).counters
+        if not counters or not all(_counts(b, node, counters) for node in assigns):
+            return None  # a loop with only its own variables computes
     held = [symbol.home.result or symbol if symbol.kind == "sub" else symbol for symbol in symbols]
     state = {_text(b, symbol): symbol for symbol in held if _outlasts(b, symbol)}
     if len(state) > MAX_VARIABLES:
         return None
     b.whole.rewritten.update(filter(is_repeated, rows))
     return state, reads, any(_alters(b, node) for node in turn), _looks_at(turn)
+
+
+def _counts(b: Body, node: nodes.Assign, counters: dict[str, list[float]]) -> bool:
+    """True if a statement advances a counter."""
+    own = _own(b, node.target)
+    return own is not None and own.python in counters
 
 
 def _looks_at(turn: Sequence[nodes.Node]) -> str:

@@ -115,9 +115,10 @@ class Site:
                 self.left = 0.0
                 t, horizon, counters = found
         since = t, statements.base, statements.at(t), self._environment.resumed
+        follows = look is not None
         look = state, counters, *since, *dependencies.begin()
         if self._switches is not None:
-            self._switches.begin(look)
+            self._switches.begin(look, follows)
         return t, horizon, look, 0.0, counters
 
     def _switched(
@@ -157,6 +158,8 @@ class Site:
         # Periods of several tasks do not support counters.
         task.look = None if several and self.carries else (environment.acts, self.asks)
         task.looks_at = self.looks_at
+        if several and not self.asks and not scheduler.reach():
+            return None  # a loop that only counts is quicker unchecked than skipped slice by slice
         if environment.resumed != others:
             return t, horizon, counters
         until = statements.until

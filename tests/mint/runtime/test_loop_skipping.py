@@ -481,3 +481,19 @@ End Function
 """
     result = run(Source("a.mnt", text), cache=False)
     assert result.output == ["1 0"]
+
+
+def test_a_task_that_only_counts_costs_nothing_while_it_is_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An iteration takes 20 µs, so a second of them is 50 000."""
+    calls = 0
+    turn = Site.turn
+
+    def counted(self: Site, *given: object) -> object:
+        nonlocal calls
+        calls += 1
+        return turn(self, *given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(Site, "turn", counted)
+    text = "Run T1\nWAIT(1000)\nPRINT TIME\nEnd\nTask T1\nLoop\n  n = n + 1\nEnd Loop\nEnd Task\n"
+    assert run(Source("a.mnt", text), cache=False, fast=True).machine.terminal.lines == ["1000"]
+    assert calls < 50
