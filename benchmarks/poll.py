@@ -1,9 +1,8 @@
 """Polling loops over hours of machine time, and loops that are never skipped.
 
-The latter are compared with unchecked ones. It prints `name value unit`. Speeds are those of the best of some
-runs from text to result, in processor time. The others are ratios: of two programs that run one after the
-other, the smallest of each side, or of one with and without checks that run side by side. Source text is
-compiled every time.
+Prints `name value unit` for each benchmark. A speed is processor time from source text to result, the best of
+several runs; every run compiles the program. A ratio compares two programs by their best times, or one program
+with and without the checks for skipping, run side by side.
 """
 
 from __future__ import annotations

@@ -67,6 +67,7 @@ BANNED = {
     r"goes by|went by": "depends on, uses",
     r"looked at|looks? at|looking at": "checked, read",
     r"words? of (?:Mint|MCCL|a language|the language|both languages)": "keyword",
+    r"(?:the|its|their) begin": "start",
     r"no matter": "does not affect",
     r"as golden files say|golden files say": "match the golden files",
 }

@@ -1,6 +1,6 @@
-"""`motionlang diff A [B]`: two programs, machines or variants, or a golden file.
+"""`motionlang diff A [B]`: compare two runs, or a run with its golden files.
 
-A program may also be compared with a recording.
+B may also be a recording from a real controller.
 """
 
 from __future__ import annotations

@@ -277,7 +277,7 @@ def _velocity(
 def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[float, ...]]:
     """Profile, begin, the times between which one cubic is valid, and that cubic.
 
-    The times are in s after the begin. If the profile has no cubic there, the interval is empty.
+    The times are in s after the start. If the profile has no cubic there, the interval is empty.
     """
     profile, begun = a.profiles[-1], a.starts[-1]
     return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))

@@ -43,7 +43,7 @@ BLOCKS = {
     "Task": "Task ${1:name}\n\t$0\nEnd Task",
     "Event": "Event ${1:IN0}\n\t$0\nEnd Event",
 }
-# The begin of a statement: nothing before it on its line but a colon, or what a one-line If has.
+# The start of a statement: nothing before it on its line but a colon, or what a one-line If has.
 _STATEMENT = re.compile(r"(?:^|:|\bthen\b|\belse\b)[ \t]*\w*$", re.IGNORECASE)
 
 

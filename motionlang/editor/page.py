@@ -62,7 +62,7 @@ class Page:
     def token(self, offset: int) -> tuple[str, str, int] | None:
         """Return kind, text and offset of the token at an offset.
 
-        Between two tokens it is the word, if one of them is.
+        Between two tokens, a keyword or a name takes precedence.
         """
         start, end = self.line_of(offset)
         found = None

@@ -8,7 +8,7 @@ Hook: `Accelerators.servo`; `Feedback` makes its servo of it.
 
 Gain: 1.7 to 2.2 times in runs with linear motors (`linear-in-a-run` of benchmarks/servo.py).
 
-Held equal by: tests/fast/test_closed_form.py and tests/fast/test_both_ways.py.
+Equality is tested by: tests/fast/test_closed_form.py and tests/fast/test_both_ways.py.
 
 The algorithm
 

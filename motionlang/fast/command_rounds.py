@@ -8,7 +8,7 @@ can run.
 
 Gain: 10³ to 10⁴ times for two or more watches (`mccl_2_watches` of benchmarks/cliffs.py).
 
-Held equal by: tests/fast/test_command_rounds.py.
+Equality is tested by: tests/fast/test_command_rounds.py.
 
 Idea. If no task has had an effect, none has waited for a time and no event has happened since the joint state
 was the same, the next round is like the last one, until an event, the end of another task's wait, or a time

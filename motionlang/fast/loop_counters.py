@@ -1,13 +1,13 @@
-"""Counters of a polling loop: how many iterations that only count may be skipped.
+"""Skip the iterations of a polling loop that only change its counters.
 
-Replaces: running every iteration of a polling loop in which a variable counts. It is compared with constants
-at most, and iterations are skipped only while all comparisons give the same result.
+Replaces: running every iteration of a polling loop in which a variable counts. The variable may be compared with
+constants only, and iterations are skipped only while all comparisons give the same result.
 
 Hook: `Accelerators.counted`; `Site.skip` of mint/runtime/loop_skipping.py calls it if counters have moved.
 
 Gain: 10² to 10⁵ times for a loop that counts while it polls (`poll_counter` of benchmarks/poll.py).
 
-Held equal by: tests/mint/runtime/test_loop_skipping.py.
+Equality is tested by: tests/mint/runtime/test_loop_skipping.py.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ three are no-ops on an `Axis` of the engine.
 
 Gain: a shift to its report 3.0 times, its run 3.8 times (`shift` and `shift_run` of benchmarks/shift.py).
 
-Held equal by: tests/fast/test_plain_moves.py with random programs that read the axes at any time;
+Equality is tested by: tests/fast/test_plain_moves.py with random programs that read the axes at any time;
 tests/log/test_interrupted.py ends a run at each line of this file.
 
 A read of the move, the buffer, the arrival event or the track of the axis materialises them: the tuples

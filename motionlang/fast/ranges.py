@@ -8,7 +8,7 @@ Hook: `Accelerators.ranges`; the compiler calls it for each function and reads t
 
 Gain: For loops 2.5 to 3.6 times, While 1.25 times (benchmarks/loop.py). Compiling takes 27 % longer.
 
-Held equal by: tests/fast/test_range_analysis.py and tests/fast/test_for_loops.py,
+Equality is tested by: tests/fast/test_range_analysis.py and tests/fast/test_for_loops.py,
 tests/generated/test_loops.py with generated programs.
 
 An abstract run along the paths of the function with ranges in place of values. Where paths join, the ranges

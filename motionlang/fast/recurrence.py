@@ -8,7 +8,7 @@ polled.
 Gain: 32 tasks that poll take no longer for hours than for seconds, 10² to 10⁵ times (`poll_32_tasks_reading`
 of benchmarks/poll.py).
 
-Held equal by: tests/fast/test_recurrence.py, tests/generated/test_tasks.py with generated tasks.
+Equality is tested by: tests/fast/test_recurrence.py, tests/generated/test_tasks.py with generated tasks.
 
 A joint state is everything that decides the next actions of the tasks:
 

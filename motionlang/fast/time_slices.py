@@ -11,7 +11,7 @@ a WAIT or PAUSE of Mint calls `passes_among_others`. After each time slice `slic
 
 Gain: four tasks 1.8 to 2.0 times (`shift_four_tasks` of benchmarks/shift.py).
 
-Held equal by: tests/fast/test_time_slices.py, with random tasks.
+Equality is tested by: tests/fast/test_time_slices.py, with random tasks.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Options that end a wait: `--input 2=1@0.5`, `--answer TEXT`, `--keys`.
 
 They are for a wait that nothing else can end. The wait itself says what it is for, or else the condition at
-its place in the program does.
+its source offset does.
 """
 
 from __future__ import annotations

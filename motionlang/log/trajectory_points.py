@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# Fraction of a cycle: a time this near to its begin counts as the begin.
+# Fraction of a cycle: a time this near to its start counts as the start.
 AT_ONCE = 1e-7
 
 

@@ -2,7 +2,7 @@
 
 pygls has its own documents. They split lines at characters that are no line ends for an editor, such as a form
 feed, and count from a wrong place after that. These accept any position: one outside the text is moved to the
-nearest one in it, one inside a surrogate pair to the begin of the pair.
+nearest one in it, one inside a surrogate pair to the start of the pair.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ class Document:
         return types.Position(line - 1, units(text[offset - column + 1 : offset]))
 
     def source_offset(self, line: int) -> int:
-        """Return the offset in the source of the begin of a line, from 1."""
+        """Return the offset in the source of the start of a line, from 1."""
         starts = self._line_starts()
         return starts[min(line, len(starts)) - 1]
 
@@ -121,7 +121,7 @@ class Document:
 
 
 def line_starts(text: str) -> list[int]:
-    """Return the offset of the begin of each line."""
+    """Return the offset of the start of each line."""
     if "\r" in text:
         return [0, *(match.end() for match in _LINE_END.finditer(text))]
     return [0, *accumulate([len(line) + 1 for line in text.split("\n")[:-1]])]

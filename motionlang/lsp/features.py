@@ -257,7 +257,7 @@ class _Display(_Feature):
         self.on(types.WORKSPACE_DID_CHANGE_WATCHED_FILES, self.files_changed)
 
     def initialize(self, params: types.InitializeParams) -> None:
-        """Note which commands of lenses the editor has."""
+        """Record which code-lens commands the editor supports."""
         options = params.initialization_options
         commands = options.get("commands") if isinstance(options, dict) else None
         self._lenses = [name for name in LENSES if isinstance(commands, list) and name in commands]

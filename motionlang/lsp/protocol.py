@@ -54,7 +54,7 @@ class Protocol(LanguageServerProtocol):
                 method = str(data["method"])
                 return Malformed(number, INVALID_PARAMETERS, f"invalid parameters of {method}", method)
             # A notification has no answer.
-            return Malformed(None, INVALID_REQUEST, "the message has no valid form" if "id" in data else "")
+            return Malformed(None, INVALID_REQUEST, "the message is malformed" if "id" in data else "")
 
     def handle_message(self, message: Any) -> None:
         """Answer a message, or pass it to its handler."""

@@ -613,13 +613,13 @@ class Mcapi(Binding):
         return self._value("MCGetVersion")
 
     def Go(self, axis: int) -> None:
-        """Run in velocity mode, or releases contour paths."""
+        """Run in velocity mode, or release contour paths."""
         self._do("MCGo", int(axis))
 
     def GoEx(self, axis: int, param: float) -> None:
         """Call MCGoEx.
 
-        Run in velocity mode, or releases contour paths; the parameter has no effect.
+        Run in velocity mode, or release contour paths; the parameter has no effect.
         """
         self._do("MCGoEx", int(axis), param)
 

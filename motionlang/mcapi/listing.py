@@ -43,7 +43,7 @@ class Listing:
         self._interface.block = Block(handle, mc.MC_BLOCK_COMPOUND, (), [])
 
     def line(self, entry: Entry) -> str:
-        """Return the line of a call: commands, its begin, and its answer.
+        """Return the line of a call: commands, its start, and its answer.
 
         Or all of it as a remark.
         """

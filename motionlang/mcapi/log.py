@@ -4,7 +4,7 @@ r"""Logs of calls, as `--record` and the C library write them.
     0.000000000 0.000012000 1 MCOpen 0 2 - = 1
     0.100000000 0.100031000 1 MCGetPositionEx 1 1 + = 0 3125.0
 
-The first line has the version, and the model if it is known. Every other line is a call: seconds at its begin
+The first line has the version, and the model if it is known. Every other line is a call: seconds at its start
 and end, the number of the host process, and the line and the answer of the port. The answer of a function
 without a result is `-` in a log of the real library, which does not know the error code. Lines are in the
 order of their ends.

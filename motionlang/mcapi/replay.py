@@ -3,7 +3,7 @@
 Problem. A log was recorded on a real board, or on a virtual one in real time. A position that was read in
 motion depends on the moment, which is known only to lie between begin and end of the call.
 
-Idea. Every call is made at its begin, in virtual time. Result codes, states and settings must be equal. A
+Idea. Every call is made at its start, in virtual time. Result codes, states and settings must be equal. A
 quantity that was read in motion must lie within the values that it has here from begin - skew to end + skew.
 At rest it must be equal within the tolerance. A call that blocks may take longer or shorter by skew.
 

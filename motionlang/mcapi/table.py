@@ -314,8 +314,8 @@ _FUNCTIONS = (
     _f("MCGetVelocityEx", "i", "W axis, >d velocity", "", "Velocity of moves (SV)."),
     _f("MCGetVelocityOverride", "i", "W axis, >d override", "", "Override of contour paths (VO)."),
     _f("MCGetVersion", "D=", "", "", "4.4.1, a byte each from the third byte down: 263169."),
-    _f("MCGo", "", "W axis", "aGO", "Run in velocity mode, or releases contour paths.", only_c=True),
-    _f("MCGoEx", "i", "W axis, d param", "aGO", "Run in velocity mode, or releases contour paths; the parameter has "
+    _f("MCGo", "", "W axis", "aGO", "Run in velocity mode, or release contour paths.", only_c=True),
+    _f("MCGoEx", "i", "W axis, d param", "aGO", "Run in velocity mode, or release contour paths; the parameter has "
        "no effect."),
     _f("MCGoHome", "", "W axis", "aGH", "Move to position 0."),
     _f("MCIndexArm", "i", "W axis, d position", "aIA{position}", "Arm the capture of the index mark."),

@@ -213,7 +213,7 @@ class Profile:
         return velocity_in(*self._locate(time)) if time > 0.0 else self.start_velocity
 
     def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
-        """The cubic at `time`: its begin, its end, and its coefficients from the begin.
+        """The cubic at `time`: its start, its end, and its coefficients from the start.
 
         None outside the profile, in a half wave of a sine, and for a `Formula`.
         """

@@ -77,7 +77,7 @@ class Identity(NamedTuple):
         return {number: text.encode("ascii", "replace")[:60] for number, text in texts.items()}
 
     def answer(self, data: bytes) -> bytes:
-        """Return the response to a request for it; raise Rejected if that is invalid."""
+        """Return the identification; raise Rejected for an invalid request."""
         if len(data) < 2 or data[1] != IDENTIFICATION:
             raise Rejected(ILLEGAL_FUNCTION)
         if len(data) != 4 or not BASIC <= data[2] <= SINGLE:

@@ -1,4 +1,4 @@
-"""The JSON documents of the commands have the schemas and field names of docs/report.md."""
+"""JSON documents of the commands have the names that docs/report.md lists."""
 
 from __future__ import annotations
 

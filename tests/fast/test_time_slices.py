@@ -69,7 +69,7 @@ MEETS: dict[str, tuple[str, dict[str, object]]] = {
         "Task Other\n  WAIT(200)\n  PRINT TIME\n  WAIT(700)\n  PRINT TIME\nEnd Task",
         {},
     ),
-    "the begin of another": (
+    "the start of another": (
         "Run Worker\nWAIT(3000)\nEnd\n"
         "Task Worker\n  While 1\n    {move}\n    WAIT(5)\n    Run Other\n    WAIT(5)\n  Wend\nEnd Task\n"
         "Task Other\n  PRINT TIME; POS(0)\n  WAIT(200)\n  PRINT TIME; POS(0)\nEnd Task",

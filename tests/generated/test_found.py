@@ -908,9 +908,9 @@ def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
 
 
 def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
-    """SRAMP at a SPEED of 0 is for ramps of no time.
+    """SRAMP was set while SPEED is 0, so its ramps have no duration.
 
-    The move, at 25, is a trapezoid of 1 / 25 + 25 / 10⁵ s.
+    The move at a speed of 25 is a trapezoid, and takes 1 / 25 + 25 / 10⁵ s.
     """
     result = proved(
         "FEEDRATEPARAMETER(0, 0) = 25\nSRAMP(0) = 50\nSPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"

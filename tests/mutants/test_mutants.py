@@ -1,4 +1,4 @@
-"""The mutants change running code, one position each; a long run kills 88 %."""
+"""Each mutant changes one position in code that runs; a long run kills 88 %."""
 
 from __future__ import annotations
 

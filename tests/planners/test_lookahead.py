@@ -28,8 +28,8 @@ def course(ways: list[Way], v0: float = 0.0, joins: tuple[float, ...] = ()) -> P
 def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
     """Return the least time by a linear program over the squares of speeds at joins.
 
-    The peaks between them are included. No square can be larger in any course unless all that depend on it
-    can be: the largest sum has each of them at its largest.
+    The peaks between joins are variables, too. The solution with the largest sum has every square at its
+    own maximum, because a larger square never forces another one to be smaller.
     """
     from scipy.optimize import linprog  # type: ignore[import-untyped]  # 0.3 s
 

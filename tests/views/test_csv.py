@@ -67,7 +67,7 @@ def rows(columns: list[list[float]], decimals: list[int]) -> list[str]:
 
 # The contents of two columns after the time, by stretches: rows, and if the first and the second change.
 STRETCHES = {
-    "a rest at the begin and at the end": [(500, 0, 0), (300, 1, 1), (500, 0, 0)],
+    "a rest at the start and at the end": [(500, 0, 0), (300, 1, 1), (500, 0, 0)],
     "a rest and nothing else": [(700, 0, 0)],
     "one column changes at a time": [(400, 1, 0), (400, 0, 0), (400, 0, 1)],
     "a rest over a seam": [(BLOCK - 400, 1, 1), (900, 0, 0), (200, 1, 1)],

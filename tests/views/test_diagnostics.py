@@ -50,7 +50,7 @@ error[syntax]: this is too much
   |                                                  ^
 """,
     ),
-    "the same line, at its begin": (
+    "the same line, at its start": (
         Diagnostic("syntax", "this is too much", 4, 1, length=700_000),
         """\
 error[syntax]: this is too much

@@ -105,7 +105,7 @@ class Strip:
 
     @property
     def columns(self) -> tuple[Put, Put]:
-        """The functions that append the begin and the end of a link."""
+        """The functions that append the start and the end of a link."""
         return self.begins.append, self.ends.append
 
     def add(self, begin: float, end: float) -> None:
@@ -114,7 +114,7 @@ class Strip:
         self.ends.append(end)
 
     def parts(self) -> Iterator[tuple[str, list[float], list[float]]]:
-        """Yield each phase, with its begin and end in each link."""
+        """Yield each phase, with its start and end in each link."""
         lows, ends = self.begins, self.ends
         for name, seconds in self.phases[:-1]:
             highs = [
@@ -149,7 +149,7 @@ class _Loops:
 
 
 class CriticalPath:
-    """The critical path of one run, from its begin to its end without a gap."""
+    """The critical path of one run, from its start to its end without a gap."""
 
     def __init__(self, run: Run) -> None:
         self.motions = Motions(run)
@@ -200,7 +200,7 @@ class CriticalPath:
     # ---------------------------------------------------------------------------------------- from the end
 
     def _follow(self) -> None:
-        """Follow the path from the end of the run back to its begin."""
+        """Follow the path from the end of the run back to its start."""
         task, time = parent_of(self._run), self._run.time
         over = ended_at(self._run)
         if time > over:

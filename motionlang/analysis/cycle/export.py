@@ -46,7 +46,7 @@ def write_profile(made: TimeProfile, path: str) -> None:
 def json_pieces(made: TimeProfile) -> Iterator[str]:
     """`TimeProfile.report` as JSON with an indent of 1, ten times as fast as json.
 
-    Of links that differ in their times alone one is written out; the end of one is the begin of the next.
+    Of links that differ in their times alone one is written out; the end of one is the start of the next.
     """
     document = made.report(critical_path=False)
     written: dict[int, str] = {}  # the other fields of a link, by the identity of their source

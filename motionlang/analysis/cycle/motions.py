@@ -206,9 +206,9 @@ def _moves(shape: Profile | Recipe) -> bool:
 
 
 def _cuts(begins: list[float]) -> Sequence[int]:
-    """Return where each begin is first, and the end.
+    """Return the first index of each start time, then the number of groups.
 
-    If the groups are of equal size it is a range.
+    The result is a range if the same number of groups shares each start time.
     """
     if not begins:
         return ()

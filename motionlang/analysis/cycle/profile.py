@@ -65,7 +65,7 @@ class TimeProfile:
 
     @property
     def links(self) -> list[Link]:
-        """The links of the critical path, from the begin of the run to its end."""
+        """The links of the critical path, from the start of the run to its end."""
         return self._chain.links
 
     def spans(self) -> list[tuple[float, float, About]]:

@@ -81,7 +81,7 @@ def ended_at(run: Run) -> float:
 def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     """Return the time of each task, given its `waits`.
 
-    The parent comes first, then the others in order of their begin.
+    The parent comes first, then the others in order of their start.
     """
     parent, over = parent_of(run), ended_at(run)
     first: dict[str, float] = {}

@@ -32,7 +32,7 @@ class Timeline:
         self._made = 0.0
 
     def pair(self, a: Move, b: Move, old: Move | None = None, accepted: bool = True) -> tuple[float, float]:
-        """Return how much longer `b` waited than `a`, and its begin in the merged run.
+        """Return how much longer `b` waited than `a`, and its start in the merged run.
 
         There it waits like `b` if that is accepted; `old` is the one of the two that it moves like (`b`).
         """
@@ -54,7 +54,7 @@ class Timeline:
         return wait, begin
 
     def alone(self, move: Move, side: int, kept: bool) -> float:
-        """Return the begin in the merged run of a move of the old (0) or new (1) run only.
+        """Return the start in the merged run of a move of the old (0) or new (1) run only.
 
         It is in the merged run if it is `kept`.
         """

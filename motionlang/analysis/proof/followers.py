@@ -267,7 +267,7 @@ def _carried(run: Run, a: WholeTrack, i: int, order: Order) -> float:
 
 
 def _fading(v0: float, a0: float, slopes: Slopes) -> float:
-    """Return the time in which an acceleration decays; 0 without an edge."""
+    """Return how long an acceleration takes to ramp down; 0 without an edge."""
     rate, _, end = slopes[0 if a0 * v0 >= 0.0 else 1]
     return abs(a0) * end / rate
 

@@ -68,7 +68,7 @@ def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
 def _check_peak(
     proof: Proof, run: Run, a: WholeTrack, told: float, time: tuple[float, float], line: int
 ) -> None:
-    """Check the peak speed of a move: that of its pieces, at least any of a formula."""
+    """Check the reported peak speed of a move against the speeds on its track."""
     begin, finish = time[0], min(time[1], run.until)
     k, seen, exact = max(a.place(begin), 0), 0.0, True
     late = finish - ROUNDED * (1.0 + finish)  # an end is the sum of a beginning and a time

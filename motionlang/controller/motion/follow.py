@@ -294,7 +294,7 @@ class Gear(Follow):
 
     @property
     def locked(self) -> float:
-        """The time from which the slave has the velocity of the ratio."""
+        """The time at which the slave reaches the velocity that the ratio demands."""
         return self._locks_at
 
     def set_ratio(self, ratio: float, ramp: bool) -> None:

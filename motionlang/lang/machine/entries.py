@@ -201,7 +201,7 @@ def _key(text: str) -> Entry:
 
 
 def _times(text: str, form: str) -> tuple[float | None, float | None, float | None]:
-    """Return the begin, the end and the period of `0.5..0.9 every 2`.
+    """Return the start, the end and the period of `0.5..0.9 every 2`.
 
     Each is None if it is left out.
     """

@@ -10,7 +10,7 @@
  * its threads share handles. When a connection breaks, every call answers MCERR_SOCKET until MCOpen.
  *
  * With MCAPI_REAL=PATH a call goes to the library of that path instead. With MCAPI_LOG=FILE every call is written there,
- * with the seconds at its begin and end. A library that finds itself in MCAPI_REAL is the real one.
+ * with the seconds at its start and end. A library that finds itself in MCAPI_REAL is the real one.
  */
 #define _GNU_SOURCE
 #include <errno.h>

@@ -257,8 +257,8 @@ class Poll:
     def _levels(self, notes: list[Note], now: float) -> list[Note]:
         """Return the dependencies of an iteration on the values that it compares.
 
-        `notes` are those of the iteration, at whose end it is `now`. If it uses a value that has changed by then
-        for more than comparisons, it may change at once.
+        `notes` are the dependencies that the iteration recorded, and `now` is the time at its end. If a value
+        that has changed by then is used for more than comparisons, the loop may change at once.
         """
         task = self._task
         assert task.line is not None

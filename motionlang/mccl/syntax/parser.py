@@ -31,7 +31,7 @@ def pieces(line: str) -> list[str]:
 
 
 def spans(line: str) -> Iterator[tuple[int, int]]:
-    """Return the begin and end of each of these texts."""
+    """Return the start and end of each of these texts."""
     for match in PIECE.finditer(line):
         if match[1]:
             yield match.span(1)

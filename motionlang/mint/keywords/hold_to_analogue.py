@@ -152,12 +152,12 @@ ROWS = (
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHTA(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
             default=0.0, low=-100.0, high=100.0, group="motion", effect="act"),
     _setting("HTACHANNEL", "integer", "The analogue input that HTA holds.", 0, 63),
-    _gain("HTAKPROP", "User units a second for each percent of error (wanted minus measured); negative to turn the "
-                      "direction round.", "HKP"),
+    _gain("HTAKPROP", "User units a second for each percent of error (wanted minus measured); negative to "
+                      "reverse the direction.", "HKP"),
     _gain("HTADAMPING", "User units a second for each percent by which the error changes in a tick of the profiler."),
-    _gain("HTAKINT", "User units a second for each percent of the errors of all ticks, summed; the sum restarts "
+    _gain("HTAKINT", "User units a second for each percent of the sum of the errors of all ticks; the sum restarts "
             "within HTADEADBAND and when this is written."),
-    _setting("HTADEADBAND", "number", "An error up to this is none: counts of the converter, 4096 in all.", 0, 100,
+    _setting("HTADEADBAND", "number", "The largest error that counts as none, counts of a 12-bit converter.", 0, 100,
              short="HDB"),
     _setting("HTAFILTER", "number", "How much of the filtered value of the tick before goes into the next one, 0 to 1: "
                                     "0 does not filter.", 0, 0.9999),

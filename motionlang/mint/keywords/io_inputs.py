@@ -239,7 +239,7 @@ def _pattern(name: str, help: str, example: str) -> Keyword:
 
 ROWS = (
     Keyword("IN", "", "reading", "R", "bank", "bits", Actions(read=read_bank),
-            "The digital inputs of a bank as bits, bank 0 when none is given; edges that are latched are read off.",
+            "The digital inputs of a bank as bits; default: bank 0. Reading clears latched edges.",
             "PRINT IN(0) & 3", default=0.0, group="io", driven="input"),
     Keyword("INX", "", "reading", "R", "input", "bool", Actions(read=read_bit),
             "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",

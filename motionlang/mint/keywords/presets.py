@@ -227,8 +227,8 @@ ROWS = (
          "The preset that is next; without a trigger input writing it starts it, while PRESETMOVEENABLE is 1.",
          _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion", effect="act"),
     _setting("PRESETINDEXMODE",
-             "Action after a preset: 0 it stays selected, 1 the next one of the table is selected, 2 that "
-"starts by itself after PRESETDWELLTIME.", 0, 2),
+             "Action after a preset: 0 keep it selected, 1 select the next one in the table, 2 select the "
+"next one and start it after PRESETDWELLTIME.", 0, 2),
     _setting("PRESETINDEXSOURCE", "Selector of presets: 0 PRESETINDEX, 1 the inputs from PRESETSELECTORINPUT on.", 0,
              1),
     _setting("PRESETDWELLTIME", "Milliseconds of rest between presets that follow each other by themselves.", 0,

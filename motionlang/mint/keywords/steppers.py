@@ -38,7 +38,7 @@ _MOVE = "MOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT {}(0)"
 ROWS = (
     Keyword("STEPPER", "", "reading", "RW", "channel", "uu",
             Actions(read=moving(of(Steppers, read_count)), write=of(Steppers, write_encoder)),
-            "Pulses that a stepper channel has given out, in units of STEPPERSCALE; POS = 0 does not change it.",
+            "Pulses that a stepper channel has sent, in units of STEPPERSCALE; POS = 0 does not change it.",
             _MOVE.format("STEPPER"), default=0.0, low=-8388607.0, high=8388607.0, group="encoders"),
     Keyword("STEPPERVEL", "", "reading", "R", "channel", "uu/s", Actions(read=moving(of(Steppers, read_speed))),
             "Pulses a second of a stepper channel, in units of STEPPERSCALE.",

@@ -247,7 +247,7 @@ ROWS = (
              "Attach arrays to a cam: positions of each segment, and lengths of the master's way in it, without which "
              "MASTERDISTANCE is that of each. Element 1 is the number of segments.", _CAM.format("")),
     Keyword("CAM", "", "move", "RW", "axis", "integer", _CAM_ACTIONS,
-            "Load a cam over the master; GO begins it where both axes then are. Bits: 0 positions count from its begin "
+            "Load a cam over the master; GO begins it where both axes then are. Bits: 0 positions count from its start "
             "and not from segment to segment, 1 they are those of the axis, 2 again and again.",
             _CAM.format(""), low=0, high=7, group="motion", effect="course follows"),
     setting_row("CAMSTART", MASTER_SETTING, "integer", "The first segment of a cam that is used.",

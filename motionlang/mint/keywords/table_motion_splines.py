@@ -197,7 +197,7 @@ _SPLINE = (
 )
 _SPLINE_BITS = (
     ("SPLINE_1", 0, "velocities are the means of the segments at each point"),
-    ("ABSOLUTE", 1, "positions count from the begin of each cycle"),
+    ("ABSOLUTE", 1, "positions count from the start of each cycle"),
     ("T_ABSOLUTE", 2, "positions are those of the axis"),
     ("CONTINUOUS", 4, "again and again until it is stopped"),
     ("SPLINE_2", 8, "the acceleration is continuous"),

@@ -153,10 +153,10 @@ ROWS = (
             "Place the cursor (as the ANSI code that does so); the upper left corner is 1, 1.",
             'LOCATE(1, 2)\nPRINT "second row"', group="terminal"),
     Keyword("LINE", "", "command", "C", "row", "", "line",
-            "Print values from the begin of a row of the screen on, with signs and USING as in PRINT.",
+            "Print values at the start of a row of the screen, with signs and USING as in PRINT.",
             'LINE 2, "speed ", 250', group="terminal"),
     Keyword("BOL", "", "command", "C", "terminal", "", Actions(do=writing("\r")),
-            "Go to the begin of the line, as Chr(13) does.",
+            "Go to the start of the line, as Chr(13) does.",
             'PRINT "old",\nBOL\nPRINT "new"', group="terminal"),
     Keyword("BEEP", "", "command", "C", "terminal", "", Actions(do=writing("\a")),
             "Sound the terminal's bell.",
@@ -169,7 +169,7 @@ def _hidden(name: str, help: str, read: Maker) -> Keyword:
 
 
 HIDDEN = (
-    _hidden("(terminal)", "The one terminal at which an INPUT asks.", of(Terminals, Terminals.one)),
+    _hidden("(terminal)", "The terminal that INPUT reads from.", of(Terminals, Terminals.one)),
     _hidden("(question)", "The wait for the answer to an INPUT.", of(Environment, ask)),
     _hidden("(answer)", "The answer to an INPUT.", of(Environment, take)),
     _hidden("(printer)", "Print a text on the terminals of TERMINAL, or on those of a pattern.",
