@@ -1,4 +1,4 @@
-"""The script that counts: kinds of lines, and the fields of classes."""
+"""`tests.sizes` counts the kinds of lines and the fields of classes."""
 
 from __future__ import annotations
 

@@ -188,7 +188,7 @@ def texts(root: Path = ROOT, *, quick: bool = False) -> Iterator[Text]:
 
 
 def names(root: Path = ROOT) -> Iterator[tuple[str, str]]:
-    """Yield the public names of the package, each with its file."""
+    """Yield the names of the package, each with its file; `TYPE_CHECKING` is Python's."""
     for path in sorted((root / "motionlang").rglob("*.py")):
         file = path.relative_to(root).as_posix()
         yield path.stem, file
@@ -197,7 +197,8 @@ def names(root: Path = ROOT) -> Iterator[tuple[str, str]]:
                 yield node.name, file
                 yield from ((each.name, file) for each in ast.walk(node) if isinstance(each, ast.FunctionDef))
             elif isinstance(node, ast.Assign):
-                yield from ((each.id, file) for each in node.targets if isinstance(each, ast.Name))
+                targets = [each.id for each in node.targets if isinstance(each, ast.Name)]
+                yield from ((each, file) for each in targets if each != "TYPE_CHECKING")
 
 
 class Counts(NamedTuple):

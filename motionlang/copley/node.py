@@ -169,7 +169,7 @@ class DriveNode(LocalNode):
         return int(self.nmt._state)
 
     def send_emergency(self, code: int) -> None:
-        """Send an EMCY message; code 0 means that the error is over."""
+        """Send an EMCY message; code 0 means that the error has been cleared."""
         self.error_register = 0 if code == 0 else self.error_register | GENERIC
         if code >> 12 == 8 and code >> 8 in (0x81, 0x82):
             self.error_register |= COMMUNICATION

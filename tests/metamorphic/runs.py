@@ -8,7 +8,7 @@ from motionlang.source import Source
 
 
 def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: float = 1e-9) -> Run:
-    """Return a run without a diagnostic whose proof passes.
+    """Run a program, and check that it has no diagnostics and its proof passes.
 
     A statement takes `fine` seconds.
     """

@@ -71,7 +71,7 @@ def _inner(row: Row) -> str:
 
 
 def _trace(made: TimeProfile) -> Iterator[str]:
-    """Yield the trace events as a document, one line each."""
+    """Yield a document of trace events, one line per event."""
     separator = '{"traceEvents": [\n'
     for event in trace_events(made):
         yield separator + json.dumps(event)

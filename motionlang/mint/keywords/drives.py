@@ -214,9 +214,9 @@ ROWS = (
              "Source of the speed reference: 0 SPEEDREF, n analogue input n - 1, whose 100 % are the "
 "highest speed.",
              "SPEEDREFSOURCE(0) = 1\nPRINT SPEEDREF(0)", 64, effect="hands-over"),
-    _time("SPEEDREFACCELTIME", "Milliseconds from rest to the highest speed (DRIVESPEEDMAX, else MAXSPEED, else "
-                               "SPEED) in ramps of SPEEDREF; 0 for ACCEL."),
-    _time("SPEEDREFDECELTIME", "Milliseconds from the highest speed to rest in ramps of SPEEDREF; 0 for DECEL."),
+    _time("SPEEDREFACCELTIME", "Time of a SPEEDREF ramp from rest to the highest speed (DRIVESPEEDMAX, else MAXSPEED, "
+                               "else SPEED), ms; 0 uses ACCEL."),
+    _time("SPEEDREFDECELTIME", "Time of a SPEEDREF ramp from the highest speed to rest, ms; 0 uses DECEL."),
     *(_time(f"SPEEDREF{way}JERK{edge}TIME", f"Milliseconds in which the {way.lower()}eration {what}; the ramp grows "
                                             "by half of it.") for way, edge, what in _EDGES),
     _time("SPEEDREFERRORDECELTIME", "Milliseconds from the highest speed to rest when an error stops an axis that "

@@ -1,4 +1,4 @@
-"""The rows of paths: lengths and speeds by hand, corners, and transitions."""
+"""The table of paths: lengths and speeds by hand, corners, and transitions."""
 
 from __future__ import annotations
 

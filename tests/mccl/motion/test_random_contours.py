@@ -1,6 +1,6 @@
-"""Random contours of MCCL: every run is proved and arrives.
+"""Random MCCL contours: each run reaches its end, and its proof passes.
 
-A contour of Mint with the same paths takes the same time. `MOTIONLANG_LONG=2000` runs that many.
+A Mint program with the same paths takes the same time. `MOTIONLANG_LONG=2000` runs 2000 contours.
 """
 
 from __future__ import annotations
