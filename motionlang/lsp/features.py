@@ -13,17 +13,20 @@ from motionlang.editor.completion import complete
 from motionlang.editor.fixes import fixes
 from motionlang.editor.formatting import format
 from motionlang.editor.hover import hover
+from motionlang.editor.machine_file import complete_machine_file, hover_machine_file
 from motionlang.editor.signature import signature
 from motionlang.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang.execution import MACHINE_SUFFIX
 from motionlang.lsp.convert import ITEMS, diagnostic, edits, markdown, symbol, workspace_edit
 from motionlang.lsp.documents import units
 from motionlang.lsp.protocol import REQUEST_FAILED
+from motionlang.lsp.session import MAX_TEXT
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from motionlang.editor.completion import Item
     from motionlang.editor.page import Page
     from motionlang.lsp.server import Server
     from motionlang.lsp.session import Known
@@ -76,14 +79,18 @@ class _Names(_Feature):
         self.on(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL, self.symbols)
 
     def hover(self, params: types.HoverParams) -> types.Hover | None:
-        found = self.known(params)
-        if found is None:
+        known = self.session.known(params.text_document.uri)
+        if known is None:
             return None
-        known, page = found
-        shown = hover(page, known.document.offset(params.position))
-        return (
-            None if shown is None else types.Hover(markdown(shown.markdown), known.document.range(shown.span))
-        )
+        document, offset = known.document, known.document.offset(params.position)
+        page = self.session.page(known)
+        if page is not None:
+            shown = hover(page, offset)
+        elif known.language is None and len(document.text) <= MAX_TEXT:
+            shown = hover_machine_file(document.source, offset)
+        else:
+            shown = None
+        return None if shown is None else types.Hover(markdown(shown.markdown), document.range(shown.span))
 
     def definition(self, params: types.DefinitionParams) -> types.Location | None:
         found = self.known(params)
@@ -143,7 +150,7 @@ class _Typing(_Feature):
     """Completion, signatures, fixes and formatting."""
 
     def register(self) -> None:
-        characters = types.CompletionOptions(trigger_characters=[".", "@", "#"])
+        characters = types.CompletionOptions(trigger_characters=[".", "@", "#", "[", '"'])
         self.on(types.TEXT_DOCUMENT_COMPLETION, self.completion, characters)
         brackets = types.SignatureHelpOptions(trigger_characters=["(", "[", ","])
         self.on(types.TEXT_DOCUMENT_SIGNATURE_HELP, self.signature, brackets)
@@ -152,12 +159,16 @@ class _Typing(_Feature):
         self.on(types.TEXT_DOCUMENT_FORMATTING, self.format)
 
     def completion(self, params: types.CompletionParams) -> types.CompletionList:
-        found = self.known(params)
-        if found is None:
+        known = self.session.known(params.text_document.uri)
+        if known is None:
             return types.CompletionList(False, [])
-        known, page = found
         offset = known.document.offset(params.position)
-        items = complete(page, offset, known.names)
+        page = self.session.page(known)
+        items: list[Item] = []
+        if page is not None:
+            items = complete(page, offset, known.names)
+        elif known.language is None and len(known.document.text) <= MAX_TEXT:
+            items = complete_machine_file(known.document.source, offset)
         has_snippets = self._has_snippets()
         listed = []
         for each in items:

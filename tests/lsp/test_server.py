@@ -101,6 +101,16 @@ def test_mccl_and_machine_files(tmp_path: Path) -> None:
         machine = Editor(client.client, client.uri.removesuffix(".mcl") + ".machine.toml")
         (found,) = await machine.open("[axis.1]\ntravvel = [0, 1]\n", "toml")
         assert (found.range.start.line, found.code) == (1, "machine-file")
+        machine.edit(types.TextDocumentContentChangeWholeDocument("[axis.1]\n\nmotor = "))
+        page = await client.client.text_document_hover_async(types.HoverParams(machine.document, at(2, 1)))
+        assert page is not None
+        assert isinstance(page.contents, types.MarkupContent)
+        assert page.contents.value.startswith("**axis.1.motor** · one of servo, stepper")
+        listed = await client.client.text_document_completion_async(
+            types.CompletionParams(machine.document, at(2, 8))
+        )
+        assert isinstance(listed, types.CompletionList)
+        assert [each.label for each in listed.items] == ["servo", "stepper"]
         assert (
             await machine.change(types.TextDocumentContentChangeWholeDocument("[axis.1]\ntravel = [0, 1]\n"))
             == []
@@ -148,7 +158,7 @@ def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(tmp_path: Path) -> 
 
 
 def test_a_text_in_a_wrong_encoding_has_one_diagnostic(tmp_path: Path) -> None:
-    """Editors replace a byte that they cannot decode, here the `ß` and the `ä` of Latin-1."""
+    """Editors replace a byte that they cannot decode, here letters of Latin-1."""
 
     async def work(client: Editor) -> None:
         (found,) = await client.open("' Ma\ufffde\nL\ufffdnge = 3 : Print L\ufffdnge\n")

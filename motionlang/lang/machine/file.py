@@ -122,15 +122,15 @@ def current_key(key: str) -> str:
 
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
     """Return the problem of one plain setting and a hint, or None if it is valid."""
-    row = KEYS.get(_generic(key))
-    if row is None and _generic(key).startswith(SERVO):
+    row = KEYS.get(generic(key))
+    if row is None and generic(key).startswith(SERVO):
         from motionlang.servo import settings as servo
 
-        return servo.setting_problem(key, _generic(key), value)
+        return servo.setting_problem(key, generic(key), value)
     if row is None:
         from motionlang.servo.settings import KEYS as SERVO_KEYS
 
-        near = nearest(_generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
+        near = nearest(generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
         return f"there is no key {key}", words
     if key.startswith(READINGS):
@@ -360,7 +360,7 @@ def _is_number(text: str) -> bool:
     return text.isascii() and text.isdigit() and len(text) <= 6 and (text == "0" or text[0] != "0")
 
 
-def _generic(key: str) -> str:
+def generic(key: str) -> str:
     """Return the key as the table spells it.
 
     For example, `axis.3.travel` is `axis.N.travel`.

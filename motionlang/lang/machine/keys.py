@@ -341,3 +341,15 @@ LAST_REGISTER = 65535
 LAST_LINE = 99_999_999
 MOTORS = ("servo", "stepper")
 FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit", "drive", "controller")
+# The values of kinds that are a choice.
+CHOICES: dict[str, tuple[object, ...]] = {
+    "flag": ("true", "false"),
+    "motor": MOTORS,
+    "fault": FAULT_KINDS,
+    "width": tuple(WIDTHS),
+    "node event": tuple(NODE_EVENTS),
+    "bus event": tuple(BUS_EVENTS),
+    "view": tuple(VIEWS),
+    "outcome": tuple(OUTCOMES),
+    "terminal": tuple(TERMINALS),
+}

@@ -1,0 +1,69 @@
+"""Completion and hover in a machine file say what docs/machine-file.md says."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.editor.machine_file import complete_machine_file, hover_machine_file
+from motionlang.source import Source
+
+
+def completed(text: str) -> list[str]:
+    """Return the texts that would replace what is typed, at the end of a text."""
+    return [each.text for each in complete_machine_file(Source("a.machine.toml", text), len(text))]
+
+
+def shown(text: str, word: str) -> str | None:
+    found = hover_machine_file(Source("a.machine.toml", text), text.rindex(word) + 1)
+    return None if found is None else found.markdown
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("[contr", ["controller]"]),
+        ("[axis.2.p", ["axis.2.plant]"]),
+        ("[[enc", ["encoder]]"]),
+        ("[axis.3]\ntra", ["travel = "]),
+        ("[axis.3]\nlimits.j", ["limits.jerk = "]),
+        ("axis.3.tra", ["axis.3.travel = "]),
+        ("[axis.3]\n[[fault]]\nki", ["kind = "]),
+        ("[axis.0]\nmotor = ", ['"servo"', '"stepper"']),
+        ('[axis.0]\nmotor = "st', ['"stepper"']),
+        ("[axis.0]\nguess = ", ["true", "false"]),
+        ("[axis.0.plant]\nkind = ", ['"dc"', '"brushless"', '"drive"']),
+        ('[[fault]]\nkind = "d', ['"drive"']),
+        ('[controller]\nmodel = "dcx-pci', ['"dcx-pci300"', '"dcx-pci100"']),
+        ("[axis.0]\n# tra", []),
+        ("[axis.0]\ntravel = [0, 1] ", []),
+        ("[nothing]\ntra", []),
+        ("[mint.values]\n", []),
+    ],
+)
+def test_completion(text: str, found: list[str]) -> None:
+    assert completed(text) == found
+
+
+def test_hover_has_meaning_unit_and_default() -> None:
+    assert shown("[axis.3]\ntravel = [0, 1]", "travel") == (
+        "**axis.3.travel** · two numbers in brackets\n\nThe positions of the two limit switches, in user units."
+    )
+    assert shown("[[input]]\nchannel = 3", "channel") == (
+        "**[[input]] channel** · the number of a channel · required\n\nThe digital input."
+    )
+    page = shown('[axis.0.plant]\nkind = "dc"', "kind")
+    assert page is not None
+    assert page.endswith("Default dc.")
+    assert "one of dc, brushless, drive" in page
+
+
+def test_hover_of_a_key_that_any_keyword_may_be() -> None:
+    page = shown("[mint.values]\nDRIVEBUSVOLTS = 325", "DRIVE")
+    assert page is not None
+    assert page.startswith("**mint.values.DRIVEBUSVOLTS**")
+
+
+def test_there_is_no_page_for_values_comments_and_unknown_keys() -> None:
+    assert shown("[axis.3]\ntravel = [0, 1]", "[0") is None
+    assert shown("[axis.3]\n# travel = 1", "travel") is None
+    assert shown("[axis.3]\ntravvel = 1", "travvel") is None
