@@ -22,9 +22,9 @@ const problems = new Problems(element("problems"), (editor, line) => {
   choose(editor.file);
   editor.goTo(line);
 });
-const results = new Results((line) => {
-  choose("program");
-  editors.program.goTo(line);
+const results = new Results((file, line) => {
+  choose(file);
+  editors[file].goTo(line);
 });
 const editors = {
   program: newEditor("program", "Program"),

@@ -32,7 +32,7 @@ function rows(id, cells) {
 }
 
 export class Results {
-  // `goTo` is called with the line of the program that a reader chooses.
+  // `goTo` is called with "program" or "machine" and the line that a reader chooses.
   constructor(goTo) {
     this.goTo = goTo;
     this.pages = new Map(); // the frame that is shown, until it is ready for its page
@@ -59,6 +59,7 @@ export class Results {
       text("output", `${this.printed}\n… only the first ${CHUNK.toLocaleString("en")} characters are shown`);
     }
     text("wrong", [diagnostics, complaints.join("\n")].filter(Boolean).join("\n"));
+    this.link(element("wrong").querySelector("pre"));
     text("table", table);
     const shown = events.map(({ time, line, kind, text }) => [
       String(Number(time.toPrecision(7))),
@@ -81,14 +82,29 @@ export class Results {
     );
   }
 
+  // Make a button of the file and line after each arrow: the text stays as it is.
+  link(shown) {
+    const parts = shown.textContent.split(/(?<=^ *--> )([^\s:]+:\d+)/m);
+    shown.replaceChildren(
+      ...parts.map((part, number) => {
+        if (number % 2 === 0) return part;
+        const [file, line] = part.split(":");
+        return this.button(part, file.endsWith(".machine.toml") ? "machine" : "program", Number(line));
+      }),
+    );
+  }
+
   line(number) {
-    if (!number) return "";
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = number;
-    button.setAttribute("aria-label", `go to line ${number}`);
-    button.addEventListener("click", () => this.goTo(number));
-    return button;
+    return number ? this.button(`${number}`, "program", number) : "";
+  }
+
+  button(shown, file, line) {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = shown;
+    made.setAttribute("aria-label", `go to line ${line}${file === "machine" ? " of the machine file" : ""}`);
+    made.addEventListener("click", () => this.goTo(file, line));
+    return made;
   }
 
   send(window) {
