@@ -89,7 +89,7 @@ class Breaking:
         def of(data: str) -> Search | None:
             what, _, rest = data.partition(" ")
             if what in ("input", "output") and rest.isdecimal():
-                return moments.channel(what, int(rest), "changes")
+                return moments.channel(what, int(rest), "changes", "change")
             if what != "variable" or not rest:
                 raise WrongExpression("this cannot be watched")
             watched.append(Watched(tuple(rest.split("/"))))

@@ -2,8 +2,8 @@
 
 The engine, a process of its own, is the adapter and the program. To go back in a slow run, the session continues in a
 copy of the engine (`debug/checkpoints.py`), and the engine ends. The front has the channels of all copies. It sends
-requests that have no response yet to the copy, too. When the client or the engine dies, the front closes all channels, and every process of
-the session ends. If the front dies, the system does that.
+requests that have no response yet to the copy, too. When the client or the engine dies, the front closes all channels,
+and every process of the session ends. If the front dies, the system does that.
 """
 
 from __future__ import annotations

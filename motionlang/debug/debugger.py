@@ -56,7 +56,7 @@ class Stop:
     """A stop before a statement.
 
     `moment` is the time, s, of what caused the stop, if that was before the statement.
-    `reason` is "entry", "step", "breakpoint", "moment", "change", "pause", "goto" or "start".
+    `reason` is "entry", "step", "breakpoint", "moment", "exception", "change", "pause", "goto" or "start".
     """
 
     number: int
@@ -391,13 +391,11 @@ class Debugger:
         until = point.time if point is not None else run.time if run is not None else 0.0
         found = self._replay.ask(lambda: self._moments(until))
         if found:
-            first = found[0].time
-            text = "; ".join(dict.fromkeys(each.text for each in found if each.time == first))
-            return moments.Moment(first, text, found[0].at)
+            return moments.together(found)
         if point is None and run is not None and self.stops_at_errors and self._after < run.time + 1.0:
             wrong = [each for each in run.diagnostics if each.severity == "error"]
             if wrong:
-                return moments.Moment(INFINITY, wrong[0].message)
+                return moments.Moment(INFINITY, wrong[0].message, None, "exception")
         return None
 
     def _to_moment(self, moment: Moment, begin: int) -> Stop | None:
@@ -418,7 +416,7 @@ class Debugger:
     def _at_moment(self, moment: Moment) -> Stop | None:
         """Make the present statement the stop after a moment."""
         text = moment.text if moment.time == INFINITY else self._described(moment)
-        stop = self._at(self._replay.point, "moment", text)
+        stop = self._at(self._replay.point, moment.reason, text)
         self._after = moment.time
         if stop is not None and moment.time < stop.time:
             stop.moment = moment.time
@@ -585,16 +583,15 @@ class Debugger:
             first = 0 if self.watched else here
             self._search(here, first, note, self._stopping_places())
         if moment is not None:
-            number, text = moment
-            if number < here and (not hits or number > hits[-1][0]):
-                hits.append((number, "moment", text))
+            if moment[0] < here and (not hits or moment[0] > hits[-1][0]):
+                hits.append(moment)
         if not hits:
             return self._arrive(1, "start", "this is the first statement")
         number, reason, text = hits[-1]
         return self._arrive(number, reason, text)
 
-    def _last_moment(self) -> tuple[int, str] | None:
-        """Return the last statement before the stop that follows a moment, and its text."""
+    def _last_moment(self) -> tuple[int, str, str] | None:
+        """Return the last statement before the stop that follows a moment, why, and its text."""
         if not self.searches:
             return None
         run, stop = self._replay.run, self.stop
@@ -611,7 +608,7 @@ class Debugger:
             if number is None:
                 number = self._replay.hook.count if run is not None else here
             if number < here:
-                return number, self._described(moment)
+                return number, moment.reason, self._described(moment)
         return None
 
     def _described(self, moment: Moment) -> str:

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 # Samples of each profile in which a condition is looked for, and the resolution of its time, s.
 SAMPLES = 64
 RESOLUTION = 1e-9
+# Texts of moments at the same time in one message: an e-stop has one for each axis.
+MAX_TEXTS = 2
 INFINITY = float("inf")
 # The exception filters by name: what they are called, and the kinds of events.
 FILTERS = {
@@ -48,12 +50,21 @@ FORMS = "axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a conditi
 class Moment:
     """Something that happened at a time, s.
 
-    `at` is the source offset of the program then, if it is known.
+    `at` is the source offset of the program then, if it is known, and `reason` that of the stop after it.
     """
 
     time: float
     text: str
     at: int | None = None
+    reason: str = "moment"
+
+
+def together(found: list[Moment]) -> Moment:
+    """Return the first of some moments, in order, with the texts of those at the same time."""
+    first = found[0]
+    texts = list(dict.fromkeys(each.text for each in found if each.time == first.time))
+    more = f"; {len(texts) - MAX_TEXTS} more" if len(texts) > MAX_TEXTS else ""
+    return Moment(first.time, "; ".join(texts[:MAX_TEXTS]) + more, first.at, first.reason)
 
 
 def search(text: str) -> Search:
@@ -81,7 +92,7 @@ def filtered(kinds: Iterable[str]) -> Search:
             if event.time <= until and event.kind in wanted:
                 axis = "" if event.axis is None else f" of axis {event.axis}"
                 text = f": {event.text}" if event.text else ""
-                yield Moment(event.time, f"{event.kind}{axis}{text}", event.at)
+                yield Moment(event.time, f"{event.kind}{axis}{text}", event.at, "exception")
 
     return find
 
@@ -90,10 +101,10 @@ def complaints(machine: Machine, after: float, until: float) -> Iterator[Moment]
     """Yield the errors that did not end the program, such as rejected commands."""
     for each in machine.diagnostics:
         if each.severity == "error" and each.first is not None and after < each.first <= until:
-            yield Moment(each.first, f"{each.message}, line {each.line}")
+            yield Moment(each.first, f"{each.message}, line {each.line}", None, "exception")
 
 
-def channel(what: str, number: int, how: str) -> Search:
+def channel(what: str, number: int, how: str, reason: str = "moment") -> Search:
     """Return the search of changes of a digital input or output."""
 
     def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
@@ -102,7 +113,7 @@ def channel(what: str, number: int, how: str) -> Search:
             if each.channel == number and each.time <= until:
                 rises = bool(each.value)
                 if how == "changes" or (how == "rises") is rises:
-                    yield Moment(each.time, f"{what} {number} {'rises' if rises else 'falls'}")
+                    yield Moment(each.time, f"{what} {number} {'rises' if rises else 'falls'}", None, reason)
 
     return find
 

@@ -134,6 +134,41 @@ def test_an_error_is_an_exception_that_says_where(client: Client, tmp_path: Path
     assert client.go("continue")["event"] == "terminated"
 
 
+@pytest.mark.parametrize(
+    ("name", "text", "machine", "found"),
+    [
+        ("limit", MOVE, "[axis.0]\ntravel = [-10.0, 60.0]\n", "limit of axis 0: forward limit, abort at 1.25005 s in line 5"),
+        ("fault", MOVE.replace("PAUSE", "WAIT(500)\nABORT\nPAUSE"), "", "abort of axis 1: abort, abort; 6 more at 0.50007 s"),
+        ("clamp", f"MAXSPEED(0) = 20\n{MOVE}", "", "clamp of axis 0: speed"),
+    ],
+)  # fmt: skip
+def test_each_filter_stops_with_an_exception(
+    client: Client, tmp_path: Path, name: str, text: str, machine: str, found: str
+) -> None:
+    """The travel ends at 60 uu, 1.25 s after GO; the abort comes after a wait of 0.5 s."""
+    program = tmp_path / "move.mnt"
+    program.write_text(text)
+    (tmp_path / "move.machine.toml").write_text(machine)
+    client.launch(program)
+    client.ask("setExceptionBreakpoints", filters=[name])
+    stop = client.begin()
+    assert (stop["event"], stop["body"]["reason"]) == ("stopped", "exception")
+    assert found in stop["body"]["text"]
+    assert found in client.ask("exceptionInfo", threadId=1)["description"]
+
+
+def test_hit_counts_and_log_points(client: Client, program: Path) -> None:
+    client.launch(program)
+    points = [{"line": 9, "hitCondition": "% 3"}, {"line": 5, "logMessage": "{n} gives {twice}"}]
+    client.ask("setBreakpoints", source={"path": str(program)}, breakpoints=points)
+    client.ask("configurationDone")
+    texts = []
+    while (event := client.wait("output", "stopped"))["event"] == "output":
+        texts.append(event["body"]["output"])
+    assert texts == ["1 gives 2\n", "2 gives 4\n"]
+    assert client.scopes(event)["Variables"]["i"] == "3"
+
+
 def test_data_breakpoints_and_the_last_change(client: Client, program: Path) -> None:
     client.launch(program, stopOnEntry=True)
     client.begin()

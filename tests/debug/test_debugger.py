@@ -400,6 +400,18 @@ def test_a_restart_keeps_time_and_journal() -> None:
     assert debugger.run.machine.terminal.lines == ["40.0000"]
 
 
+def test_a_restart_makes_the_changes_of_the_journal_again() -> None:
+    """100 is given before the loop, which then adds 3, 6 and 9 instead of 2, 4 and 6."""
+    output: list[str] = []
+    debugger = mint(CALLS, show=output.append)
+    debugger.start()
+    debugger.assign(("module", "total"), 100)
+    debugger.next()
+    debugger.restart(Source("a.mnt", CALLS.replace("2 * n", "3 * n")))
+    debugger.go_on()
+    assert output == ["118\n"]
+
+
 def test_a_restart_with_errors_leaves_everything_as_it_is() -> None:
     debugger = mint(CALLS)
     before = debugger.start()
