@@ -582,9 +582,8 @@ class Debugger:
         if self.breakpoints or self.watched:
             first = 0 if self.watched else here
             self._search(here, first, note, self._stopping_places())
-        if moment is not None:
-            if moment[0] < here and (not hits or moment[0] > hits[-1][0]):
-                hits.append(moment)
+        if moment is not None and moment[0] < here and (not hits or moment[0] > hits[-1][0]):
+            hits.append(moment)
         if not hits:
             return self._arrive(1, "start", "this is the first statement")
         number, reason, text = hits[-1]

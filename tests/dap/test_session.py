@@ -134,14 +134,18 @@ def test_an_error_is_an_exception_that_says_where(client: Client, tmp_path: Path
     assert client.go("continue")["event"] == "terminated"
 
 
+TRAVEL = "[axis.0]\ntravel = [-10.0, 60.0]\n"
+ABORTED = MOVE.replace("PAUSE", "WAIT(500)\nABORT\nPAUSE")
+
+
 @pytest.mark.parametrize(
     ("name", "text", "machine", "found"),
     [
-        ("limit", MOVE, "[axis.0]\ntravel = [-10.0, 60.0]\n", "limit of axis 0: forward limit, abort at 1.25005 s in line 5"),
-        ("fault", MOVE.replace("PAUSE", "WAIT(500)\nABORT\nPAUSE"), "", "abort of axis 1: abort, abort; 6 more at 0.50007 s"),
+        ("limit", MOVE, TRAVEL, "limit of axis 0: forward limit, abort at 1.25005 s in line 5"),
+        ("fault", ABORTED, "", "abort of axis 1: abort, abort; 6 more at 0.50007 s"),
         ("clamp", f"MAXSPEED(0) = 20\n{MOVE}", "", "clamp of axis 0: speed"),
     ],
-)  # fmt: skip
+)
 def test_each_filter_stops_with_an_exception(
     client: Client, tmp_path: Path, name: str, text: str, machine: str, found: str
 ) -> None:
