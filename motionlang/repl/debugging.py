@@ -104,7 +104,8 @@ def _with(session: Session, work: Callable[[Debugging], str]) -> None:
     except ProgramError as error:
         session.trouble(error.diagnostics, None if debugging is None else debugging.debugger.source)
     except ValueError as error:
-        _wrong(session, str(error))
+        message, _, hint = str(error).partition("; ")
+        _wrong(session, message, hint)
 
 
 def _wrong(session: Session, message: str, hint: str = "") -> None:
