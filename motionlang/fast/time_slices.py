@@ -137,7 +137,8 @@ class TimeSlices(Scheduler):
     def _last_checked(self, places: set[int]) -> Task:
         """Return the task whose wait the scheduler checks last.
 
-        The next events are logged at its source position."""
+        The next events are logged at its source position.
+        """
         turn, count = self._turn, len(self.tasks)
         return self.tasks[max(places, key=lambda k: (k - turn) % count) if len(places) > 1 else min(places)]
 

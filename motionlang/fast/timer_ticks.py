@@ -8,7 +8,7 @@ Hook: `Accelerators.ticks`; `Events.set_timer` creates it, and `TimeSlices` call
 Gain: a handler that computes 2.5 times (`filter_timer_1` of benchmarks/cliffs.py), one that counts or toggles
 10² to 10⁴ times (`handlers_timer_1_toggles`).
 
-Held equal by: tests/fast/test_timer_ticks.py, tests/generated/test_tasks.py with generated handlers.
+Held equal by: tests/fast/test_timer_ticks.py, tests/generated/test_handlers.py with generated programs.
 
 Running. A tick is taken here if it is the next event, nothing else is at its time, and no handler is active
 or pending. The handler is one task object, started again. If it does more than run to its end within a time
@@ -187,7 +187,6 @@ class _Search:
         environment = events.environment
         self._log = environment.machine.log
         self.notes: list[Note] = []
-        environment.dependencies.notes = None
         counters = environment.handler_counters.get(TIMER, {})
         cells = dict(zip(_names(events.handler(TIMER)), _cells(events.handler(TIMER)), strict=True))
         names = [name for name in counters if name in cells]
