@@ -58,13 +58,20 @@ class RepeatedRecords:
     def _records(self, numbers: Sequence[int]) -> list[Any]:
         rows, _, ticks, statements = self._shape
         start, first, period, cost = self._pace
-        made = []
+        if len(rows) == 1 and rows[0][1] == (0.0,) and not statements:  # most are: a handler at each tick
+            ((tick, _, rest),) = rows
+            first += tick
+            return self._make([(start + (first + k * ticks) * period, *rest) for k in numbers])
+        made: list[tuple[object, ...]] = []
         for number in numbers:
             repetition, row = divmod(number, len(rows))
             tick, counts, rest = rows[row]
             base = start + (first + repetition * ticks + tick) * period
-            times = [base + (count + repetition * statements) * cost for count in counts]
-            made.append(_with_times(times, rest))
+            if len(counts) == 1:
+                made.append((base + (counts[0] + repetition * statements) * cost, *rest))
+            else:
+                times = [base + (count + repetition * statements) * cost for count in counts]
+                made.append(_with_times(times, rest))
         return self._make(made)
 
 
