@@ -7,9 +7,11 @@ plant advances by one sample with constant output. Columns are the values at the
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from struct import pack_into
-from typing import TYPE_CHECKING
+from types import CodeType, FunctionType
+from typing import TYPE_CHECKING, cast
 
 from motionlang.servo.discrete import SLIDING_DOWN, SLIDING_UP, STUCK, discretise
 from motionlang.servo.loop import FINE_BITS
@@ -40,6 +42,8 @@ It is the error sum, the last derivative sample, counters, and the stored DAC va
 
 # Adding and subtracting 1.5 * 2**52 rounds a float to an integer, at the price of two additions.
 _ROUND = " + 6755399441055744.0 - 6755399441055744.0"
+# A float, with its sign unless that is an operator.
+_CONSTANT = re.compile(r"(?<![\w.])(?:(?<=[-(=<>+*/,] )-|(?<=\()-)?(?:\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+)")
 _NAMES = {"position": "p", "velocity": "v", "current": "c", "twist": "d", "load_velocity": "w"}
 _MEMORY = ("s", "q", "g", "z", "k", "h", "o")
 
@@ -54,10 +58,28 @@ def stepper(
     `feed-forward` volts (ignored if the loop has none). `limited` False omits both limits, for the linear
     form.
     """
-    text = source(loop, plant, columns, integrating, limited)
-    scope: dict[str, Stepper] = {}
-    exec(compile(text, "<servo step>", "exec"), {"__builtins__": {"zip": zip}}, scope)
-    return scope["run"]
+    form, constants = without_constants(source(loop, plant, columns, integrating, limited))
+    made = FunctionType(_compiled(form), {"__builtins__": {"zip": zip}}, "run", constants)
+    return cast("Stepper", made)
+
+
+def without_constants(text: str) -> tuple[str, tuple[float, ...]]:
+    """Return a step loop with parameters for its float constants, and their values.
+
+    A drive whose torque limit follows a reference has another loop in each trajectory cycle, with the same
+    form.
+    """
+    names: dict[str, str] = {}
+    form = _CONSTANT.sub(lambda found: names.setdefault(found[0], f"c{len(names)}"), text)
+    parameters = "".join(f", {name}" for name in names.values())
+    return form.replace("columns):", f"columns{parameters}):", 1), tuple(map(float, names))
+
+
+@lru_cache(maxsize=128)
+def _compiled(form: str) -> CodeType:
+    """Return the code of a step loop without its constants."""
+    (code,) = (each for each in compile(form, "<servo step>", "exec").co_consts if isinstance(each, CodeType))
+    return code
 
 
 def initial_state(plant: Discrete, position: float) -> State:

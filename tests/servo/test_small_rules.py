@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from types import FunctionType
+from typing import cast
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ from motionlang.servo.response import _first_fall
 from motionlang.servo.servo import simulate
 from motionlang.servo.settings import make_loop
 from motionlang.servo.speculative import SEEN
-from motionlang.servo.steps import MEMORY, initial_state, stepper
+from motionlang.servo.steps import MEMORY, initial_state, stepper, without_constants
 
 
 @pytest.mark.parametrize(
@@ -112,3 +114,27 @@ def test_the_profile_in_force_is_found_from_wherever_one_was_found_before(
     for time in times:
         begun = sum(start <= time for start in starts)
         assert generator.in_force_at(float(time)) == max(begun - 1, 0)
+
+
+def test_loops_that_differ_by_a_figure_have_the_same_code() -> None:
+    """A torque limit that follows a reference makes another loop in each cycle."""
+    plant, columns = Motor(inertia=1e-5), ("position", "output")
+    steps = [
+        cast(
+            "FunctionType",
+            stepper(Loop(0.04, 2e-5, 0.9, servo_rate=1000.0, output_limit=limit), plant, columns),
+        )
+        for limit in (10.0, 2.5)
+    ]
+    assert steps[0].__code__ is steps[1].__code__
+    assert set(steps[0].__defaults__ or ()) - set(steps[1].__defaults__ or ()) == {10.0, -10.0}
+
+
+def test_constants_with_a_sign_leave_the_form() -> None:
+    text = "def run(demand, feed, state, columns):\n    x = (-5.0 + p) * 1e-05 - 0.5 - -2.5 if k > 3 else -1e-07\n"
+    form, constants = without_constants(text)
+    assert form == (
+        "def run(demand, feed, state, columns, c0, c1, c2, c3, c4):\n"
+        "    x = (c0 + p) * c1 - c2 - c3 if k > 3 else -c4\n"
+    )
+    assert constants == (-5.0, 1e-05, 0.5, -2.5, 1e-07)
