@@ -75,7 +75,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Exempt the modules and 10 000 collected tests from garbage collection, for its speed."""
+    """Exempt the modules and collected tests from garbage collection, for speed."""
     gc.collect()
     gc.freeze()
 

@@ -370,7 +370,7 @@ def test_a_mapping_of_more_than_eight_objects_is_too_long(bus: Bus) -> None:
 
 
 def test_a_pdo_that_stays_as_it_was_is_not_sent_again(bus: Bus) -> None:
-    """PDO 1 is sent as the drive becomes operational, and then when its status word changes."""
+    """PDO 1 is sent as the drive becomes operational, and when its status changes."""
     bus.send(0, 1, 1)
     assert 0x181 in dict(bus.until(0.05))
     bus.ask(1, 0x2F, 0x01, 0x18, 2, 255)  # the transmission type of PDO 2

@@ -358,7 +358,7 @@ def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side
 def test_the_knots_of_a_sequence_that_grows_are_found_once_for_each_part(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A path changed n times is a sequence of n arcs, whose knots are asked for at each change."""
+    """A path changed n times is a sequence of n arcs; each change reads its knots."""
     searched: list[Profile] = []
     places = reparametrised.places
 

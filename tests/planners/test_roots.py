@@ -11,7 +11,7 @@ from motionlang.planners.root import bracketed_root
 @pytest.mark.parametrize("power", [1, 3, 9, 25])
 @pytest.mark.parametrize("rising", [True, False])
 def test_a_root_that_is_flat_takes_no_more_than_bisection(power: int, rising: bool) -> None:
-    """Newton's steps towards a root of order n shrink by 1 - 1/n: 300 of them for n = 9."""
+    """Newton's steps towards a root of order n shrink by 1 - 1/n: 300 for n = 9."""
     asked: list[float] = []
     sign = 1.0 if rising else -1.0
 

@@ -435,7 +435,7 @@ def _beyond(run: Run, move: Move) -> float:
 
 
 def _leads_to(run: Run, move: Move) -> tuple[Move | None, float]:
-    """Return the entry that follows a path without a rest, and the length that it adds.
+    """Return the entry that follows a path without a rest, and the added length.
 
     Without one, the result is (None, 0.0).
     """

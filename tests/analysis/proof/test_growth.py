@@ -83,7 +83,7 @@ def test_each_blended_path_is_compared_with_those_that_overlap_it_alone(
 
 
 def test_each_path_of_a_contour_is_laid_out_equally_often(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The distance to the end of a contour of n paths is a sum of up to n lengths, found for each path."""
+    """The distance to the end of a contour is a sum of up to n lengths."""
     laid: list[PathLayout] = []
 
     class Counted(PathLayout):

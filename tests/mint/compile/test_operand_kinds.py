@@ -73,7 +73,7 @@ def outcome(text: str) -> tuple[list[str], bool] | None:
 
 
 def agreeing(expected: dict[str, tuple[list[str], bool]]) -> int:
-    """Run the expressions in one program, compare, and return how many are not rejected.
+    """Compare expressions in one program; return how many are not rejected.
 
     A program with a rejected expression is divided.
     """
