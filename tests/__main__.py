@@ -15,7 +15,7 @@ from tests.steps import ROOT, conclude, start_static
 
 def main(arguments: list[str]) -> int:
     """Run the steps at the same time; 1 if any failed."""
-    # The tests start some 600 processes. Without bytecode each of them compiles what it imports.
+    # The tests start hundreds of processes. Without bytecode each compiles what it imports.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     sys.dont_write_bytecode = False
     if arguments[:1] == ["--record"]:

@@ -20,6 +20,14 @@ import pytest
 FAILURES = (Exception, pytest.fail.Exception)
 
 
+def one_in(number: int, values: Iterable[Any]) -> list[Any]:
+    """Return values for `parametrize`: one in `number` runs, the others are `long`."""
+    return [
+        pytest.param(value, marks=() if place % number == 0 else pytest.mark.long)
+        for place, value in enumerate(values)
+    ]
+
+
 def cases(
     names: str | tuple[str, ...], table: Iterable[Any], ids: Callable[[Any], object] | None = None
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:

@@ -40,7 +40,7 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
 def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_path: Path) -> None:
     """It is alone: a run needs no library except for terminal output."""
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
-    alone = ["--no-deps", "--no-index", "--no-build-isolation", "--target", "site"]
+    alone = ["--no-deps", "--no-index", "--no-build-isolation", "--no-compile", "--target", "site"]
     run([*pip, *alone, str(built[number])], tmp_path)
     shutil.copy(ROOT / "scripts" / "mint" / "ballscrew.mnt", tmp_path)
     command = [sys.executable, "-m", "motionlang", "run", "ballscrew.mnt", "--format", "json", "--no-cache"]

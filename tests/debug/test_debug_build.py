@@ -10,6 +10,7 @@ from motionlang.execution import dialect_for, run
 from motionlang.lang.debugging import Hook
 from motionlang.mint.compile.compiler import compile_text
 from motionlang.source import Source
+from tests.cases import one_in
 from tests.debug.whole import whole
 from tests.generated.tasks import program as tasks_of
 from tests.golden.test_gallery import PROGRAMS, ROOT
@@ -27,7 +28,9 @@ def _nothing(*_: object) -> None:
     """Let the program run on."""
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.relative_to(ROOT / "scripts").as_posix())
+@pytest.mark.parametrize(
+    "program", one_in(3, PROGRAMS), ids=lambda path: path.relative_to(ROOT / "scripts").as_posix()
+)
 def test_a_debug_build_of_the_gallery_does_the_same(program: Path) -> None:
     hook = Hook(_nothing)
     debugged = run(program, cache=False, hook=hook)

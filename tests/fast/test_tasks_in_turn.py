@@ -11,6 +11,7 @@ from motionlang.lang.scheduler import Scheduler
 from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import one_in
 
 # The actions of a task on its own axis; {n} is its number, {m} that of another one, {d} a number.
 STEPS = (
@@ -71,7 +72,7 @@ def left(result: Run) -> tuple[object, ...]:
     return text(result), list(log.waits), list(log.turns), list(log.events), list(log.outputs)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", one_in(3, range(42)))
 def test_it_is_the_same_as_asking_everybody(seed: int) -> None:
     source = Source("tasks.mnt", program(Random(seed)))
     in_turn = execution.run(source, machine=INPUTS, cache=False, until=8.0)

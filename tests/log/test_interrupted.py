@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from random import Random
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any
 
 import pytest
@@ -83,11 +83,18 @@ class Ended:
         # The first and the last count at each line.
         self.first: dict[tuple[str, int], int] = {}
         self.last: dict[tuple[str, int], int] = {}
+        self.counted: dict[CodeType, bool] = {}
+
+    def counts(self, code: CodeType) -> bool:
+        """True if the lines of a function are counted."""
+        place = next((place for place in self.places if place in code.co_filename), "")
+        return bool(place) and (not isinstance(self.places, dict) or code.co_name in self.places[place])
 
     def look(self, frame: FrameType, event: str, argument: Any) -> Any:
         code = frame.f_code
-        place = next((place for place in self.places if place in code.co_filename), "")
-        if not place or (isinstance(self.places, dict) and code.co_name not in self.places[place]):
+        if (counts := self.counted.get(code)) is None:
+            counts = self.counted[code] = self.counts(code)
+        if not counts:
             return None
         if event == "line":
             self.count += 1

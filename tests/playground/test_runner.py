@@ -13,6 +13,7 @@ import pytest
 
 from motionlang.cli import main
 from tests.built import ROOT
+from tests.cases import one_in
 
 Message = dict[str, Any]
 GALLERY = sorted(path for path in (ROOT / "scripts").glob("*/*") if path.suffix in (".mnt", ".mcl"))
@@ -62,7 +63,7 @@ def command(*arguments: str) -> str:
     return out.getvalue().decode()
 
 
-@pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", one_in(4, GALLERY), ids=lambda path: path.name)
 def test_output_and_table_are_those_of_the_command_line(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     beside = path.with_suffix(".machine.toml")
     machine = beside.read_text(encoding="utf-8") if beside.exists() else ""
