@@ -7,6 +7,7 @@ of the source, so they belong to one text only.
 from __future__ import annotations
 
 from bisect import bisect_right
+from operator import itemgetter
 
 from motionlang.record import record
 
@@ -95,12 +96,16 @@ class Names:
     ) -> None:
         self.definitions, self.blocks, self.complete = definitions, blocks, complete
         self.problem = problem or (lambda definition, name: "names of this language cannot be changed")
-        found = sorted((start, end, each) for each in definitions for start, end in each.uses)
-        self._starts = [start for start, _, _ in found]
-        self._by_start = found
+        # The uses in the order of the text, from the first question about one on.
+        self._by_start: list[tuple[int, int, Definition]] | None = None
+        self._starts: list[int] = []
 
     def at(self, offset: int) -> tuple[Definition, Span] | None:
         """Return the definition whose name is written at an offset, or just before it."""
+        if self._by_start is None:
+            uses = [(start, end, each) for each in self.definitions for start, end in each.uses]
+            self._by_start = sorted(uses, key=itemgetter(0, 1))
+            self._starts = [start for start, _, _ in self._by_start]
         i = bisect_right(self._starts, offset) - 1
         if i < 0:
             return None

@@ -33,9 +33,10 @@ if TYPE_CHECKING:
 _LEADING = frozenset(("AUTO", "BYREF", "BYVAL", "EVENT", "INPUT", "NV", "RUN", "STARTUP", "STEP", "TASK", "TO", "TYPE",
                       "USING"))  # fmt: skip
 _NAMES = frozenset(("NAME", "DOTTED"))
-# Kinds of token before a name that may be no variable, such as a label or a member.
-_SPECIAL = frozenset(("HASH", "GOTO", "GOSUB", "TYPE", "AS", "EVENT", "DOT", "DIM", "COMMA"))
+# Kinds of token before a name that may be no variable, such as a label.
+_SPECIAL = frozenset(("HASH", "GOTO", "GOSUB", "TYPE", "AS", "EVENT", "DOT"))
 _JUMPS = frozenset(("GOTO", "GOSUB"))
+_BEFORE_NAMES = _JUMPS | {"HASH"}
 _LABELS = _LEADING | {"NAME", "END", "EXIT", "LOOP", "NEXT", "PAUSE", "REPEAT", "RETURN"}
 # Kinds of token before the `#` of a label; after others it begins the number of a terminal.
 _BEFORE_LABELS = _JUMPS | {"_NL", "COLON", "THEN", "ELSE"}
@@ -96,11 +97,13 @@ class _Finder:
 
     def _walk(self, functions: dict[int, Function], extents: dict[int, outline.Span]) -> None:
         """Enter every use of a name into its definition."""
-        kinds, texts, starts = self.kinds, self.texts, self.starts
+        kinds, texts, starts, members = self.kinds, self.texts, self.starts, self.members
         places = [at for at, kind in enumerate(kinds) if kind in _NAMES]
-        others = {
-            at for at, kind in enumerate(kinds) if kind in _LABELS and self._is_label(at)
-        } | self._leading()
+        others = self._leading()
+        if not _BEFORE_NAMES.isdisjoint(kinds):
+            others |= {
+                at for at, before in enumerate(kinds, 1) if before in _BEFORE_NAMES and self._is_label(at)
+            }
         if not others <= set(places):
             places = sorted({*places, *others})
         heads = sorted((at for at in functions if at in extents), reverse=True)
@@ -118,7 +121,8 @@ class _Finder:
                     ends.append((extents[head].last, self.function))
                     self.function = functions[head]
             text = texts[at]
-            if kinds[at - 1] in _SPECIAL or kinds[at + 1] == "COLON" or text not in known:
+            is_special = kinds[at - 1] in _SPECIAL or kinds[at + 1] == "COLON" or at in members
+            if is_special or text not in known:
                 if at not in skip:
                     known[text] = self._use(at, skip)
                     if known[text] is None and self.function.scope.find(text.partition(".")[0]) is not None:
