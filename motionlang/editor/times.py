@@ -5,7 +5,10 @@ from __future__ import annotations
 from math import fsum
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.cycle.motions import Motions
+from motionlang.analysis.cycle.polls import Polls
 from motionlang.analysis.cycle.source_positions import SourcePositions
+from motionlang.analysis.cycle.tasks import all_waits
 from motionlang.execution import Checked, end_of, run
 from motionlang.record import record
 
@@ -85,13 +88,20 @@ def _lines(result: Run) -> list[LineTime]:
         last = move.start_time + move.profile.duration
         moves.setdefault(move.line, []).append(min(last, result.time) - move.start_time)
     positions = SourcePositions(result)
-    for wait in log.waits:
-        waits.setdefault(positions.line(wait.at), []).append(wait.until - wait.since)
-    found = [
+    # A polling loop waits, too, and a profile finds out for how long. A wait that the end of the run cuts short is left
+    # out.
+    over = {
+        task: [wait for wait in found if wait[3] < result.time or result.status == "ended"]
+        for task, found in all_waits(result).items()
+    }
+    for found in Polls(result, Motions(result), over).waits.values():
+        for _, at, since, until, *_ in found:
+            waits.setdefault(positions.line(at), []).append(until - since)
+    times = [
         LineTime(line, len(moves.get(line, ())), fsum(moves.get(line, ())), fsum(waits.get(line, ())))
         for line in sorted(moves.keys() | waits.keys())
     ]
-    return [each for each in found if each.line and str(each)]
+    return [each for each in times if each.line and str(each)]
 
 
 def _fault(result: Run) -> tuple[int, str] | None:

@@ -115,6 +115,15 @@ def test_each_line_has_its_simulated_time() -> None:
     assert found.until == 0
 
 
+def test_a_loop_that_polls_waits_at_its_line() -> None:
+    """A move of 10 at 100/s, with ramps of 1000/s², takes 0.2 s; no iteration runs."""
+    text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 10 : GO(0)\nWhile Not IDLE(0)\nEnd While\n"
+    assert [(each.line, str(each)) for each in times(page(text)).lines] == [
+        (2, "0.2 s (1×)"),
+        (3, "waits 0.2 s"),
+    ]
+
+
 def test_a_program_without_an_end_is_cut_short() -> None:
     """An iteration takes 0.5 s and three statements of 10 µs: 59 of them in 30 s."""
     found = times(
