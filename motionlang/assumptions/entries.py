@@ -13,7 +13,7 @@ from motionlang.assumptions.reading import Probe, Reading
 from motionlang.assumptions.rules import default_probe, other_defaults
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
-from motionlang.mint.keywords.switchable import name_of, with_default
+from motionlang.mint.keywords.switchable import name_of, row_with_default, with_default
 from motionlang.record import record
 
 if TYPE_CHECKING:
@@ -94,7 +94,8 @@ def entries_naming(word: str) -> list[Reading]:
     Only those entries are parsed.
     """
     texts = _texts().get(word, [])
-    defaults = [_default(row) for row in _rows_with_default().get(word, ())]
+    row = row_with_default(word)
+    defaults = [] if row is None else [_default(row)]
     first, last = (
         [_reading(tomllib.loads(text)) for n, text in texts if (n < AFTER) is early]
         for early in (True, False)
@@ -111,14 +112,6 @@ def _texts() -> Mapping[str, list[tuple[int, str]]]:
             words = _WORDS.search(entry) if entry.startswith(_HEAD) else None
             for word in words[1].split() if words else ():
                 found.setdefault(word, []).append((number, entry.removeprefix(_HEAD)))
-    return found
-
-
-@cache
-def _rows_with_default() -> Mapping[str, list[Keyword]]:
-    found: dict[str, list[Keyword]] = {}
-    for row in with_default():
-        found.setdefault(row.name, []).append(row)
     return found
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from motionlang.lang.machine.switch import Switch
 from motionlang.mint.keywords import table
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from motionlang.lang.keyword import Keyword
 
 # `mint.homespeed-default` is the value of HOMESPEED at power-up.
@@ -25,29 +25,41 @@ OTHERS = {
 # Settings that determine the values of other settings. Their defaults follow from the assumptions about the
 # others.
 DECISIVE = frozenset({"TIMESCALE", "VELSCALEFACTOR", "ACCELSCALEFACTOR", "SRAMP", "POSROLLOVER"})
-_found: dict[str, Switch] = {}
+# Further names of settings, whose defaults are those of their first names: FEEDRATE is SPEED.
+SYNONYMS = frozenset({"FEEDRATE"})
+
+
+class Switches(Mapping[str, Switch]):
+    """The assumptions that can be set. To look one up imports the file of its keyword alone."""
+
+    def __getitem__(self, name: str) -> Switch:
+        row = row_with_default(word_of(name))
+        if row is None:
+            return OTHERS[name]
+        return Switch(low=row.low, high=row.high, whole=row.is_whole)
+
+    def __iter__(self) -> Iterator[str]:
+        yield from OTHERS
+        yield from map(name_of, with_default())
+
+    def __len__(self) -> int:
+        return len(OTHERS) + len(with_default())
 
 
 def switches() -> Mapping[str, Switch]:
     """Return every assumption that can be set, by name."""
-    if not _found:
-        _found.update(OTHERS)
-        _found.update(
-            (name_of(row), Switch(low=row.low, high=row.high, whole=row.is_whole)) for row in with_default()
-        )
-    return _found
+    return Switches()
 
 
 def with_default() -> list[Keyword]:
-    """Return the keywords whose defaults are assumptions.
+    """Return the keywords whose defaults are assumptions."""
+    return [row for row in table() if has_default(row)]
 
-    If two keywords name one setting of the controller, the first counts.
-    """
-    found: dict[str, Keyword] = {}
-    for row in table():
-        if has_default(row):
-            found.setdefault(row.verb or row.name, row)
-    return list(found.values())
+
+def row_with_default(word: str) -> Keyword | None:
+    """Return a keyword by its name if its default is an assumption, else None."""
+    row = table().get(word)
+    return row if row is not None and row.name.lower() == word.lower() and has_default(row) else None
 
 
 def has_default(row: Keyword) -> bool:
@@ -61,6 +73,7 @@ def has_default(row: Keyword) -> bool:
         and row.kind == "setting"
         and row.access == "RW"
         and row.name not in DECISIVE
+        and row.name not in SYNONYMS
         and row.index == "axis"
         and isinstance(row.default, (int, float))
         and not row.effect
