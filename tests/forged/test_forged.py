@@ -10,7 +10,6 @@ import pytest
 from tests.forged.changes import changes, chosen, forged
 from tests.forged.verdicts import honest, ran, verdict
 
-_SPAN = "following[0] - start"
 _AT = "INFINITY if ramp else 0.0"
 _TIE = "action if isinstance(action, Follow) else None"
 # Module, function, original text, forged text, and program.
@@ -56,7 +55,7 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("controller.motion.halt", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
     ("controller.motion.follow", "tie_of", _TIE, "None if isinstance(action, Follow) else action", "gears of PMC.mcl"),
     ("controller.motion.follow", "Gear.set_ratio", _AT, "0.0 if ramp else INFINITY", "gears.mnt"),
-    ("controller.motion.follow", "FollowMove._sequence", _SPAN, "following[0]", "speed references.mnt"),
+    ("controller.motion.follow", "FollowMove._sequence", "finish - start", "finish", "speed references.mnt"),
 )  # fmt: skip
 
 

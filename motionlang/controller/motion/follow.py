@@ -107,7 +107,7 @@ class FollowMove(Move):
         return self._sequence(begun).cut(time - self.start_time)
 
     def _sequence(self, parts: list[tuple[float, Profile]]) -> Profile:
-        cuts = [profile.cut(following[0] - start) for (start, profile), following in pairwise(parts)]
+        cuts = [profile.cut(finish - start) for (start, profile), (finish, _) in pairwise(parts)]
         return ProfileSequence(self.shape, [*cuts, parts[-1][1]], self.shape)
 
 
