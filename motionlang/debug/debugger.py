@@ -590,7 +590,7 @@ class Debugger:
         return self._arrive(number, reason, text)
 
     def _last_moment(self) -> tuple[int, str, str] | None:
-        """Return the last statement before the stop that follows a moment, why, and its text."""
+        """Return the last stop after a moment before this one: number, reason, text."""
         if not self.searches:
             return None
         run, stop = self._replay.run, self.stop

@@ -60,7 +60,7 @@ class Moment:
 
 
 def together(found: list[Moment]) -> Moment:
-    """Return the first of some moments, in order, with the texts of those at the same time."""
+    """Return the first of moments in order, with the texts of all at its time."""
     first = found[0]
     texts = list(dict.fromkeys(each.text for each in found if each.time == first.time))
     more = f"; {len(texts) - MAX_TEXTS} more" if len(texts) > MAX_TEXTS else ""

@@ -149,7 +149,7 @@ ABORTED = MOVE.replace("PAUSE", "WAIT(500)\nABORT\nPAUSE")
 def test_each_filter_stops_with_an_exception(
     client: Client, tmp_path: Path, name: str, text: str, machine: str, found: str
 ) -> None:
-    """The travel ends at 60 uu, 1.25 s after GO; the abort comes after a wait of 0.5 s."""
+    """The travel ends at 60 uu, 1.25 s after GO; the abort comes after 0.5 s."""
     program = tmp_path / "move.mnt"
     program.write_text(text)
     (tmp_path / "move.machine.toml").write_text(machine)
