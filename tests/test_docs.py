@@ -14,12 +14,14 @@ import re
 import shlex
 import shutil
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 from _pytest.mark import ParameterSet
 
 from motionlang.cli import main
+from motionlang.cli.commands import build_parser
 from motionlang.execution import run
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
@@ -31,6 +33,9 @@ PAGES = [
     *sorted((ROOT / "docs").glob("*.md")),
     *sorted((ROOT / "docs" / "contributing").glob("*.md")),
 ]
+# The pages whose text names commands in passing.
+NAMING = [*PAGES, ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs" / "keywords").rglob("*.md"))]
+_INLINE = re.compile(r"`motionlang ([a-z][^`]*)`")
 _BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -102,6 +107,22 @@ def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, s
         pass  # argparse ends --help and errors that way
     captured = capsys.readouterr()
     return captured.out, captured.err
+
+
+@pytest.mark.parametrize("page", NAMING, ids=lambda page: str(page.relative_to(ROOT)))
+def test_commands_in_the_text_exist_with_their_options(
+    page: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing is run. A command without its arguments is a mention of it."""
+    text = _BLOCK.sub("", page.read_text(encoding="utf-8"))
+    for command in {" ".join(each.split()) for each in _INLINE.findall(text)}:
+        words = shlex.split(re.split(r" [<>|] ", command.replace("\\|", "|"))[0])
+        if any(re.fullmatch(r"COMMAND|SHELL|NAME|HOST:PORT", word) for word in words[:3]):
+            continue
+        with suppress(SystemExit):
+            build_parser(words[0]).parse_args(words)
+        error = capsys.readouterr().err
+        assert not error or "are required" in error or "expected one argument" in error, error
 
 
 @pytest.mark.parametrize(("kind", "text"), blocks("mint", "mccl"))
