@@ -15,8 +15,8 @@ place.
 
 Data. `Recall` belongs to one check. The dict `known` passes from one check to the next; after a check that came
 to its end it has the entries of that check alone. `OwnTokens` are the tokens that belong to one function: those
-of a sub inside a task are not the task's, and the parent task has what is outside all blocks. A `Finding` is one
-call of the function that records a problem, with the numbers of its tokens among these.
+of a sub inside a task are not the task's, and the parent task has what is outside all blocks. A finding
+has the arguments with which a problem was reported (`recorder.py`); its tokens are numbers among these.
 
 Invariants.
 - What the key does not determine is not stored: a finding at a token of another function, as in a Define, and a
