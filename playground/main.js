@@ -126,9 +126,13 @@ function stop(why) {
   python?.stop(why);
 }
 
+// Of Run and Stop one is enabled, and gets the focus if the other one has it.
 function busy(is) {
-  element("run").disabled = is;
-  element("stop").disabled = !is;
+  const [on, off] = is ? ["stop", "run"] : ["run", "stop"];
+  const focused = document.activeElement === element(off);
+  element(on).disabled = false;
+  if (focused) element(on).focus();
+  element(off).disabled = true;
 }
 
 const HEARD = {

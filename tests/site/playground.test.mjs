@@ -224,6 +224,12 @@ for (const name of ["chromium", "firefox"]) {
       assert.equal((await shown(page)).output, "42\n");
       await page.keyboard.press("Tab");
       assert.notEqual(await focused(), "panel-program");
+      await enter(page, { program: LOOP });
+      await page.focus("#run");
+      await page.keyboard.press("Enter");
+      assert.equal(await focused(), "stop");
+      await page.keyboard.press("Enter");
+      assert.deepEqual([await focused(), (await shown(page)).status], ["run", "The run was ended."]);
     });
 
     test("without Python one sentence says so, and Run tries again", async () => {
