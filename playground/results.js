@@ -102,7 +102,9 @@ export class Results {
     const made = document.createElement("button");
     made.type = "button";
     made.textContent = shown;
-    made.setAttribute("aria-label", `go to line ${line}${file === "machine" ? " of the machine file" : ""}`);
+    const target = `go to line ${line}${file === "machine" ? " of the machine file" : ""}`;
+    // The name has the text that is seen, for those who speak it to press the button.
+    made.setAttribute("aria-label", target.includes(shown) ? target : `${shown}, ${target}`);
     made.addEventListener("click", () => this.goTo(file, line));
     return made;
   }
