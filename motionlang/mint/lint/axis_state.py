@@ -6,13 +6,13 @@ which they disagree are dropped.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
 from motionlang.mint.resolve.flowgraph import TEST, Step
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
+from motionlang.record import record
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,8 +24,7 @@ IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 MAX_ENTRIES = 101
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
+class Axis(NamedTuple):
     """The facts known about one axis.
 
     - `motion`: IDLE, MOVES or UNKNOWN.
@@ -64,7 +63,7 @@ class Axis:
     def joined(self, other: Axis, turns: bool) -> Axis:
         """Keep the facts on which both agree; at a loop head (`turns`) time passes."""
         if self == other:
-            return replace(self, fresh=False) if turns and self.fresh else self
+            return self._replace(fresh=False) if turns and self.fresh else self
         return Axis(
             motion=self.motion if self.motion == other.motion else UNKNOWN,
             fresh=self.fresh and other.fresh and not turns,
@@ -95,12 +94,17 @@ ANY = Axis()
 _NEEDED = frozenset(("speed", "accel", "decel"))
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class State:
     """The facts about all axes: `axes` by key, and `rest` for every other axis."""
 
     rest: Axis
     axes: dict[Key, Axis]
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, State) and self.rest == other.rest and self.axes == other.axes
 
     def joined(self, other: State, turns: bool) -> State:
         if self is other and not turns:
@@ -121,7 +125,7 @@ class State:
             return self
         return State(
             self.rest,
-            {key: replace(axis, fresh=False) if axis.fresh else axis for key, axis in self.axes.items()},
+            {key: axis._replace(fresh=False) if axis.fresh else axis for key, axis in self.axes.items()},
         )
 
 
@@ -187,7 +191,7 @@ class Follower:
             return ANY
         axis = state[key]
         if {key, None} & self.led or (isinstance(key, Symbol) and self.led):
-            return replace(axis, motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False)
+            return axis._replace(motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False)
         return axis
 
     def _led(self) -> set[Key]:
@@ -308,11 +312,11 @@ class Follower:
         target = self._target(act, number, axis, act.row.does("relative"))
         loaded = self._loaded(self._entry(step, act, number, axis), act)
         span = axis.reaching(target)
-        return self._checked(step, act, number, replace(loaded, target=target, span=span))
+        return self._checked(step, act, number, loaded._replace(target=target, span=span))
 
     def _loaded(self, axis: Axis, act: Act) -> Axis:
         """Record the token of the move if it is the first one in the buffer."""
-        return replace(axis, loaded=act.at) if axis.waiting == 1 else axis
+        return axis._replace(loaded=act.at) if axis.waiting == 1 else axis
 
     def _target(self, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
         """Return the end position of a move in user units, None if unknown."""
@@ -329,15 +333,15 @@ class Follower:
         if axis.target is None or not self.is_out_of_reach(key, axis):
             return axis
         self._tell("beyond-travel", step, act, key, axis)
-        return replace(axis, target=None)
+        return axis._replace(target=None)
 
     def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
             self._tell("scale-after-speed", step, act, act.axes[number], axis)
-        return replace(axis, waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
+        return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
     def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        return replace(self._entry(step, act, number, axis), target=None, span=None)
+        return self._entry(step, act, number, axis)._replace(target=None, span=None)
 
     def _path(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         """Load a path, which waits for the GO of its first axis.
@@ -351,7 +355,7 @@ class Follower:
         span = axis.reaching(target)
         if number == 0:
             axis = self._loaded(self._entry(step, act, number, axis), act)
-        return self._checked(step, act, number, replace(axis, target=target, span=span, empty=False))
+        return self._checked(step, act, number, axis._replace(target=target, span=span, empty=False))
 
     def _go(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
@@ -360,8 +364,7 @@ class Follower:
             self._tell("zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis)
         if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
             self._tell("nothing-loaded", step, act, act.axes[number], axis)
-        return replace(
-            axis,
+        return axis._replace(
             motion=MOVES if sure else axis.motion if axis.empty else UNKNOWN,
             fresh=sure,
             waiting=0,
@@ -374,8 +377,7 @@ class Follower:
         assert act.row is not None
         stops = axis.motion == IDLE or act.row.does("abrupt")
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
-        axis = replace(
-            axis,
+        axis = axis._replace(
             motion=IDLE if stops else UNKNOWN,
             fresh=False,
             waiting=0,
@@ -384,13 +386,12 @@ class Follower:
             empty=True,
             jogs=False,
         )
-        return replace(axis, target=None, frame=None, span=None) if act.row.does("datum") else axis
+        return axis._replace(target=None, frame=None, span=None) if act.row.does("datum") else axis
 
     def _at_once(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         jogs = act.row.does("endless") and self.facts.number(act.value(number)) not in (None, 0)
-        return replace(
-            axis,
+        return axis._replace(
             motion=MOVES if jogs else UNKNOWN,
             fresh=False,
             target=None,
@@ -407,13 +408,12 @@ class Follower:
         if slot == "speed":
             if axis.timed is not None:
                 self._tell("time-before-speed", step, act, act.axes[number], axis)
-            axis = replace(axis, speeded=True, timed=None)
+            axis = axis._replace(speeded=True, timed=None)
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
-            axis = replace(axis, timed=act.at if axis.timed is None else axis.timed)
+            axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
         nothing = act.row.verb in _NEEDED and self.facts.number(act.value(number)) == 0
-        return replace(
-            axis,
+        return axis._replace(
             set=axis.set | {slot} if in_units else axis.set - {slot},
             stale=axis.stale - {slot},
             zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
@@ -424,22 +424,21 @@ class Follower:
             self._tell("scale-in-motion", step, act, act.axes[number], axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
-        return replace(axis, stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
+        return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
     def _zero(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.fresh:
             self._tell("in-motion", step, act, act.axes[number], axis)
         value = self.facts.number(act.value(number))
         if axis.motion != IDLE or axis.waiting or value is None:
-            return replace(axis, target=None, frame=None, span=None)
+            return axis._replace(target=None, frame=None, span=None)
         moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
-        return replace(axis, target=value, frame=moved, span=(value, value))
+        return axis._replace(target=value, frame=moved, span=(value, value))
 
     def _use(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         if act.row.kind in ("command", "move") or act.row.does("switch"):
-            return replace(
-                axis,
+            return axis._replace(
                 motion=UNKNOWN,
                 fresh=False,
                 waiting=0,
@@ -477,13 +476,13 @@ class Follower:
             return state
         axis = state[key]
         return state.put(
-            key, replace(axis, motion=IDLE if truth else MOVES, fresh=False, jogs=axis.jogs and not truth)
+            key, axis._replace(motion=IDLE if truth else MOVES, fresh=False, jogs=axis.jogs and not truth)
         )
 
 
 def _after_call(inner: Axis) -> Axis:
     """Return the facts about an axis after a sub; settings made before it stay valid."""
-    return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
+    return inner._replace(fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
 
 
 # Roles of keywords in a sub that change the facts its caller has about an axis.

@@ -275,13 +275,13 @@ class Facts:
         """Return the axes for which the program sets or carries out a keyword."""
         return {key for act in self.written_by(lambda row: row.name == word) for key in act.axes}
 
-    def constants(self, word: str) -> dict[Key, list[float] | None]:
-        """Map each axis to the constants that a keyword assigns to it.
+    def constants(self, wanted: Callable[[Keyword], object]) -> dict[Key, list[float] | None]:
+        """Map each axis to the constants that some keywords assign to it.
 
         The value is None if one of them is unknown.
         """
         found: dict[Key, list[float] | None] = {}
-        for act in self.written_by(lambda row: row.name == word):
+        for act in self.written_by(wanted):
             for number, key in enumerate(act.axes):
                 value = self.number(act.value(number))
                 known = found.setdefault(key, [])

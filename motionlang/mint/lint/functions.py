@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.axis_state import CHANGES, Follower
@@ -156,7 +155,7 @@ class FunctionChecks:
             found.append(
                 (
                     (place, None if place is not None else key),
-                    replace(axis, loaded=loaded, scaled=scaled or 0),
+                    axis._replace(loaded=loaded, scaled=scaled or 0),
                 )
             )
         return tuple(sorted(found, key=lambda each: repr(each[0])))
@@ -166,8 +165,7 @@ class FunctionChecks:
         assert self._recall is not None
         at = self._recall.own(function).at
         return {
-            key if place is None else function.parameters[place]: replace(
-                axis,
+            key if place is None else function.parameters[place]: axis._replace(
                 loaded=None if axis.loaded is None else at(axis.loaded),
                 scaled=at(axis.scaled) if axis.scaled else 0,
             )
