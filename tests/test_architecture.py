@@ -381,6 +381,7 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
                     isinstance(node, ast.Attribute)
                     and node.attr.startswith("_")
                     and not node.attr.endswith("__")
+                    and node.attr != "_replace"  # that of a named tuple, such as the lint's own Axis
                 )
                 found = (private or not isinstance(node.ctx, ast.Load)) and is_of_controller(
                     node.value, names
