@@ -217,7 +217,7 @@ class Axis:
         return False
 
     def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
-        """Start a move to a target, counts, without the buffer; false if it must be a `Move`."""
+        """Start a move to a target, counts; false if it must be a `Move`."""
         return False
 
     def finish_updates(self, now: float) -> None:

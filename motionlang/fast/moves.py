@@ -326,7 +326,7 @@ class FastAxis(Axis):
         return True
 
     def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
-        """Start a move to a target, counts, without the buffer; false if it must be a `Move`."""
+        """Start a move to a target, counts; false if it must be a `Move`."""
         if (
             self.in_motion
             or self._move is not None

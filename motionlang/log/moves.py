@@ -98,7 +98,10 @@ class Moves(Stream[Move]):
         return [move_of(each) if each.__class__ is tuple else each for each in rows]
 
     def split(self, move: Move, done: Profile, now: float, size: int) -> None:
-        """Continue a move as another entry; the old one keeps the motion up to now, of `size` pieces."""
+        """Continue a move as another entry; the old one keeps the motion up to now.
+
+        That has `size` pieces.
+        """
         sealed, place = record.move_rows.sealed(move, done), self._place(move)
         if place >= 0:
             self.tail[place] = sealed

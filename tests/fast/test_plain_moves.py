@@ -133,7 +133,7 @@ def test_nor_do_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def commands(seed: int) -> str:
-    """Return an MCCL program of moves, which are read, changed and stopped at any time."""
+    """Return an MCCL program whose moves are read, changed and stopped at any time."""
     random = Random(seed)
     lines = ["1MN,2MN", "0SV2000,0SA9000,0DS7000", "MD1,{k}WS,{k}TP".format(k=random.randint(1, 2))]
     for _ in range(random.randint(8, 25)):

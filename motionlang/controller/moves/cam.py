@@ -120,7 +120,7 @@ class CurveFollow(Follow):
         return self.curve.end + self.lift
 
     def next_curve(self, curve: Profile, forward: bool) -> None:
-        """Continue on a curve at the end of this one, or backwards, before its beginning."""
+        """Continue on a curve after the end of this one, or before its beginning."""
         if forward:
             self.lift += self.curve.end - curve.start
             self.origin += self.direction * self.curve.duration

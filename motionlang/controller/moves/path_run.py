@@ -298,7 +298,10 @@ class PathRun:
             a.target = place
 
     def _total(self, k: int, made: Profile) -> Profile:
-        """The motion of axis index k: the newest course, `made`, and the rest of the one before."""
+        """Return the motion of axis index k.
+
+        It is that of the newest course, `made`, with the rest of the one before.
+        """
         now = self._controller.clock.now
         made = made.after(now - self.courses[-1].began)
         for course, following in pairwise(self.courses):

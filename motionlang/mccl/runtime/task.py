@@ -322,7 +322,7 @@ class CommandTask(Task):
         self.path_open = None
 
     def comes_to_rest(self, axes: tuple[int, ...]) -> bool:
-        """Let the time until axes are at rest pass within the time slice; false if the task must yield."""
+        """Let time pass within the slice until axes are at rest; false to yield."""
         scheduler = self.board.machine.scheduler
         if scheduler is None:
             return False
@@ -367,7 +367,7 @@ class CommandTask(Task):
         return None
 
     def _pass(self, wait: Wait) -> Wait | None:
-        """Let waits pass within the time slice, as long as nothing else can happen meanwhile.
+        """Let waits pass within the time slice if nothing else can happen meanwhile.
 
         Returns the wait for which the task must yield, if any.
         """

@@ -30,7 +30,7 @@ SYNONYMS = frozenset({"FEEDRATE"})
 
 
 class Switches(Mapping[str, Switch]):
-    """The assumptions that can be set. To look one up imports the file of its keyword alone."""
+    """The assumptions that can be set; a lookup imports the file of its keyword."""
 
     def __getitem__(self, name: str) -> Switch:
         row = row_with_default(word_of(name))

@@ -60,7 +60,7 @@ def test_a_table_is_looked_at_again_for_every_cycle() -> None:
 
 
 def climbing(segments: int, cycles: int) -> Controller:
-    """Return a controller after some cycles of a cam that rises by 100 in 100 counts of its master.
+    """Return a controller after cycles of a cam that rises as far as its master goes.
 
     In each cycle the cam is ahead of a straight line by up to 10, in the middle.
     """

@@ -21,7 +21,7 @@ def test_waits_within_a_time_slice_make_no_difference(seed: int, monkeypatch: py
 
 
 def test_a_wait_yields_to_another_task() -> None:
-    """Task 3 reports the position once a second while the parent waits for the end of a move.
+    """Task 3 reports the position once a second while the parent waits for a move.
 
     300 at 100 with 1000 take 3.1 s. The ramp of 0.1 s leaves the axis 5 behind 100 times the time.
     """
