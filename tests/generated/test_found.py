@@ -714,10 +714,10 @@ def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: 
 
 @pytest.mark.parametrize("decel", [50.0, 70.0, 76.0])
 def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_suspension(decel: float) -> None:
-    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2; a DECEL of 50 needs 4, one of 76 2.63.
+    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2.
 
-    The other 0.6 from rest, with 100 and D, reach v² / 200 + v² / 2D = 0.6, and take v / 100 + v / D. Both
-    together take longer than a stop with 70 or 76.
+    A DECEL of 50 needs 4, one of 76 2.63. The other 0.6 from rest, with 100 and D, reach v² / 200 + v² / 2D
+    = 0.6, and take v / 100 + v / D. Both together take longer than a stop with 70 or 76.
     """
     path = (
         f"VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 2470\nSUSPEND(0) = 1\nDECEL(0) = {decel}\nSUSPEND(0) = 0\n"
@@ -1073,10 +1073,11 @@ def test_a_stop_by_a_lower_jerk_does_not_run_back_along_its_path() -> None:
 
 
 def test_a_trapezoid_that_stops_as_planned_is_left_for_an_s_curve_at_once() -> None:
-    """After 0.1 s up, 0.05 s at 1000 and 1 s down at 500, ST with PS0 keeps the trapezoid: no stop is shorter.
+    """ST with PS0 keeps a trapezoid, as no stop is shorter.
 
-    0.5 s later it is at 250. A half sine has no flank that the 500 could fall along, so the change to 100
-    begins at once: pi/2 * 150/500 s, at 175 on average.
+    It comes after 0.1 s up, 0.05 s at 1000 and 1 s down at 500. 0.5 s later it is at 250. A half sine has
+    no flank that the 500 could fall along, so the change to 100 begins at once: pi/2 * 150/500 s, at 175 on
+    average.
     """
     move = "1MN,1SV1000,1SA10000,1DS500,1MR1100,WA1.15,1PS0,1ST,WA0.5,1SV100\n"
     result = proved(f"{move}1VM,1GO,WA1,1TP\n1AB\n", "mcl")
@@ -1116,9 +1117,10 @@ def test_a_slave_that_a_limit_stops_as_its_master_reverses_never_had_the_new_spe
 
 @pytest.mark.parametrize("following", ["", "VECTORR(0, 1) = 40, 0\n"])
 def test_a_path_resumed_in_its_last_flank_keeps_it_if_the_jerk_was_lowered(following: str) -> None:
-    """S-ramps at 1000 reach 10 in 0.2 s, by 100: 50 take 0.2 + 48/10 + 0.2 s, with or without a blend.
+    """S-ramps at 1000 reach 10 in 0.2 s, by 100: 50 take 0.2 + 48/10 + 0.2 s.
 
-    At 5.15 s it is at 1.25 and -50, which a jerk of 200 would take back beyond a rest, by 50²/400 = 6.25.
+    A blend does not change that. At 5.15 s it is at 1.25 and -50, which a jerk of 200 would take back
+    beyond a rest, by 50²/400 = 6.25.
     """
     ramps = "SPEED(0) = 10 : PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
     path = f"BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 1\nVECTORR(0, 1) = 30, 40\n{following}GO(0)\nWAIT = 5150\n"

@@ -77,7 +77,10 @@ def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
 
 
 def _suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | None:
-    """Return the order by which a path that is resumed was run until then; None if it was not suspended."""
+    """Return the order by which a resumed path was run until then.
+
+    None if it was not suspended.
+    """
     order = run.orders.of[master.index][i - 1]
     assert tail.path is not None
     for each in (order, *(order.path.tails if order.path is not None else ())):

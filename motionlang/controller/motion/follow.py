@@ -369,6 +369,7 @@ class Gear(Follow):
         entry.profile = before.then(profile.scaled(before.end, 1.0))
 
     def base(self, coming: Profile, position: float) -> Profile:
+        """Return the geared motion, or the ramp to rest of a suspended slave."""
         if self.a.suspended:
             standing = halt.standing(self.controller, self.a)
             self.keeps_rates = True
