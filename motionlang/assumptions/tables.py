@@ -198,6 +198,7 @@ veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
     "mint.feedrateoverride-0": "feedrateoverride fro",
     "mint.jog-0": "jog jg",
     "mint.jog-stop-out-s-ramp": "profilemode sramp",
+    "mint.stop-lower-jerk-path": "deceljerk",
     "mint.ramp-after-other-motion": "profilemode sramp",
     "mint.movecorrection": "movecorrection",
     "mint.timescale": "timescale",

@@ -162,7 +162,7 @@ def commands(seed: int) -> str:
 
 @cases("seed", range(40))
 def test_moves_of_mccl_begin_at_once_and_are_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    travel = {"axis.1.travel": [-700.0, 1500.0]}
+    travel: dict[str, object] = {"axis.1.travel": [-700.0, 1500.0]}
     for machine in (None, travel):
         plain, ordinary = held_apart(commands(seed), monkeypatch, machine, "a.mcl")
         assert all_of(plain) == all_of(ordinary)

@@ -78,9 +78,10 @@ def session(
         client = make_test_lsp_client()
         shown = Editor(client, (folder / name).as_uri())
 
-        @client.feature(types.CLIENT_REGISTER_CAPABILITY)
         def register(params: types.RegistrationParams) -> None:
             shown.registered += params.registrations
+
+        client.feature(types.CLIENT_REGISTER_CAPABILITY)(register)
 
         await client.start_io(sys.executable, "-m", "motionlang", "lsp", cwd=str(ROOT))
         capabilities = client_capabilities(editor)
