@@ -70,7 +70,7 @@ LAZY = {
 }
 
 
-def place_of(name: str) -> Path | None:
+def path_of(name: str) -> Path | None:
     """Return the file of a module, or None."""
     place = PACKAGE.parent.joinpath(*name.split("."))
     files = (place.with_suffix(".py"), place / "__init__.py")
@@ -80,7 +80,7 @@ def place_of(name: str) -> Path | None:
 def module_of(node: ast.ImportFrom, name: str) -> str:
     """Return the module that an imported name is, or belongs to."""
     whole = f"{node.module}.{name}"
-    return whole if place_of(whole) is not None else str(node.module)
+    return whole if path_of(whole) is not None else str(node.module)
 
 
 def is_for_types(node: ast.stmt) -> bool:
@@ -110,7 +110,7 @@ def heavy(module: str) -> frozenset[str]:
     left = [module]
     while left:
         name = left.pop()
-        path = place_of(name)
+        path = path_of(name)
         if name not in seen and path is not None:
             left += on_top(path)
         seen.add(name)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 
+from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
 from motionlang.assumptions.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
 from motionlang.assumptions.questions import questions
-from motionlang.assumptions.reading import REFUSED, Probe, Reading
 from motionlang.errors import Diagnostic
-from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
 from motionlang.record import record
 
@@ -32,7 +32,7 @@ class Verdict:
     alternative.
     """
 
-    reading: Reading
+    assumption: Assumption
     answer: str
     status: str
     what: str
@@ -85,7 +85,7 @@ def read(text: str, wanted: str = "") -> Answers:
         hint = f"motionlang probe {found.language} --answers reads them"
         found.complain(f"these are the answers to a probe of {found.language}, not of {wanted}", hint)
         return found
-    _judge(found, told)
+    _verdict_of(found, told)
     return found
 
 
@@ -143,12 +143,12 @@ def _is_echo(said: str, name: str) -> bool:
     """True if a line without a prompt echoes the input."""
     if _MARK.search(said) or said.startswith(";"):
         return True
-    reading = questions().get(name)
+    assumption = questions().get(name)
     return (
-        reading is not None
-        and reading.probe is not None
+        assumption is not None
+        and assumption.probe is not None
         and any(letter.isalpha() for letter in said)
-        and re.fullmatch(_FILLED.sub(r"[-+.\\de]+", re.escape(reading.probe.ask)), said) is not None
+        and re.fullmatch(_FILLED.sub(r"[-+.\\de]+", re.escape(assumption.probe.ask)), said) is not None
     )
 
 
@@ -160,7 +160,7 @@ def _plain(answer: str) -> str:
 # answers
 
 
-def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
+def _verdict_of(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
     begin, end = told.pop(BEGIN, []), told.pop(END, [])
     known = {
         name
@@ -178,7 +178,7 @@ def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
         else:
             answer, line = answers[0]
             _take(found, questions()[name], answer, line)
-    found.verdicts.sort(key=lambda each: order[each.reading.name])
+    found.verdicts.sort(key=lambda each: order[each.assumption.name])
     count = re.search(r"\d+", begin[0][0]) if begin else None
     got = sum(name in known for name in told)
     if all(each.answer == REFUSED for each in found.verdicts) and found.verdicts:
@@ -193,36 +193,38 @@ def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
         )
 
 
-def _take(found: Answers, reading: Reading, answer: str, line: int) -> None:
+def _take(found: Answers, assumption: Assumption, answer: str, line: int) -> None:
     try:
-        verdict = result_of(reading, answer)
+        verdict = result_of(assumption, answer)
     except ValueError as problem:
-        found.complain(f"{reading.name}: {problem}", "nothing is set for it", line)
+        found.complain(f"{assumption.name}: {problem}", "nothing is set for it", line)
         return
     found.verdicts.append(verdict)
 
 
-def result_of(reading: Reading, answer: str) -> Verdict:
+def result_of(assumption: Assumption, answer: str) -> Verdict:
     """Return the result of an answer; ValueError for a number that cannot be set."""
-    probe = reading.probe
+    probe = assumption.probe
     assert probe is not None
-    settable = switch(reading.name)
+    settable = switch(assumption.name)
     if probe.form:
         value, chosen = _number(probe, answer), _number(probe, probe.answers[0])
         if value is None or chosen is None:
-            return Verdict(reading, answer, UNKNOWN, "")
+            return Verdict(assumption, answer, UNKNOWN, "")
         if abs(value - chosen) <= ROUNDING * abs(chosen):
-            return Verdict(reading, answer, HOLDS, reading.chosen)
+            return Verdict(assumption, answer, HOLDS, assumption.chosen)
         if settable is not None and (wrong := settable.problem(value)):
             raise ValueError(f"the answer {answer!r} is a value that {wrong}")
-        return Verdict(reading, answer, OTHER, f"{value:.10g}", value if reading.key else None)
+        return Verdict(assumption, answer, OTHER, f"{value:.10g}", value if assumption.key else None)
     fits = [n for n, each in enumerate(probe.answers) if is_answer(each, answer)]
     if fits == [0]:
-        return Verdict(reading, answer, HOLDS, reading.chosen)
+        return Verdict(assumption, answer, HOLDS, assumption.chosen)
     if len(fits) != 1:
-        return Verdict(reading, answer, UNKNOWN, "")
-    other = reading.alternatives[fits[0] - 1]
-    return Verdict(reading, answer, OTHER, other, settable.choices[fits[0]] if settable is not None else None)
+        return Verdict(assumption, answer, UNKNOWN, "")
+    other = assumption.alternatives[fits[0] - 1]
+    return Verdict(
+        assumption, answer, OTHER, other, settable.choices[fits[0]] if settable is not None else None
+    )
 
 
 def _number(probe: Probe, answer: str) -> float | None:
@@ -245,10 +247,10 @@ def is_answer(expected: str, answer: str) -> bool:
     if expected.startswith("re:"):
         return re.fullmatch(expected[3:], answer) is not None
     wanted, given = expected.split(), answer.split()
-    return len(wanted) == len(given) and all(map(_are_alike, wanted, given))
+    return len(wanted) == len(given) and all(map(_are_equal, wanted, given))
 
 
-def _are_alike(wanted: str, given: str) -> bool:
+def _are_equal(wanted: str, given: str) -> bool:
     """True if numbers differ by no more than half a unit of the last shown digit."""
     if wanted == given:
         return True
@@ -278,20 +280,21 @@ def machine_text(found: Answers, source: str) -> str:
         )
     ]
     others = [each for each in found.verdicts if each.status == OTHER]
-    own = [each for each in others if each.can_be_set and each.reading.key.startswith(READINGS)]
+    own = [each for each in others if each.can_be_set and each.assumption.key.startswith(ASSUMPTIONS)]
     if own:
         lines += ["", "[assumptions]"]
         lines += [
-            f'"{each.reading.name}" = {_toml_value(each.value)}  # {each.reading.question}' for each in own
+            f'"{each.assumption.name}" = {_toml_value(each.value)}  # {each.assumption.question}'
+            for each in own
         ]
     for each in others:
         if each.can_be_set and each not in own:
-            table, _, key = each.reading.key.rpartition(".")
-            lines += ["", f"[{table}]", f"{key} = {_toml_value(each.value)}  # {each.reading.question}"]
+            table, _, key = each.assumption.key.rpartition(".")
+            lines += ["", f"[{table}]", f"{key} = {_toml_value(each.value)}  # {each.assumption.question}"]
     fixed = [each for each in others if not each.can_be_set]
     if fixed:
         lines += ["", "# Also refuted, but without a key to set:"]
-        lines += [f"# {each.reading.name}: {each.what} (answered {each.answer})" for each in fixed]
+        lines += [f"# {each.assumption.name}: {each.what} (answered {each.answer})" for each in fixed]
     return "\n".join(lines) + "\n"
 
 

@@ -8,10 +8,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from motionlang.assumptions.assumption import Assumption, Probe
 from motionlang.assumptions.facts import STRENGTHS, of_word
-from motionlang.assumptions.reading import Probe, Reading
 from motionlang.assumptions.rules import default_probe, other_defaults
-from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, row_with_default, with_default
 from motionlang.record import record
@@ -60,7 +60,7 @@ class Section:
 
     title: str
     text: str
-    readings: Sequence[Reading]
+    assumptions: Sequence[Assumption]
 
 
 @record
@@ -77,18 +77,18 @@ def chapters() -> tuple[Chapter, ...]:
     """Return every file of evidence; AssertionError for a duplicate name."""
     of_files = [_chapter(ROOT / file) for file in FILES]
     found = (*of_files[:AFTER], _defaults(), *of_files[AFTER:])
-    names = [each.name for each in _readings(found)]
+    names = [each.name for each in _assumptions(found)]
     assert len(names) == len(set(names)), sorted(name for name in names if names.count(name) > 1)
     return found
 
 
 @cache
-def readings() -> Mapping[str, Reading]:
+def assumptions() -> Mapping[str, Assumption]:
     """Return every assumption by its name, in the order of the chapters."""
-    return {each.name: each for each in _readings(chapters())}
+    return {each.name: each for each in _assumptions(chapters())}
 
 
-def entries_naming(word: str) -> list[Reading]:
+def entries_naming(word: str) -> list[Assumption]:
     """Return the assumptions that name a keyword, in the order of the chapters.
 
     Only those entries are parsed.
@@ -97,7 +97,7 @@ def entries_naming(word: str) -> list[Reading]:
     row = row_with_default(word)
     defaults = [] if row is None else [_default(row)]
     first, last = (
-        [_reading(tomllib.loads(text)) for n, text in texts if (n < AFTER) is early]
+        [_assumption(tomllib.loads(text)) for n, text in texts if (n < AFTER) is early]
         for early in (True, False)
     )
     return [*first, *defaults, *last]
@@ -115,33 +115,35 @@ def _texts() -> Mapping[str, list[tuple[int, str]]]:
     return found
 
 
-def _readings(found: Sequence[Chapter]) -> Iterator[Reading]:
+def _assumptions(found: Sequence[Chapter]) -> Iterator[Assumption]:
     for chapter in found:
         for section in chapter.sections:
-            yield from section.readings
+            yield from section.assumptions
 
 
 def _chapter(path: Path) -> Chapter:
     tree = tomllib.loads(path.read_text(encoding="utf-8"))
     sections = [
-        Section(each["title"], each.get("text", ""), [_reading(entry) for entry in each.get("reading", ())])
+        Section(
+            each["title"], each.get("text", ""), [_assumption(entry) for entry in each.get("reading", ())]
+        )
         for each in tree["section"]
     ]
     return Chapter(tree["title"], tree.get("text", ""), sections)
 
 
-def _reading(entry: dict[str, Any]) -> Reading:
+def _assumption(entry: dict[str, Any]) -> Assumption:
     """Return an entry of a file, with the fields of its probe separated."""
     asked = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
     language = entry.pop("language", entry["name"].partition(".")[0])
     if asked:
         entry["probe"] = Probe(language, **asked)
     if "key" not in entry and switch(entry["name"]) is not None:
-        entry["key"] = READINGS + entry["name"]
+        entry["key"] = ASSUMPTIONS + entry["name"]
     assert entry["strength"] in STRENGTHS, entry
     entry["words"] = tuple(entry.get("words", "").split())
     entry["alternatives"] = tuple(entry.get("alternatives", ()))
-    return Reading(**entry)
+    return Assumption(**entry)
 
 
 def _defaults() -> Chapter:
@@ -150,9 +152,9 @@ def _defaults() -> Chapter:
     return Chapter("Mint: settings at power-up", DEFAULTS, [Section("", "", found)])
 
 
-def _default(row: Keyword) -> Reading:
+def _default(row: Keyword) -> Assumption:
     evidence = of_word("mint", row)["default"]
-    return Reading(
+    return Assumption(
         name_of(row),
         f"What {row.name} is until a program writes it",
         f"{row.default:.10g}",
@@ -161,5 +163,5 @@ def _default(row: Keyword) -> Reading:
         strength=evidence.strength,
         words=(row.name,),
         probe=default_probe(row),
-        key=READINGS + name_of(row),
+        key=ASSUMPTIONS + name_of(row),
     )

@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
-from motionlang.assumptions.entries import readings
+from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.used import is_of
 from motionlang.files import replacing
 from motionlang.lang.dialect import dialect, dialects
@@ -18,7 +18,7 @@ from motionlang.mint.keywords.switchable import name_of, with_default
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from motionlang.assumptions.reading import Reading
+    from motionlang.assumptions.assumption import Assumption
     from motionlang.lang.keyword import Keyword, Table
 
 PLACE = Path(__file__).with_name("tables.py")
@@ -55,7 +55,7 @@ def written() -> str:
 
 
 def _open(tables: dict[str, Table], settings: dict[str, Keyword]) -> Iterator[str]:
-    for name, each in readings().items():
+    for name, each in assumptions().items():
         if not each.is_open or name in settings:
             continue
         found = {language: _words(language, table, each) for language, table in tables.items()}
@@ -80,13 +80,13 @@ def _text(words: list[str]) -> str:
     return f'"{joined}"' if len(joined) < SHORT else f'"""\n{fill(joined, 110)}\n"""'
 
 
-def _words(language: str, table: Table, reading: Reading) -> list[str]:
+def _words(language: str, table: Table, assumption: Assumption) -> list[str]:
     """Return an assumption's keywords of a language, in every spelling."""
-    prefix = reading.name.partition(".")[0]
-    if is_of(reading.name, *(each for each in dialects() if each != language)):
+    prefix = assumption.name.partition(".")[0]
+    if is_of(assumption.name, *(each for each in dialects() if each != language)):
         return []
     found: list[str] = []
-    for word in reading.words:
+    for word in assumption.words:
         row = table.get(word)
         if row is not None:
             found += _spellings(row)
@@ -97,7 +97,7 @@ def _words(language: str, table: Table, reading: Reading) -> list[str]:
 
 def _defaults(table: Table, settings: dict[str, Keyword]) -> Iterator[str]:
     for name, row in settings.items():
-        if readings()[name].is_open:
+        if assumptions()[name].is_open:
             given = set(row.gives.split())
             same = [each for each in table if given & set(each.gives.split())] if given else []
             instead = " ".join(word for each in same for word in _spellings(each))

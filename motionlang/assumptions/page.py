@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
+from motionlang.assumptions.assumption import Assumption
 from motionlang.assumptions.entries import Chapter, Section, chapters
 from motionlang.assumptions.facts import of_word
-from motionlang.assumptions.reading import Reading
 from motionlang.lang.dialect import dialect
 
 HEAD = """\
@@ -64,7 +64,7 @@ def summary() -> str:
     lines.append("| subject | assumptions | confirmed | a probe settles | the machine file sets |\n")
     lines.append("|---|---|---|---|---|\n")
     for chapter in chapters():
-        found = [each for section in chapter.sections for each in section.readings if not each.own]
+        found = [each for section in chapter.sections for each in section.assumptions if not each.own]
         if found:
             numbers = (
                 len(found),
@@ -83,11 +83,11 @@ def _strengths(language: str) -> Counter[str]:
     return Counter(of_word(language, row)["meaning"].strength for row in rows)
 
 
-def rests_on(reading: Reading) -> str:
+def rests_on(assumption: Assumption) -> str:
     """Return its strength, and the reason for the choice."""
-    kind, _, confidence = reading.strength.partition(" ")
+    kind, _, confidence = assumption.strength.partition(" ")
     strength = f"{kind} ({confidence})" if confidence else kind
-    return f"{strength}: {reading.why}" if reading.why else strength
+    return f"{strength}: {assumption.why}" if assumption.why else strength
 
 
 def _chapter(chapter: Chapter) -> Iterator[str]:
@@ -103,16 +103,21 @@ def _section(section: Section) -> Iterator[str]:
         yield f"\n### {section.title}\n"
     if section.text:
         yield f"\n{section.text}\n"
-    if section.readings:
-        yield f"\n{TABLE}" + "".join(map(_row, section.readings))
+    if section.assumptions:
+        yield f"\n{TABLE}" + "".join(map(_row, section.assumptions))
 
 
-def _row(reading: Reading) -> str:
-    others = f"; open: {'; or '.join(reading.alternatives)}" if reading.alternatives else ""
-    marks = " · set" * bool(reading.key) + " · own" * reading.own
-    if reading.probe is not None:
-        marks += " · asked by name" if reading.probe.alone else " · asked"
-    row = (reading.question, reading.chosen + others, rests_on(reading), f"`{reading.name}`{marks}")
+def _row(assumption: Assumption) -> str:
+    others = f"; open: {'; or '.join(assumption.alternatives)}" if assumption.alternatives else ""
+    marks = " · set" * bool(assumption.key) + " · own" * assumption.own
+    if assumption.probe is not None:
+        marks += " · asked by name" if assumption.probe.alone else " · asked"
+    row = (
+        assumption.question,
+        assumption.chosen + others,
+        rests_on(assumption),
+        f"`{assumption.name}`{marks}",
+    )
     return f"| {' | '.join(map(_cell, row))} |\n"
 
 

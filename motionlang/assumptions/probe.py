@@ -13,8 +13,8 @@ import tomllib
 from collections.abc import Collection, Iterator, Sequence
 from zlib import crc32
 
-from motionlang.assumptions.entries import ROOT, readings
-from motionlang.assumptions.reading import REFUSED, Probe, Reading
+from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
+from motionlang.assumptions.entries import ROOT, assumptions
 from motionlang.record import record
 
 # The number that a probe of MCCL prints before an answer, from a register; each name has its own.
@@ -57,14 +57,14 @@ class Motion:
         return float(self.distance // STEPS) or self.distance / STEPS
 
 
-def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list[Reading]:
+def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list[Assumption]:
     """Return the assumptions of a language in a probe.
 
     Those that need motion are included only if it is allowed.
     """
     found = [
         each
-        for each in readings().values()
+        for each in assumptions().values()
         if each.probe is not None
         and not each.probe.alone
         and each.probe.language == language
@@ -74,12 +74,12 @@ def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list
     return sorted(found, key=_moves)
 
 
-def _moves(reading: Reading) -> bool:
+def _moves(assumption: Assumption) -> bool:
     """True if it moves or writes a setting, which comes last.
 
     Settings are read in their state at power-up.
     """
-    return reading.probe is not None and reading.probe.motion
+    return assumption.probe is not None and assumption.probe.motion
 
 
 def written(language: str, axis: int, motion: Motion | None = None, without: Collection[str] = ()) -> str:
@@ -90,20 +90,20 @@ def written(language: str, axis: int, motion: Motion | None = None, without: Col
     return "\n".join(lines) + "\n"
 
 
-def alone(reading: Reading, axis: int, motion: Motion | None = None) -> str:
+def alone(assumption: Assumption, axis: int, motion: Motion | None = None) -> str:
     """Return the text of a probe with one question, and the meanings of its answers."""
-    assert reading.probe is not None
-    maker, sign = (_mint, "'") if reading.probe.language == "mint" else (_mccl, ";")
-    needs = reading.probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
+    assert assumption.probe is not None
+    maker, sign = (_mint, "'") if assumption.probe.language == "mint" else (_mccl, ";")
+    needs = assumption.probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
     first = [f"First: {needs}."] if needs else []
-    if motion is not None and reading.probe.motion:
-        first.append(_reach(reading.probe, motion))
-    above = [f"{reading.name}: {reading.question}", *first, *meanings(reading)]
+    if motion is not None and assumption.probe.motion:
+        first.append(_reach(assumption.probe, motion))
+    above = [f"{assumption.name}: {assumption.question}", *first, *meanings(assumption)]
     told = ["Then: motionlang probe --answers LOG, where LOG is what the terminal showed."]
-    if REFUSED in reading.probe.answers:
-        told[0] += f" Of a program that is refused, LOG is <{reading.name}|{REFUSED}>."
+    if REFUSED in assumption.probe.answers:
+        told[0] += f" Of a program that is refused, LOG is <{assumption.name}|{REFUSED}>."
     lines = [sign + f" {line}".rstrip() for each in (*above, *told) for line in _wrapped(each)]
-    return "\n".join((*lines, *maker([reading], axis, motion))) + "\n"
+    return "\n".join((*lines, *maker([assumption], axis, motion))) + "\n"
 
 
 def _wrapped(line: str) -> list[str]:
@@ -111,12 +111,12 @@ def _wrapped(line: str) -> list[str]:
     return [line] if line.startswith("  ") else textwrap.wrap(line, 110)
 
 
-def meanings(reading: Reading, most: int = 110) -> list[str]:
+def meanings(assumption: Assumption, most: int = 110) -> list[str]:
     """Return the possible answers and their meanings, one per line."""
-    probe = reading.probe
+    probe = assumption.probe
     assert probe is not None
-    chosen = f"{reading.chosen} (chosen here)"
-    meant = [(probe.answers[0], chosen), *zip(probe.answers[1:], reading.alternatives, strict=False)]
+    chosen = f"{assumption.chosen} (chosen here)"
+    meant = [(probe.answers[0], chosen), *zip(probe.answers[1:], assumption.alternatives, strict=False)]
     shown = [(as_shown(answer), meaning) for answer, meaning in meant]
     if probe.form:
         shown[1:] = [("another number", "that is it")]
@@ -179,25 +179,25 @@ def _promise(language: str, motion: Motion | None) -> str:
     return f"{within}, which is 0 afterwards, switches it on and {speed}. Stop it as any motion."
 
 
-def _mint_head(found: Sequence[Reading], motion: Motion | None) -> Iterator[str]:
+def _mint_head(found: Sequence[Assumption], motion: Motion | None) -> Iterator[str]:
     yield f"{_counted(found)} of motionlang about this controller, one line of answer each."
     yield _promise("mint", motion)
     yield "Run it after power-up, with the settings of the factory. A line that does not compile may be deleted."
     yield "Then: motionlang probe --answers LOG, where LOG is what the terminal showed."
 
 
-def _mccl_head(found: Sequence[Reading], motion: Motion | None) -> Iterator[str]:
+def _mccl_head(found: Sequence[Assumption], motion: Motion | None) -> Iterator[str]:
     yield f"{_counted(found)} of motionlang about this controller, one line each."
     yield _promise("mccl", motion)
     yield "Send it line by line after power-up, and keep what the terminal shows."
     yield "Then: motionlang probe --answers LOG"
 
 
-def _counted(found: Sequence[Reading]) -> str:
+def _counted(found: Sequence[Assumption]) -> str:
     return f"{len(found)} question{'s' if len(found) != 1 else ''}"
 
 
-def _mint(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterator[str]:
+def _mint(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iterator[str]:
     yield "Dim fa As Float, fb As Float, ia As Integer, ib As Integer"
     yield f'PRINT "<{BEGIN}|mint {len(found)}>"'
     slow = False
@@ -220,21 +220,21 @@ def _mint(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterato
         yield from _behind(each, axis)
 
 
-def _behind(reading: Reading, axis: int) -> Iterator[str]:
+def _behind(assumption: Assumption, axis: int) -> Iterator[str]:
     """Yield the text after the End of a program: lines of its probe, and error output."""
-    assert reading.probe is not None
-    for line in reading.probe.behind:
+    assert assumption.probe is not None
+    for line in assumption.probe.behind:
         yield line.replace("{a}", str(axis))
-    if reading.probe.error:
-        said = reading.probe.error.replace("{a}", str(axis))
+    if assumption.probe.error:
+        said = assumption.probe.error.replace("{a}", str(axis))
         yield "Event ONERROR"
-        yield f'  PRINT "<{reading.name}|"; {said}; ">"'
+        yield f'  PRINT "<{assumption.name}|"; {said}; ">"'
         yield f'  PRINT "<{END}|mint 1>"'
         yield "  End"
         yield "End Event"
 
 
-def _mccl(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterator[str]:
+def _mccl(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iterator[str]:
     frame = tomllib.loads((ROOT / "mccl" / "evidence" / "probe.toml").read_text(encoding="utf-8"))
 
     def marked(name: str) -> str:

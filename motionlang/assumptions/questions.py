@@ -5,19 +5,19 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-from motionlang.assumptions.entries import entries_naming, readings
-from motionlang.assumptions.rules import facts_asked
+from motionlang.assumptions.entries import assumptions, entries_naming
+from motionlang.assumptions.rules import unsettled_facts
 from motionlang.lang.dialect import dialect, dialects
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from motionlang.assumptions.reading import Reading
+    from motionlang.assumptions.assumption import Assumption
     from motionlang.lang.keyword import Keyword
 
 
 @cache
-def questions() -> Mapping[str, Reading]:
+def questions() -> Mapping[str, Assumption]:
     """Return every assumption by its name: the entries, then the facts.
 
     The entries are in the order of docs/contributing/assumptions.md, the facts in that of the tables.
@@ -26,17 +26,17 @@ def questions() -> Mapping[str, Reading]:
         fact
         for language in dialects()
         for row in dialect(language).table()
-        for fact in facts_asked(language, row)
+        for fact in unsettled_facts(language, row)
     )
-    found = dict(readings())
+    found = dict(assumptions())
     for each in facts:
         found.setdefault(each.name, each)
     return found
 
 
-def of_word(language: str, row: Keyword) -> list[Reading]:
+def of_word(language: str, row: Keyword) -> list[Assumption]:
     """Return the open assumptions of a keyword: its entries, then its own facts."""
     others = tuple(f"{each}." for each in dialects() if each != language)
     entries = [each for each in entries_naming(row.name) if each.is_open and not each.name.startswith(others)]
     known = {each.name for each in entries}
-    return entries + [each for each in facts_asked(language, row) if each.name not in known]
+    return entries + [each for each in unsettled_facts(language, row) if each.name not in known]

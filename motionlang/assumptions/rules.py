@@ -12,8 +12,8 @@ import re
 from functools import cache
 from typing import TYPE_CHECKING
 
+from motionlang.assumptions.assumption import ERROR, REFUSED, SETTLED, Assumption, Probe
 from motionlang.assumptions.facts import ROOT, of_word
-from motionlang.assumptions.reading import ERROR, REFUSED, SETTLED, Probe, Reading
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -52,7 +52,7 @@ def default_probe(row: Keyword) -> Probe:
     return Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}")
 
 
-def facts_asked(language: str, row: Keyword) -> list[Reading]:
+def unsettled_facts(language: str, row: Keyword) -> list[Assumption]:
     """Return the open facts of a keyword with a form of probe.
 
     A default that is an entry is not among them.
@@ -60,13 +60,13 @@ def facts_asked(language: str, row: Keyword) -> list[Reading]:
     if not row.simulated:
         return []
     makers = MINT if language == "mint" else MCCL
-    found: list[Reading] = []
+    found: list[Assumption] = []
     for fact, evidence in of_word(language, row).items():
         if evidence.strength in SETTLED or fact not in makers or (row.name, fact) in unasked(language):
             continue
         for name, question, chosen, others, probe in makers[fact](row):
             found.append(
-                Reading(
+                Assumption(
                     f"{language}.{row.name.lower().replace('_', '')}-{name}",
                     question,
                     chosen,
@@ -109,7 +109,7 @@ def _place(row: Keyword) -> str | None:
     return match[1] if match else None
 
 
-def _is_kept(row: Keyword) -> bool:
+def _is_stored(row: Keyword) -> bool:
     """True if a keyword of Mint only stores a value of an axis, without any effect."""
     return (
         row.kind == "setting"
@@ -134,7 +134,7 @@ def _default(row: Keyword) -> Questions:
 
 def _range(row: Keyword) -> Questions:
     """Return the last value and one beyond; the handler reports the rejected one."""
-    if not _is_kept(row):
+    if not _is_stored(row):
         return []
     found: Questions = []
     for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
@@ -173,7 +173,7 @@ def _beyond(bound: float, step: int) -> str:
 
 
 def _unit(row: Keyword) -> Questions:
-    if not _is_kept(row):
+    if not _is_stored(row):
         return []
     if row.unit in SCALED:
         return _scale(row)

@@ -228,11 +228,11 @@ def _report_evidence(
     language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
 ) -> None:
     """Print the open assumptions of a program with strength, or add them to its row."""
-    from motionlang.assumptions.entries import readings
+    from motionlang.assumptions.entries import assumptions
     from motionlang.assumptions.used import depended_on
-    from motionlang.views.readings import as_dict, listing
+    from motionlang.views.assumptions import as_dict, listing
 
-    known = readings()
+    known = assumptions()
     found = [known[name] for name in depended_on(dialect(language), source.text, settings)]
     if as_json:
         row["assumptions"] = [as_dict(each) for each in found]

@@ -131,10 +131,10 @@ def _command(arguments: argparse.Namespace) -> int:
     result = _ran(arguments, parser)
     if result is None:
         return 1
-    return hold_against(result, arguments.recording, dict(arguments.tolerance), arguments)
+    return compare_with(result, arguments.recording, dict(arguments.tolerance), arguments)
 
 
-def hold_against(result: Run, path: str, tolerances: dict[str, float], arguments: argparse.Namespace) -> int:
+def compare_with(result: Run, path: str, tolerances: dict[str, float], arguments: argparse.Namespace) -> int:
     """Compare a recording with a run, print the result, and return the exit status.
 
     The other arguments are `map`, `delay`, `plot`, `all` and `json`, as in `compare` and `diff`.

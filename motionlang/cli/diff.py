@@ -14,7 +14,7 @@ from motionlang.analysis.diff.charged import charged
 from motionlang.analysis.diff.literals import changed_literals
 from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
-from motionlang.cli.compare import add_mapping, hold_against
+from motionlang.cli.compare import add_mapping, compare_with
 from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.format_options import add_format
 from motionlang.cli.golden import golden_files
@@ -163,7 +163,7 @@ def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) ->
     if read is None or read[1] is None:
         return 1
     sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
-    return hold_against(read[1], path, {name: size for name, size in sizes.items() if size}, arguments)
+    return compare_with(read[1], path, {name: size for name, size in sizes.items() if size}, arguments)
 
 
 def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:

@@ -7,16 +7,16 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.assumptions.assumption import SETTLED
 from motionlang.assumptions.facts import of_word as of_word_facts
 from motionlang.assumptions.questions import of_word
-from motionlang.assumptions.reading import SETTLED
 from motionlang.cli.format_options import add_format
 from motionlang.cli.keyword_search import search
 from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command, arrange
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
-from motionlang.views import readings
+from motionlang.views import assumptions
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, wants_colour, width_of
@@ -81,7 +81,7 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
         rows = [
             {
                 **as_dict(row, each),
-                "assumptions": [readings.as_dict(open_one) for open_one in of_word(each, row)],
+                "assumptions": [assumptions.as_dict(open_one) for open_one in of_word(each, row)],
             }
             for each, rows in found.items()
             for row in rows
@@ -125,7 +125,7 @@ def _page(row: Keyword, language: str, width: int, colour: bool) -> str:
         text += f"\n  {MEANING}\n"
     if questions:
         axis = dialect(language).first_axis
-        text += "\n" + readings.of_word(questions, axis, width=min(width, 88), colour=colour)
+        text += "\n" + assumptions.of_word(questions, axis, width=min(width, 88), colour=colour)
     return text
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from motionlang.assumptions.answers import Answers, Verdict
-    from motionlang.assumptions.reading import Probe, Reading
+    from motionlang.assumptions.assumption import Assumption, Probe
     from motionlang.cli.parser import Commands
 
 EPILOG = """\
@@ -146,7 +146,7 @@ def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
     return parser.error(problem)
 
 
-def _about(word: str) -> list[Reading]:
+def _about(word: str) -> list[Assumption]:
     """Return the open assumptions of a keyword, in any language."""
     rows = ((each, dialect(each).table().get(word)) for each in dialects())
     return [found for language, row in rows if row is not None for found in of_word(language, row)]
@@ -204,18 +204,18 @@ def _told(found: Answers) -> str:
         for status in (HOLDS, OTHER, UNKNOWN)
     }
     if by_status[HOLDS]:
-        names = ", ".join(_names(each.reading for each in by_status[HOLDS]))
+        names = ", ".join(_names(each.assumption for each in by_status[HOLDS]))
         lines += [f"{counted(len(by_status[HOLDS]), 'assumption confirmed', 'assumptions confirmed')}:"]
         lines += textwrap.wrap(names, 98, initial_indent="  ", subsequent_indent="  ", break_on_hyphens=False)
     if by_status[OTHER]:
         lines += [f"{len(by_status[OTHER])} refuted:", *map(_other, by_status[OTHER])]
     if by_status[UNKNOWN]:
         lines += ["unknown answers, which set nothing:"]
-        lines += [f"  {each.reading.name}: {each.answer!r}" for each in by_status[UNKNOWN]]
+        lines += [f"  {each.assumption.name}: {each.answer!r}" for each in by_status[UNKNOWN]]
     return "\n".join(lines) + "\n"
 
 
-def _names(found: Iterable[Reading]) -> list[str]:
+def _names(found: Iterable[Assumption]) -> list[str]:
     """Return the names of assumptions; many about power-up are only counted."""
     names = [each.name for each in found]
     rest = [name for name in names if not name.endswith(DEFAULT)]
@@ -224,6 +224,6 @@ def _names(found: Iterable[Reading]) -> list[str]:
 
 
 def _other(verdict: Verdict) -> str:
-    reading = verdict.reading
+    assumption = verdict.assumption
     how = "" if verdict.can_be_set else "; it cannot be set"
-    return f"  {reading.name}: {reading.question}: {verdict.what}, not {reading.chosen}{how}"
+    return f"  {assumption.name}: {assumption.question}: {verdict.what}, not {assumption.chosen}{how}"

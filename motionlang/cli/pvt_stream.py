@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.copley.buffer import SIZE
 from motionlang.copley.bus import BusError, LockstepBus, RealBus
 from motionlang.copley.drive import Drive
-from motionlang.copley.master import WAYS, Master, StreamError
+from motionlang.copley.master import TRANSFERS, Master, StreamError
 from motionlang.copley.point import from_wire, to_wire
 from motionlang.errors import Diagnostic
 from motionlang.planners.pvt.fit import track_error
@@ -43,7 +43,7 @@ def run_stream(args: argparse.Namespace, move: Move) -> int:
 
 
 def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
-    start = _standing(args, move)
+    start = _start_position(args, move)
     points = relative(move.points, start) if args.relative else move.points
     wire = to_wire(points)
     drive = Drive(start)
@@ -72,7 +72,7 @@ def _look(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
 
 
 def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
-    points = relative(move.points, _standing(args, move)) if args.relative else move.points
+    points = relative(move.points, _start_position(args, move)) if args.relative else move.points
     wire = to_wire(points)
     try:
         with RealBus(args.node, args.interface, args.channel) as bus:
@@ -85,7 +85,7 @@ def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
     return 0
 
 
-def _standing(args: argparse.Namespace, move: Move) -> float:
+def _start_position(args: argparse.Namespace, move: Move) -> float:
     """Return the position of the simulated motor: as given, or where the move begins."""
     if args.start is not None:
         return float(args.start)
@@ -133,7 +133,7 @@ def _lines(
 ) -> list[str]:
     pairs = [
         ("move", f"{move.name}, {count} points"),
-        ("sent by", WAYS[args.transfer]),
+        ("sent by", TRANSFERS[args.transfer]),
         ("frames", f"{frames} on the bus"),
         ("end", f"{figure(drive.position)} counts after {drive.now:.3f} s"),
     ]

@@ -146,11 +146,11 @@ class Report:
         if len(shown) > most:
             lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
         if wanted is not None:
-            lines += ["", self._told_best(sweep, rows, best, wanted)]
+            lines += ["", self._best_line(sweep, rows, best, wanted)]
         text = "\n".join(lines) + "\n"
         sys.stdout.write(text if draws(sys.stdout) else plain(text))
 
-    def _told_best(self, sweep: Sweep, rows: dict[int, Result], best: int | None, wanted: Expression) -> str:
+    def _best_line(self, sweep: Sweep, rows: dict[int, Result], best: int | None, wanted: Expression) -> str:
         from motionlang.views.sweep_table import cell
 
         if best is None:

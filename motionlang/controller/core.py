@@ -97,7 +97,7 @@ class Core(Readings):
                 triggers.events.clamped(self, a, move.line, speed)
             speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         if a.suspended or not speed:
-            return motion.halt.standing(self, a)
+            return motion.halt.with_standstill(self, a)
         last, shape = a.profiles[-1], a.shape
         try:
             if last.shape == "hold" and shape == "trapezoid":  # the case of nearly every move

@@ -63,7 +63,7 @@ class Readings:
         self.offset_statuses: dict[int, int] = {}
         self.listeners = Listeners()
         # The conditions to be checked when all axes of a motion have it; None if they are checked at once.
-        self.looks_later: list[Condition] | None = None
+        self.deferred_checks: list[Condition] | None = None
         # The record of a run that is to be proved.
         self.orders: ExpectedMotion | None = None
         # The handler of run-time faults while the program does something else; it returns true if it has
@@ -207,7 +207,7 @@ class Readings:
         """True if the axis is idle, or follows a master at standstill."""
         return self.axes[axis].is_at_standstill
 
-    def standing_time(self, axis: int) -> float:
+    def standstill_time(self, axis: int) -> float:
         """When the axis will be at standstill, idle or not, if nothing else happens."""
         a = self.axes[axis]
         return self.clock.now if a.is_at_standstill else a.end_of_motion()

@@ -138,7 +138,7 @@ VERBS: dict[str, str] = {
     "faults": "The fault bits of an axis.",
     "idle_time": "The time at which an axis will be idle if nothing else happens.",
     "is_at_standstill": "Whether an axis is idle, or follows a master at standstill.",
-    "standing_time": "The time at which an axis comes to rest, following or not, if nothing else happens.",
+    "standstill_time": "The time at which an axis comes to rest, following or not, if nothing else happens.",
     "end_of_moves": "The reader of the time at which all of some axes will be idle.",
     "crossing_time": "The time at which an axis will pass a position if nothing else happens.",
     "watch": "Subscribe to an axis passing a position, at the exact time.",

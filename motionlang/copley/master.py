@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     _Send = Callable[[bytes], None]
 
-WAYS: dict[str, str] = {
+TRANSFERS: dict[str, str] = {
     "pdo": "object 0x2010, one PDO per point",
     "sdo": "object 0x2010 by SDO",
     **{str(mode): f"object 0x60C1, {text}" for mode, text in SUB_MODES.items()},
@@ -93,12 +93,12 @@ class Master:
         self.refresh()
 
     def stream(self, points: Sequence[WirePoint], way: str = "pdo") -> Streamed:
-        """Run a whole move by one of `WAYS`.
+        """Run a whole move by one of `TRANSFERS`.
 
         Raises `StreamError` if the drive or the points do not allow it.
         """
-        if way not in WAYS:
-            raise StreamError(f"there is no way {way!r} to stream; there is {', '.join(WAYS)}")
+        if way not in TRANSFERS:
+            raise StreamError(f"there is no way {way!r} to stream; there is {', '.join(TRANSFERS)}")
         try:
             return self._stream(points, way)
         except canopen.SdoCommunicationError:

@@ -318,9 +318,9 @@ class Adapter:
         if stop is None:
             self._report_end()
             return
-        self._tell_stop(_REASONS.get(stop.reason, stop.reason), self._showing.number(stop.task), stop.text)
+        self._report_stop(_REASONS.get(stop.reason, stop.reason), self._showing.number(stop.task), stop.text)
 
-    def _tell_stop(self, reason: str, thread: int, text: str) -> None:
+    def _report_stop(self, reason: str, thread: int, text: str) -> None:
         self.phase = STOPPED
         body: Body = {"reason": reason, "threadId": thread, "allThreadsStopped": True}
         if text:
@@ -331,7 +331,7 @@ class Adapter:
         for text in self._launch.summary(self._debugger):
             self.output(text, "console")
         if self._launch.stop_at_end:
-            self._tell_stop("step", 1, "the program has ended; step back, or continue to finish")
+            self._report_stop("step", 1, "the program has ended; step back, or continue to finish")
             return
         run = self._debugger.run
         self.phase = ENDED

@@ -49,7 +49,7 @@ class Breaking:
             message = each.text("logMessage", "")
             condition, hits = each.text("condition", ""), each.text("hitCondition", "")
             try:
-                places = self._debugger.places_at(line)
+                places = self._debugger.offsets_at(line)
                 made.append(Breakpoint(places, condition, hits, message or None))
             except WrongExpression as error:
                 answers.append(_unverified(str(error)))

@@ -111,7 +111,7 @@ class Showing:
 
     def _frame(self, task: str, depth: int, frame: Frame) -> Body:
         self._frames.append((task, depth))
-        line, column, length = self._debugger.place_of(frame.place)
+        line, column, length = self._debugger.location_of(frame.place)
         return {
             "id": self._old_frames + len(self._frames), "name": frame.name, "source": self._source(),
             "line": line - self._line, "column": column - self._column,

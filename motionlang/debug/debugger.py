@@ -177,7 +177,7 @@ class Debugger:
         """Return the first line from `line` on with a statement; None if there is none."""
         return min((each for each in self._lines if each >= line), default=None)
 
-    def place_of(self, at: int) -> tuple[int, int, int]:
+    def location_of(self, at: int) -> tuple[int, int, int]:
         """Return line, column and length of a source offset."""
         found = self._places.get(at)
         if found is None:
@@ -290,7 +290,7 @@ class Debugger:
             self._replay.ask(lambda: self._note_values(self._point()))
         while True:
             limit = 0 if every else begin + STRIDE if searching else INFINITY
-            point = self._replay.go(decide, limit, self._stopping_places())
+            point = self._replay.go(decide, limit, self._stopping_offsets())
             moment = self._earliest(point)
             if moment is not None:
                 return self._to_moment(moment, begin)
@@ -305,7 +305,7 @@ class Debugger:
     def _counted_places(self) -> frozenset[int]:
         return frozenset(place for each in self.breakpoints if each.is_counted for place in each.places)
 
-    def _stopping_places(self) -> frozenset[int]:
+    def _stopping_offsets(self) -> frozenset[int]:
         return frozenset(place for each in self.breakpoints for place in each.places)
 
     def _at(self, point: Point | None, reason: str, text: str = "") -> Stop | None:
@@ -314,7 +314,7 @@ class Debugger:
         if point is None:
             self.stop = None
             return None
-        line, column, _ = self.place_of(point.place)
+        line, column, _ = self.location_of(point.place)
         self.stop = Stop(point.number, point.time, point.task.name, line, column, reason, text)
         self._after = point.time
         return self.stop
@@ -326,7 +326,7 @@ class Debugger:
         for watched in self.watched:
             change = watched.change(self._replay_in_force, point)
             if change:
-                return "change", f"{change} before line {self.place_of(point.place)[0]}"
+                return "change", f"{change} before line {self.location_of(point.place)[0]}"
         for each in self.breakpoints:
             if point.place not in each.places:
                 continue
@@ -354,11 +354,11 @@ class Debugger:
         """Replace all breakpoints by line; hits are counted from the start of the program."""
         self.breakpoints = list(breakpoints)
         if self._replay.point is None:
-            self._replay.hook.places = self._stopping_places()
+            self._replay.hook.places = self._stopping_offsets()
         if any(each.is_counted for each in self.breakpoints) and self._replay.point is not None:
             self._go_to(self._replay.point.number)
 
-    def places_at(self, line: int) -> tuple[int, ...]:
+    def offsets_at(self, line: int) -> tuple[int, ...]:
         """Return the source offsets at which the program may begin a line."""
         places = self._lines.get(line, [])
         return (*places[:1], *(each for each in places[1:] if each in self._entries))
@@ -581,7 +581,7 @@ class Debugger:
         moment = self._last_moment()
         if self.breakpoints or self.watched:
             first = 0 if self.watched else here
-            self._search(here, first, note, self._stopping_places())
+            self._search(here, first, note, self._stopping_offsets())
         if moment is not None and moment[0] < here and (not hits or moment[0] > hits[-1][0]):
             hits.append(moment)
         if not hits:
@@ -611,7 +611,7 @@ class Debugger:
         return None
 
     def _described(self, moment: Moment) -> str:
-        where = "" if moment.at is None or moment.at < 0 else f" in line {self.place_of(moment.at)[0]}"
+        where = "" if moment.at is None or moment.at < 0 else f" in line {self.location_of(moment.at)[0]}"
         return f"{moment.text} at {moment.time:.9g} s{where}"
 
     def _first_after(self, moment: Moment, before: int) -> int | None:
@@ -656,7 +656,7 @@ class Debugger:
 
     def go_to_line(self, line: int) -> Stop | None:
         """Go to the next time that a line begins; stay if it does not begin again."""
-        places, counted = frozenset(self.places_at(line)), self._counted_places()
+        places, counted = frozenset(self.offsets_at(line)), self._counted_places()
         before = self._point().number
         self._output.hold()
 
@@ -672,7 +672,7 @@ class Debugger:
 
     def go_back_to_line(self, line: int) -> Stop | None:
         """Go back to the last time that a line began; stay if it has not begun before."""
-        places, found = frozenset(self.places_at(line)), [0]
+        places, found = frozenset(self.offsets_at(line)), [0]
         ended = self._replay.run is not None
         here = self._replay.hook.count + 1 if ended else self._point().number
         self._search(here, here, lambda point: found.append(point.number), places)

@@ -85,7 +85,7 @@ class CountedRegisters:
         key = id(task.line), task.pc, task.here
         found = self._known.get(key)
         if found is None:
-            governs: int = task.board.readings.get("mccl.skipped", 2)  # type: ignore[assignment]
+            governs: int = task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
             commands = task.line.commands[task.pc : task.here + 1]
             found = self._known[key] = task.line, tuple(_counters_in(commands, governs))
         return found[1]

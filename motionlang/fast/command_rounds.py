@@ -89,7 +89,7 @@ class CommandRounds:
 
     def _share(self, task: CommandTask, seconds: float, running: int) -> None:
         """Distribute the time of skipped rounds, which the scheduler gives to one task."""
-        taken = self._board.machine.log.turns.seconds
+        taken = self._board.machine.log.slices.seconds
         for each in self._board.tasks:
             if each.wait is None and each is not task:
                 taken[each.name] = taken.get(each.name, 0.0) + seconds / running

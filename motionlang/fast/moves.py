@@ -58,7 +58,7 @@ class FastAxis(Axis):
         "_move",
         "_profiles",
         "_starts",
-        "bell",
+        "arrival_event",
         "ends",
         "in_motion",
         "loaded",
@@ -76,7 +76,7 @@ class FastAxis(Axis):
         self.rows: list[Row] = []
         self.in_motion = False
         self.ends = 0.0
-        self.bell: Event | None = None
+        self.arrival_event: Event | None = None
         # Of the last move, and of the one before: cycles alternate between two.
         self.plan = self.plan_before = _NO_PLAN
         # While rows are written on the track: its previous length, the rows, and the visible `Move` of the
@@ -166,7 +166,7 @@ class FastAxis(Axis):
             assert self.logged is not None
             move.profile = self.present
             self._move = move
-            self._arrival, self.bell = self.bell or self._arrival, None
+            self._arrival, self.arrival_event = self.arrival_event or self._arrival, None
             self.logged.show(rows[-1], move)
             self.in_motion = False
         self.writing = None
@@ -313,10 +313,10 @@ class FastAxis(Axis):
         self.loaded, self.target, self.last_id, self.in_motion = None, target, mark, True
         self.ends = end = now + duration
         self.present = None
-        if self.bell is None:
-            self.bell = clock.at(end, self._arrival_of(controller))
+        if self.arrival_event is None:
+            self.arrival_event = clock.at(end, self._arrival_of(controller))
         else:
-            clock.again(self.bell, end)
+            clock.again(self.arrival_event, end)
         if controller.orders is not None:
             controller.orders.add_plain(self, line, speed)
         log.moves.append(row)  # type: ignore[arg-type]

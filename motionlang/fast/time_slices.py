@@ -47,9 +47,9 @@ class TimeSlices(Scheduler):
         outside: Outside | None = None,
     ) -> None:
         super().__init__(machine, parent, pace, outside)
-        self.next_turn = -INFINITY
+        self.next_slice = -INFINITY
         # The number of successive time slices without an action, and the search for their period.
-        self._calm = 0
+        self._idle_rounds = 0
         self._recurrence: Recurrence | None = None
         # The waits of all tasks, None for the running one; the latest and the expected end of each; the
         # source positions of those that wait for motion to end; and their names.
@@ -73,7 +73,7 @@ class TimeSlices(Scheduler):
             return False
         tasks, clock, log, interrupts = self.tasks, self.clock, self.machine.log, self.interrupts
         waits: Callable[[Any], object] = log.waits.append
-        turns: Callable[[Any], object] = log.turns.append
+        turns: Callable[[Any], object] = log.slices.append
         known: list[Any] | None = None
         self._went = went = 0
         try:
@@ -109,7 +109,7 @@ class TimeSlices(Scheduler):
                 # If a statement coincides with the time at which another task continues, rounding does not
                 # decide the order.
                 due = (min(surely) if resting else second) - 0.5 * ROUNDING
-                self.next_turn = second
+                self.next_slice = second
                 went += 1
                 time, after = found.resume(first, self._horizon(found, first, due))
                 found.wait = after
@@ -127,11 +127,11 @@ class TimeSlices(Scheduler):
                     ends[place] = surely[place] = after.ends
                 if not went & 1023:
                     log.waits.trim()
-                    log.turns.trim()
+                    log.slices.trim()
         finally:
-            self.next_turn = -INFINITY
+            self.next_slice = -INFINITY
         if went:
-            self._end, self._calm, self._stalls = 0.0, 0, 0
+            self._end, self._idle_rounds, self._stalls = 0.0, 0, 0
         return went > 0
 
     def _last_checked(self, places: set[int]) -> Task:
@@ -163,7 +163,7 @@ class TimeSlices(Scheduler):
         The task does more in such a slice than wait again.
         """
         if went + self._went > 1:
-            self._calm = 0
+            self._idle_rounds = 0
         self._stalls = 0
         self._waiting[:] = [each for each in self.tasks if each is not task]
         self._leave(task, self._event, time, True)
@@ -172,21 +172,21 @@ class TimeSlices(Scheduler):
         """If all tasks only poll or wait and their state recurs, skip to the next event."""
         recurrence = self._recurrence
         if task.look is None or task.busy or task.done or self.interrupts or self.outside is not None:
-            self._calm = 0
+            self._idle_rounds = 0
             if recurrence is not None:
                 recurrence.forget()
             return
-        self._calm += 1
+        self._idle_rounds += 1
         count = len(self.tasks)
         if recurrence is not None:
             recurrence.has_run(task)
-        if self._calm < count or (self._calm % count and not self._waiting):
+        if self._idle_rounds < count or (self._idle_rounds % count and not self._waiting):
             return  # some have not polled yet; if none waits, one comparison per round finds as much
         if recurrence is None:
             from motionlang.fast.recurrence import Recurrence
 
             recurrence = self._recurrence = Recurrence(self.machine, self.pace)
-        elif self._calm == count:
+        elif self._idle_rounds == count:
             recurrence.forget()  # tasks may have run since the last call
         recurrence.leap(self.tasks, self._turn, self.until)
 
@@ -202,7 +202,7 @@ class TimeSlices(Scheduler):
         several = len(self.tasks) > 1
         interrupts.append(task)
         statements.alone, statements.free = not several, NEVER
-        self.next_turn, self._known = -INFINITY, []
+        self.next_slice, self._known = -INFINITY, []
         self.current, self._alone, self._turn, self._stalls = task, True, 0, 0
         self.began = now = clock.now
         event = clock.next_time()
@@ -221,7 +221,7 @@ class TimeSlices(Scheduler):
     def invalidate_waits(self) -> None:
         """Invalidate the known ends of the waits."""
         super().invalidate_waits()
-        self.next_turn, self._known = -INFINITY, []
+        self.next_slice, self._known = -INFINITY, []
 
     def _horizon(self, task: Task, now: float, due: float) -> float:
         """Return how far a task that wakes now may run, if another continues at `due`."""
@@ -246,7 +246,7 @@ class TimeSlices(Scheduler):
             return 0.0
         for k in self._resting:
             ends[k] = known[k].expected()
-        self.next_turn = second = min(ends)
+        self.next_slice = second = min(ends)
         began, until = self.began, self.until
         if (
             second <= end + ROUNDING
@@ -266,12 +266,12 @@ class TimeSlices(Scheduler):
         else:
             clock.now = end
         place, log = self._place, self.machine.log
-        log.turns.append((began, since, self._names[place], (since - began,)))  # type: ignore[arg-type]
+        log.slices.append((began, since, self._names[place], (since - began,)))  # type: ignore[arg-type]
         self.began = end
         self._alone = True
         self._went = went = self._went + 1
         if not went & 1023:
             log.waits.trim()
-            log.turns.trim()
+            log.slices.trim()
         due = (min(surely) if self._resting else second) - 0.5 * ROUNDING
         return self._horizon(self.current, end, due)

@@ -88,7 +88,7 @@ class TimerTicks:
             or events.disabled >> ENTRY[0] & 1
             or not events.handles(TIMER)
             or environment.machine.hook is not None
-            or environment.machine.readings
+            or environment.machine.assumptions
         ):
             return False
         waits = [task.wait for task in scheduler.tasks]

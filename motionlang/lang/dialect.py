@@ -249,10 +249,10 @@ class Dialect:
 class Interactive:
     """An interpreter that keeps a program's names between lines.
 
-    `keeps_places` is true if diagnostics of an earlier text, such as a macro, have columns of that text.
+    `keeps_columns` is true if diagnostics of an earlier text, such as a macro, have columns of that text.
     """
 
-    keeps_places = False
+    keeps_columns = False
 
     def is_complete(self, text: str) -> bool:
         """False while `text` leaves a block open, so that more lines must follow."""

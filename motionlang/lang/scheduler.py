@@ -95,7 +95,7 @@ class Scheduler:
     """
 
     # When another task continues, if that is known without checking each; in the past if not.
-    next_turn = -INFINITY
+    next_slice = -INFINITY
     # What runs the ticks of a timer while all tasks wait, if there is anything.
     ticks: Any = None
 
@@ -131,7 +131,7 @@ class Scheduler:
         # The index of the next task, and how often in a row time did not advance while all waited.
         self._turn = 0
         self._stalls = 0
-        machine.log.place_by(self._where)
+        machine.log.locate_by(self._where)
         # The length of the time slices of a round, and how many of them remain.
         self._length, self._left = QUANTUM, 0
 
@@ -203,7 +203,7 @@ class Scheduler:
             if several:
                 if not self._end:
                     many = task.busy >= 2 * QUANTUM or self._left
-                    self._end = now + min(self._turn_length(horizon) - ROUNDING if many else TURN, task.turn)
+                    self._end = now + min(self._slice_length(horizon) - ROUNDING if many else TURN, task.turn)
                 horizon = min(horizon, self._end, self._next_due(task))
             time, task.wait = task.resume(now, horizon)
             self._leave(task, event, time, several)
@@ -275,7 +275,7 @@ class Scheduler:
             advance(time)
         if several:
             stops = task.wait is not None or task.done
-            self.machine.log.turns.took(task.name, self.began, clock.now, stops)
+            self.machine.log.slices.took(task.name, self.began, clock.now, stops)
         if self._end and not (event <= time < self._end and self._goes_on(task)):
             self._end = 0.0
             self.slice_over(task)
@@ -305,8 +305,8 @@ class Scheduler:
         """Write the record of a wait that is over to the log."""
         log = self.machine.log
         log.waits.add(wait)
-        if log.turns.seconds:
-            log.turns.close(self.clock.now)
+        if log.slices.seconds:
+            log.slices.close(self.clock.now)
 
     def _goes_on(self, task: Task) -> bool:
         """True if the event woke no other task, so the time slice continues."""
@@ -343,7 +343,7 @@ class Scheduler:
                     return False
             self._advance(time)
 
-    def _turn_length(self, horizon: float) -> float:
+    def _slice_length(self, horizon: float) -> float:
         """The duration of a time slice, of many quanta if the difference is invisible.
 
         It is invisible while every task that can run computes with its own data, and nothing is due before

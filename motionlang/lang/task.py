@@ -126,7 +126,7 @@ def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait
     return Wait(
         since,
         lambda: all(controller.is_at_standstill(axis) for axis in waited),
-        lambda: max((controller.standing_time(axis) for axis in waited), default=since),
+        lambda: max((controller.standstill_time(axis) for axis in waited), default=since),
         until_idle(waited),
         "axis",
         waited,

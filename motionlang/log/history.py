@@ -257,7 +257,7 @@ class Reader:
             return
         rate = self._held[0][1].loop.servo_rate
         numbers = np.concatenate([round(first * rate) + np.arange(len(part)) for first, part in self._held])
-        values = np.concatenate([part_column(part, quantity) for _, part in self._held])
+        values = np.concatenate([chunk_column(part, quantity) for _, part in self._held])
         wanted = np.floor(times * rate + 1e-6)
         out[:] = values[np.maximum(np.searchsorted(numbers, wanted, "right") - 1, 0)]
 
@@ -289,7 +289,7 @@ def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list
     return values
 
 
-def part_column(part: ServoTrace, quantity: str) -> Array:
+def chunk_column(part: ServoTrace, quantity: str) -> Array:
     """Return the column of a block for a quantity."""
     column: Array = getattr(part, COLUMNS[quantity])
     return column

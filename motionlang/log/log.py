@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang import log as record
 from motionlang.log.stream import DISK, Store, Stream
-from motionlang.log.turns import TurnStream
+from motionlang.log.time_slices import TimeSliceStream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ class Log:
     settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
     loops      `Looped`, each loop of more than a hundred statements, when it is over
-    turns      `Turns`, if there is more than one task
+    turns      `TimeSlices`, if there is more than one task
     prints     `Printed`, those of the console
     events     `Event`: limits, faults, clamps, stops and the like
 
@@ -70,7 +70,7 @@ class Log:
         self.settings: Stream[Setting] = Stream(store, "Setting")
         self.waits: Stream[Waited] = Stream(store, "Waited")
         self.loops: Stream[Looped] = Stream(store, "Looped")
-        self.turns = TurnStream(store)
+        self.slices = TimeSliceStream(store)
         self.prints: Stream[Printed] = Stream(store, "Printed")
         self.events: Stream[Event] = Stream(store, "Event")
         # The last clamp of each axis and quantity, which is reported once, and the source offset of the
@@ -92,7 +92,7 @@ class Log:
         setattr(self, name, made)
         return made
 
-    def place_by(self, where: Callable[[], int]) -> None:
+    def locate_by(self, where: Callable[[], int]) -> None:
         """Use a function that returns the source offset of events."""
         self.where = where
 
@@ -171,5 +171,5 @@ class Log:
     def streams(self) -> tuple[Stream[Any], ...]:
         """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
-                self.analogue_outputs, self.settings, self.waits, self.loops, self.turns, self.prints, self.events,
+                self.analogue_outputs, self.settings, self.waits, self.loops, self.slices, self.prints, self.events,
                 *self.others)  # fmt: skip

@@ -63,7 +63,7 @@ class Looped(NamedTuple):
     callers: tuple[int, ...] = ()
 
 
-class Turns(NamedTuple):
+class TimeSlices(NamedTuple):
     """The tasks that have alternated from `time` to `until`, without a wait.
 
     `seconds` is the time that each of `tasks` had the processor. The difference to the total time are skipped
@@ -129,5 +129,5 @@ class Setting(NamedTuple):
 
 # The constructors of records from the stored tuples, by kind.
 makers: Mapping[str, Callable[[Any], Any]] = {
-    kind.__name__: kind._make for kind in (Changed, Printed, Looped, Turns, Event, Setting)
+    kind.__name__: kind._make for kind in (Changed, Printed, Looped, TimeSlices, Event, Setting)
 } | {"Waited": lambda wait: Waited._make(whole(wait))}

@@ -52,7 +52,7 @@ class Interface(CommandTask):
         self.port = port
         if port is not None:
             self.registers = port.task.registers
-        self.under_way: Call | None = None
+        self.current_call: Call | None = None
         self.block: Block | None = None
         # The handle for which pmclock has reserved the interface.
         self.owner: Handle | None = None
@@ -65,7 +65,9 @@ class Interface(CommandTask):
     @property
     def occupied(self) -> bool:
         """True while a call or a line is carried out."""
-        return self.under_way is not None or bool(self._queue) or (self.port is not None and self.port.busy)
+        return (
+            self.current_call is not None or bool(self._queue) or (self.port is not None and self.port.busy)
+        )
 
     def submit(self, call: Call) -> None:
         """Queue a call that has a line."""
@@ -74,7 +76,7 @@ class Interface(CommandTask):
     def drop(self, call: Call) -> None:
         """Abandon a call whose host is gone, or that has timed out before it began."""
         call.more.clear()
-        if call is self.under_way:
+        if call is self.current_call:
             self.abandon()
             self.wait = None
         elif call in self._queue:
@@ -84,17 +86,17 @@ class Interface(CommandTask):
 
     def next_line(self) -> Line | None:
         """End the current call and begin the next one."""
-        if self.under_way is not None and self.under_way.more:
-            return self.under_way.more.pop(0)
-        if self.under_way is not None:
-            call, self.under_way = self.under_way, None
+        if self.current_call is not None and self.current_call.more:
+            return self.current_call.more.pop(0)
+        if self.current_call is not None:
+            call, self.current_call = self.current_call, None
             call.finish(self.board.controller.clock.now)
         following = self._following()
         if following is None:
             self._send_held()
             return None
         self._queue.remove(following)
-        self.under_way, self.reply_text = following, ""
+        self.current_call, self.reply_text = following, ""
         return following.line
 
     def _rest(self, now: float) -> Wait | None:
@@ -115,9 +117,9 @@ class Interface(CommandTask):
 
     def _refused(self, trouble: Fault | Rejected) -> None:
         if self.board.refused(self, trouble):
-            if self.under_way is not None:
-                self.under_way.code = code_of(trouble)
-                self.under_way.more.clear()
+            if self.current_call is not None:
+                self.current_call.code = code_of(trouble)
+                self.current_call.more.clear()
             self.abandon()
 
     def _replied(self, text: str) -> None:
@@ -134,7 +136,7 @@ class Interface(CommandTask):
         assert self.port is not None
         if ESC in data:
             self._held.clear()
-        elif self.under_way is not None or self._held:
+        elif self.current_call is not None or self._held:
             data = data[: MAX_HELD - len(self._held)]
             self._held += data
             return len(data)
@@ -144,7 +146,7 @@ class Interface(CommandTask):
         """True if pmcgets of `size` characters need not wait."""
         assert self.port is not None
         self._pull()
-        return self._end_of_text(size) > 0 or not (self.port.working or self.under_way or self._held)
+        return self._end_of_text(size) > 0 or not (self.port.working or self.current_call or self._held)
 
     def get(self, size: int) -> str:
         """Return the characters up to the first CR or prompt, at most `size`."""
@@ -217,6 +219,6 @@ def expire(call: Call, interface: Interface, now: float) -> None:
 
     The board continues.
     """
-    if call is not interface.under_way:
+    if call is not interface.current_call:
         interface.drop(call)
     call.finish(now, mc.MCERR_TIMEOUT)

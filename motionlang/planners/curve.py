@@ -260,7 +260,7 @@ class Profile:
         if time >= self.duration:
             return self
         if time <= 0.0:
-            return _standing(self.shape, self.start, self.start_velocity)
+            return _at_constant_velocity(self.shape, self.start, self.start_velocity)
         knots, pieces, marks = self.curve
         i = self._index(time)
         count = i + 1 if time > knots[i] else i
@@ -281,7 +281,7 @@ class Profile:
         if time <= 0.0:
             return self
         if time >= self.duration:
-            return _standing(self.shape, self.end, self.end_velocity)
+            return _at_constant_velocity(self.shape, self.end, self.end_velocity)
         knots, pieces, marks = self.curve
         i = self._index(time)
         rest = (recentred(pieces[i], time - knots[i]), *pieces[i + 1 :])
@@ -416,7 +416,7 @@ def _joined_marks(
     return marks + tuple((name, first + count) for name, first in (more[1:] if goes_on else more))
 
 
-def _standing(shape: str, position: float, velocity: float) -> Profile:
+def _at_constant_velocity(shape: str, position: float, velocity: float) -> Profile:
     return from_curve(shape, position, position, ((0.0,), (), ()), velocity, velocity)
 
 

@@ -31,7 +31,7 @@ def packed(profile: Profile) -> Packed:
             return (profile.start,)
         return profile.shape, profile.start, profile.end, profile.duration, recipe, profile.curve
     name = type(profile).__name__
-    parts = tuple(_packed_part(getattr(profile, each)) for each in _PARTS[name])
+    parts = tuple(_packed_component(getattr(profile, each)) for each in _PARTS[name])
     return name, parts, profile.shape, profile.end
 
 
@@ -47,7 +47,7 @@ def unpacked(row: Packed) -> Profile:
         made._curve = curve
         return made
     name, parts, shape, end = row
-    formula = _formula(name, tuple(_unpacked_part(each) for each in parts))  # type: ignore[attr-defined,arg-type]
+    formula = _formula(name, tuple(_unpacked_component(each) for each in parts))  # type: ignore[attr-defined,arg-type]
     formula.shape, formula.end = shape, end  # type: ignore[assignment]  # a path's end is that of its plan
     return formula
 
@@ -63,7 +63,7 @@ _PARTS = {
 }
 
 
-def _packed_part(part: object) -> object:
+def _packed_component(part: object) -> object:
     if isinstance(part, Profile):
         return ("profile", packed(part))
     if isinstance(part, tuple):
@@ -71,7 +71,7 @@ def _packed_part(part: object) -> object:
     return part
 
 
-def _unpacked_part(part: object) -> object:
+def _unpacked_component(part: object) -> object:
     if not isinstance(part, tuple):
         return part
     kind, held = part

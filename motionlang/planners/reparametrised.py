@@ -111,7 +111,7 @@ class Reparametrised(Formula):
         if speed is None:
             return super().peak_speed
         low, high = self.along.extrema()
-        path, slopes = self._travelled_part(low, high), [0.0]
+        path, slopes = self._travelled_section(low, high), [0.0]
         if path is not None:
             slopes.append(path.peak_speed)
         if low < 0.0:
@@ -132,12 +132,12 @@ class Reparametrised(Formula):
         speed = _uniform_speed(self.along)
         if speed is None:
             return super().peak_acceleration
-        path = self._travelled_part(*self.along.extrema())
+        path = self._travelled_section(*self.along.extrema())
         return 0.0 if path is None else speed * speed * path.peak_acceleration
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """Return the first time >= `after` at `position`, or None if there is none."""
-        times = [self.along.crossing(place, after) for place in self._places_of(position)]
+        times = [self.along.crossing(place, after) for place in self._distances_at(position)]
         return min((time for time in times if time is not None), default=None)
 
     def extrema(self) -> tuple[float, float]:
@@ -166,7 +166,7 @@ class Reparametrised(Formula):
         begin = start + (self.path.start + self.lift - self.start) * factor
         return Reparametrised(self.along, self.path.scaled(begin, factor), self.shape)
 
-    def _travelled_part(self, low: float, high: float) -> Profile | None:
+    def _travelled_section(self, low: float, high: float) -> Profile | None:
         """Return the curve between two distances; None if nothing is between them."""
         length = self.path.duration
         if low >= length or high <= 0.0:
@@ -174,7 +174,7 @@ class Reparametrised(Formula):
         path = self.path.cut(high) if high < length else self.path
         return path.after(low) if low > 0.0 else path
 
-    def _places_of(self, position: float) -> list[float]:
+    def _distances_at(self, position: float) -> list[float]:
         """Return all distances at which the curve is at `position`.
 
         Its straight continuations are included.

@@ -93,7 +93,7 @@ class PieceTable:
         edges = np.append(edges[used], n)
         columns = _derivative(self.columns[:, used], order)
         origins = self.origins[used] - t0
-        asked = _Asked(out, edges, origins, columns, dt)
+        asked = _Request(out, edges, origins, columns, dt)
         long = np.diff(edges) >= LONG
         _sample_short(asked, _runs(~long))
         wavy = columns[4] != 0.0
@@ -146,7 +146,7 @@ def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
 
 
-class _Asked(NamedTuple):
+class _Request(NamedTuple):
     """The requested points: their output, the first one of each piece, and the pieces."""
 
     out: Array
@@ -156,7 +156,7 @@ class _Asked(NamedTuple):
     dt: float
 
 
-def _sample_cubics(asked: _Asked, which: NDArray[np.int64]) -> None:
+def _sample_cubics(asked: _Request, which: NDArray[np.int64]) -> None:
     """Sample the long cubic pieces.
 
     All their blocks are re-centred together, then there is one product for each piece.
@@ -215,7 +215,7 @@ def _multiply(local: Array, basis: Array, out: Array) -> None:
         np.matmul(local[i : i + rows], basis, out=out[i : i + rows])
 
 
-def _sample_short(asked: _Asked, runs: list[tuple[int, int]]) -> None:
+def _sample_short(asked: _Request, runs: list[tuple[int, int]]) -> None:
     """Sample runs of short pieces, at most CHUNK points at a time.
 
     A longer run is split.
@@ -242,7 +242,7 @@ def _sample_short(asked: _Asked, runs: list[tuple[int, int]]) -> None:
         _sample_runs(asked, together)
 
 
-def _sample_runs(asked: _Asked, runs: list[tuple[int, int]]) -> None:
+def _sample_runs(asked: _Request, runs: list[tuple[int, int]]) -> None:
     """Sample runs on grids of small blocks, each from the piece of its first point.
 
     The points after a knot are then sampled again.

@@ -83,13 +83,13 @@ class ProfileSequence(Formula):
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """Return the first time >= `after` at `position`, or None if there is none."""
-        return self._first_in_parts(lambda part, low: part.crossing(position, low), after)
+        return self._first_in_segments(lambda part, low: part.crossing(position, low), after)
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
         """Return the first time >= `after` at `velocity`, or None if there is none."""
-        return self._first_in_parts(lambda part, low: part.velocity_crossing(velocity, low), after)
+        return self._first_in_segments(lambda part, low: part.velocity_crossing(velocity, low), after)
 
-    def _first_in_parts(
+    def _first_in_segments(
         self, crossing: Callable[[Profile, float], float | None], after: float
     ) -> float | None:
         """Return the first time >= `after` that `crossing` finds, profile by profile.

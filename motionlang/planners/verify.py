@@ -68,10 +68,10 @@ class _Span:
         roots = np.asarray(self.poly[order].roots(), dtype=np.complex128)
         found = [float(x.real) for x in roots if abs(x.imag) < 1e-12 * (1.0 + abs(x.real))]
         if self.amplitude:
-            found = self._wave_turns(order)
+            found = self._wave_extrema(order)
         return [0.0, *sorted(x for x in found if 0.0 < x < self.length), self.length]
 
-    def _wave_turns(self, order: int) -> list[float]:
+    def _wave_extrema(self, order: int) -> list[float]:
         offset = -self.poly[order].coef[0] / (self.amplitude * self.omega**order)
         if abs(offset) > 1.0:
             return []

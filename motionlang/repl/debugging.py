@@ -67,7 +67,7 @@ class Debugging:
             line = self.debugger.line_for(int(match[1]))
             if line is None:
                 raise ValueError(f"there is no statement in line {match[1]} or below")
-            self._broken[text] = Breakpoint(self.debugger.places_at(line), match[2] or "")
+            self._broken[text] = Breakpoint(self.debugger.offsets_at(line), match[2] or "")
         self.use()
 
     def remove_all(self) -> None:

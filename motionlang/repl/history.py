@@ -20,10 +20,10 @@ def history(dialect: str) -> History:
     """Return the history of a dialect."""
     folder = _folder()
     path = os.environ.get(VARIABLE, os.path.join(folder, f"{dialect}-history") if folder else "")
-    return KeptHistory(path) if path and _is_writable(path) else InMemoryHistory()
+    return SafeHistory(path) if path and _is_writable(path) else InMemoryHistory()
 
 
-class KeptHistory(FileHistory):
+class SafeHistory(FileHistory):
     """A history whose errors do not disturb the session, such as a full disk."""
 
     def store_string(self, string: str) -> None:

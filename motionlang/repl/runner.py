@@ -51,9 +51,9 @@ class Runner:
         self._interactive = dialect.interactive(machine)
 
     @property
-    def keeps_places(self) -> bool:
+    def keeps_columns(self) -> bool:
         """True if errors of an earlier text are reported with their columns."""
-        return self._interactive.keeps_places
+        return self._interactive.keeps_columns
 
     def is_complete(self, text: str) -> bool:
         """True if `text` leaves no block open."""
@@ -126,18 +126,18 @@ class Runner:
                 self._pass_on(source)
         except (Interrupted, KeyboardInterrupt) as error:
             at = self._scheduler.parent.at_error(error)
-            self._tell_at(source, at, "interrupted", "the command was interrupted from the keyboard")
+            self._report_at(source, at, "interrupted", "the command was interrupted from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, which can never happen"
             hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
             hint = what_ends(self.dialect, source, self.machine, stuck.task, stuck.wait, True) or hint
-            self._tell_at(source, self._scheduler.parent.at, "never", message, hint)
+            self._report_at(source, self._scheduler.parent.at, "never", message, hint)
         except Exception as error:
             self._drop_if_broken(error)
             self._explain(error, self._scheduler.current, source)
         return False
 
-    def _tell_at(self, source: Source, at: int, code: str, message: str, hint: str = "") -> None:
+    def _report_at(self, source: Source, at: int, code: str, message: str, hint: str = "") -> None:
         """Report an error at the current position of the command."""
         place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, at)
         self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)

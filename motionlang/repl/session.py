@@ -194,7 +194,7 @@ class Session:
         if source.line(diagnostic.line):
             return source
         if diagnostic.line > self._ambiguous:
-            if not self.runner.keeps_places:
+            if not self.runner.keeps_columns:
                 diagnostic.column = 0  # the move is somewhere in that line
             return Source("input", "\n".join(self._lines))
         diagnostic.line = 0

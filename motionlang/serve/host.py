@@ -59,7 +59,7 @@ class Host:
         """True if neither direction has data and the port on the board is not busy."""
         return not (self._inbox or self._outbox or self.port.busy)
 
-    def may_go_on(self, pace: Pace) -> bool:
+    def can_continue(self, pace: Pace) -> bool:
         """True if the board would accept more of the host's data."""
         if not self._inbox:
             return False

@@ -147,7 +147,7 @@ class Server:
         self._first = (self._first + 1) % max(1, len(self.hosts))
         for host in self.hosts[self._first :] + self.hosts[: self._first]:
             self._serve(host)
-        self._tell_waits()
+        self._report_waits()
 
     def close(self) -> None:
         """Disconnect every host, after a short time to take the board's output."""
@@ -236,7 +236,7 @@ class Server:
     # --------------------------------------------------------------------------------------- one iteration
 
     def _timeout(self) -> float | None:
-        if any(host.may_go_on(self.pace) for host in self.hosts):
+        if any(host.can_continue(self.pace) for host in self.hosts):
             return 0.0
         times = [self.pace.timeout(), self._refusals.left]
         ends = [host.ended for host in self.hosts if host.ended is not None]
@@ -297,7 +297,7 @@ class Server:
         except (Gone, OSError, ValueError):
             pass
 
-    def _tell_waits(self) -> None:
+    def _report_waits(self) -> None:
         """Report, once each, that a host waits for something that nothing will cause."""
         if any(host.port.waiting for host in self.hosts) and self.console.next_time() == INFINITY:
             for host in self.hosts:

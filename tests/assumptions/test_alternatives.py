@@ -9,9 +9,9 @@ import pytest
 
 from motionlang import run
 from motionlang.assumptions.answers import HOLDS, OTHER, is_answer, read
-from motionlang.assumptions.entries import readings
+from motionlang.assumptions.assumption import REFUSED, Assumption
+from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.probe import Motion, alone
-from motionlang.assumptions.reading import REFUSED, Reading
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.switch import switch
 from motionlang.source import Source
@@ -28,26 +28,26 @@ NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
 DISTANCE = 100.0
 
 
-def open_ones() -> list[Reading]:
+def open_ones() -> list[Assumption]:
     """Return the open assumptions that a controller can confirm."""
-    return [each for each in readings().values() if each.is_open and not each.own]
+    return [each for each in assumptions().values() if each.is_open and not each.own]
 
 
-def by_name() -> list[Reading]:
+def by_name() -> list[Assumption]:
     """Return the assumptions with a probe of their own."""
-    return [each for each in readings().values() if each.probe is not None and each.probe.alone]
+    return [each for each in assumptions().values() if each.probe is not None and each.probe.alone]
 
 
-def text_of(reading: Reading) -> Source:
-    assert reading.probe is not None
-    name, axis = NAMES[reading.probe.language]
-    return Source(name, alone(reading, axis, Motion(axis, DISTANCE) if reading.probe.motion else None))
+def text_of(assumption: Assumption) -> Source:
+    assert assumption.probe is not None
+    name, axis = NAMES[assumption.probe.language]
+    return Source(name, alone(assumption, axis, Motion(axis, DISTANCE) if assumption.probe.motion else None))
 
 
-def machine_of(reading: Reading) -> dict[str, object]:
+def machine_of(assumption: Assumption) -> dict[str, object]:
     """The machine that a probe needs, from its entry for the virtual controller."""
-    assert reading.probe is not None
-    return read_machine(Source("probe.machine.toml", reading.probe.machine))
+    assert assumption.probe is not None
+    return read_machine(Source("probe.machine.toml", assumption.probe.machine))
 
 
 def test_readings_without_alternatives_become_fewer() -> None:
@@ -61,7 +61,7 @@ def test_readings_that_no_program_tells_become_fewer() -> None:
 
 
 def test_what_is_our_own_is_asked_of_no_controller() -> None:
-    own = [each for each in readings().values() if each.own]
+    own = [each for each in assumptions().values() if each.own]
     assert len(own) == OWN
     for each in own:
         assert each.is_open, each.name
@@ -69,7 +69,7 @@ def test_what_is_our_own_is_asked_of_no_controller() -> None:
 
 
 def test_each_answer_is_told_apart_and_belongs_to_an_alternative() -> None:
-    for each in readings().values():
+    for each in assumptions().values():
         if each.probe is None or each.probe.form:
             continue
         assert len(each.probe.answers) <= 1 + len(each.alternatives), each.name
@@ -79,7 +79,7 @@ def test_each_answer_is_told_apart_and_belongs_to_an_alternative() -> None:
 
 
 @pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)
-def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: Reading) -> None:
+def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: Assumption) -> None:
     """The program compiles, runs, and prints its answer, or is rejected as stated."""
     assert each.probe is not None
     source = text_of(each)
@@ -96,10 +96,10 @@ def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: R
 @pytest.mark.parametrize("distance", [20.0, 12.5, 4.0, 1000.0])
 @pytest.mark.parametrize(
     "each",
-    [each for each in readings().values() if each.probe and each.probe.motion],
+    [each for each in assumptions().values() if each.probe and each.probe.motion],
     ids=lambda each: each.name,
 )
-def test_a_question_fits_any_distance_that_is_allowed(each: Reading, distance: float) -> None:
+def test_a_question_fits_any_distance_that_is_allowed(each: Assumption, distance: float) -> None:
     """The virtual controller confirms its own assumption at any distance."""
     assert each.probe is not None
     name, axis = NAMES[each.probe.language]
@@ -107,10 +107,10 @@ def test_a_question_fits_any_distance_that_is_allowed(each: Reading, distance: f
         Source(name, alone(each, axis, Motion(axis, distance))), machine=machine_of(each), cache=False
     )
     (verdict,) = read("\n".join(result.output)).verdicts
-    assert (verdict.reading.name, verdict.status) == (each.name, HOLDS), verdict.answer
+    assert (verdict.assumption.name, verdict.status) == (each.name, HOLDS), verdict.answer
 
 
-def switched() -> list[tuple[Reading, object]]:
+def switched() -> list[tuple[Assumption, object]]:
     """Return assumptions with their own probe and a switch, with each other value."""
     return [
         (each, choice)
@@ -122,7 +122,7 @@ def switched() -> list[tuple[Reading, object]]:
 
 @pytest.mark.parametrize(("each", "choice"), switched(), ids=lambda each: getattr(each, "name", each))
 def test_a_controller_that_has_it_otherwise_is_found_out_and_can_be_had(
-    each: Reading, choice: object
+    each: Assumption, choice: object
 ) -> None:
     machine = machine_of(each) | {each.key: choice}
     (verdict,) = read("\n".join(run(text_of(each), machine=machine, cache=False).output)).verdicts
@@ -130,7 +130,7 @@ def test_a_controller_that_has_it_otherwise_is_found_out_and_can_be_had(
 
 
 @pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)
-def test_every_other_answer_names_its_alternative(each: Reading) -> None:
+def test_every_other_answer_names_its_alternative(each: Assumption) -> None:
     assert each.probe is not None
     for answer, alternative in zip(each.probe.answers[1:], each.alternatives, strict=False):
         if not answer.startswith("re:") and answer and each.probe.language == "mint":
@@ -141,7 +141,7 @@ def test_every_other_answer_names_its_alternative(each: Reading) -> None:
 @pytest.mark.parametrize(
     "each", [each for each in by_name() if each.probe and each.probe.motion], ids=lambda each: each.name
 )
-def test_what_moves_stays_within_the_distance_that_is_allowed(each: Reading) -> None:
+def test_what_moves_stays_within_the_distance_that_is_allowed(each: Assumption) -> None:
     result = run(text_of(each), machine=machine_of(each), cache=False)
     assert result.report["moves"]
     for move in result.report["moves"]:

@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-from motionlang.assumptions.entries import chapters, entries_naming, readings
+from motionlang.assumptions.entries import assumptions, chapters, entries_naming
 from motionlang.assumptions.page import markdown
 from motionlang.execution import dialect, dialects
 from tests.fidelity_page import LIST, PAGE, written
@@ -18,8 +18,8 @@ MAX_WORDS = 1200
 
 
 def test_every_reading_is_whole() -> None:
-    assert len(readings()) > 400
-    for name, each in readings().items():
+    assert len(assumptions()) > 400
+    for name, each in assumptions().items():
         assert re.fullmatch(r"[a-z]+\.[a-z0-9]+(-[a-z0-9]+)*", name), name
         assert each.question, name
         assert each.chosen, name
@@ -28,14 +28,14 @@ def test_every_reading_is_whole() -> None:
 
 def test_no_question_is_asked_twice_in_a_chapter() -> None:
     for chapter in chapters():
-        asked = [each.question for section in chapter.sections for each in section.readings]
+        asked = [each.question for section in chapter.sections for each in section.assumptions]
         assert sorted(asked) == sorted(set(asked)), chapter.title
 
 
 def test_what_a_reading_depends_on_are_words_of_a_language() -> None:
     known = {row.name for name in dialects() for row in dialect(name).table()} | BESIDE
     signs = {"control", "operator", "separator"}
-    for name, each in readings().items():
+    for name, each in assumptions().items():
         for word in set(each.words) - known:
             assert {kind for kind, _, _ in dialect("mint").tokens(word)} <= signs, (name, word)
 
@@ -47,7 +47,7 @@ def test_the_list_is_what_the_entries_say() -> None:
 def test_the_short_page_has_the_figures_of_the_entries() -> None:
     text = PAGE.read_text(encoding="utf-8")
     assert text == written(text), "python -m tests.derived writes it"
-    asked = [each for each in readings().values() if each.probe is not None and not each.own]
+    asked = [each for each in assumptions().values() if each.probe is not None and not each.own]
     rows = re.findall(r"^\| \[.+\| (\d+) \| \d+ \|$", text, re.MULTILINE)
     assert sum(map(int, rows)) == len(asked)
 
@@ -71,9 +71,11 @@ def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
     settable = {
         name: switch for language in dialects() for name, switch in dialect(language).switches().items()
     }
-    assert {name for name, each in readings().items() if each.key == f"assumptions.{name}"} == set(settable)
+    assert {name for name, each in assumptions().items() if each.key == f"assumptions.{name}"} == set(
+        settable
+    )
     for name, switch in settable.items():
-        each = readings()[name]
+        each = assumptions()[name]
         assert each.probe is not None, name
         if switch.choices:
             assert len(switch.choices) == 1 + len(each.alternatives), name
@@ -87,5 +89,5 @@ def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
     """
     for language in ("mint", "mccl"):
         for row in dialect(language).table():
-            names = [each.name for each in readings().values() if row.name in each.words]
+            names = [each.name for each in assumptions().values() if row.name in each.words]
             assert [each.name for each in entries_naming(row.name)] == names, row.name

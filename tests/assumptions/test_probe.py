@@ -11,7 +11,7 @@ import pytest
 
 from motionlang import run
 from motionlang.assumptions.answers import HOLDS, Answers, machine_text, read
-from motionlang.assumptions.entries import readings
+from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.probe import BEGIN, END, NEXT, Motion, asked, mark, written
 from motionlang.execution import dialect
 from motionlang.lang.machine.file import read_machine
@@ -20,7 +20,7 @@ from motionlang.source import Source
 from tests.cases import cases
 
 # The questions of separate programs.
-BY_NAME = {each.name for each in readings().values() if each.probe is not None and each.probe.alone}
+BY_NAME = {each.name for each in assumptions().values() if each.probe is not None and each.probe.alone}
 LANGUAGES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
 # Assumptions without a switch, set by other keys of the machine file, and values that a probe can
 # distinguish.
@@ -82,7 +82,9 @@ def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> N
         if key in told:
             assert told[key] == pytest.approx(value) if isinstance(value, float) else told[key] == value, key
         else:
-            verdict = next(each for each in found.verdicts if name in (each.reading.name, each.reading.key))
+            verdict = next(
+                each for each in found.verdicts if name in (each.assumption.name, each.assumption.key)
+            )
             assert verdict.status == HOLDS, key
     assert set(told) <= set(settings)
     assert answers(language, told) == answers(language, settings)
@@ -97,13 +99,13 @@ def test_every_reading_chosen_holds_on_the_virtual_controller(
     motion = Motion(LANGUAGES[language][1] + further, 100.0) if moves else None
     found = read("\n".join(answers(language, {}, motion, further)))
     assert [each.message for each in found.problems] == []
-    wrong = {each.reading.name: each.answer for each in found.verdicts if each.status != HOLDS}
+    wrong = {each.assumption.name: each.answer for each in found.verdicts if each.status != HOLDS}
     assert wrong == {}
     assert len(found.verdicts) == len(asked(language, motion=moves))
 
 
 def test_many_open_readings_are_asked() -> None:
-    open_ones = [each for each in readings().values() if each.probe is not None and each.is_open]
+    open_ones = [each for each in assumptions().values() if each.probe is not None and each.is_open]
     assert len(open_ones) >= 60
     assert len([each for each in open_ones if each.probe and each.probe.language == "mccl"]) >= 25
 
@@ -125,7 +127,7 @@ def test_a_probe_moves_nothing_and_writes_nothing_unless_it_is_asked(language: s
 
 
 def test_questions_are_marked_apart() -> None:
-    marks = [mark(name) for name in (*readings(), BEGIN, END, NEXT)]
+    marks = [mark(name) for name in (*assumptions(), BEGIN, END, NEXT)]
     assert len(set(marks)) == len(marks)
 
 
@@ -156,8 +158,8 @@ def lines_name(number: int) -> str:
 
 def test_answers_in_another_order_say_the_same() -> None:
     straight, turned = log(lambda lines: lines), log(lambda lines: lines[::-1])
-    assert [(each.reading.name, each.status) for each in straight.verdicts] == [
-        (each.reading.name, each.status) for each in turned.verdicts
+    assert [(each.assumption.name, each.status) for each in straight.verdicts] == [
+        (each.assumption.name, each.status) for each in turned.verdicts
     ]
     assert turned.problems == []
 
@@ -172,7 +174,7 @@ def test_a_question_without_an_answer_is_told() -> None:
 def test_two_answers_to_one_question_set_nothing() -> None:
     found = log(lambda lines: [*lines, "<mint.homespeed-default|77>"])
     assert "mint.homespeed-default is answered twice, by '4000.0000' and '77'" in found.problems[0].message
-    assert "mint.homespeed-default" not in {each.reading.name for each in found.verdicts}
+    assert "mint.homespeed-default" not in {each.assumption.name for each in found.verdicts}
 
 
 def test_the_echo_of_the_probe_is_no_answer() -> None:

@@ -8,16 +8,16 @@ import pytest
 
 from motionlang import run
 from motionlang.assumptions.answers import HOLDS, OTHER, read
+from motionlang.assumptions.assumption import REFUSED
 from motionlang.assumptions.facts import of_word
 from motionlang.assumptions.probe import alone
 from motionlang.assumptions.questions import questions
-from motionlang.assumptions.reading import REFUSED
-from motionlang.assumptions.rules import facts_asked, unasked
+from motionlang.assumptions.rules import unasked, unsettled_facts
 from motionlang.execution import dialect
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.assumptions.reading import Reading
+    from motionlang.assumptions.assumption import Assumption
     from motionlang.lang.keyword import Keyword
 
 NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
@@ -29,25 +29,25 @@ def word(language: str, name: str) -> Keyword:
     return row
 
 
-def of(language: str, name: str) -> dict[str, Reading]:
+def of(language: str, name: str) -> dict[str, Assumption]:
     """Return the facts of a keyword with a question, by the suffix of their name."""
     begin = f"{language}.{name.lower()}-"
-    return {each.name.removeprefix(begin): each for each in facts_asked(language, word(language, name))}
+    return {each.name.removeprefix(begin): each for each in unsettled_facts(language, word(language, name))}
 
 
-def answered(reading: Reading, machine: dict[str, object] | None = None) -> str:
+def answered(assumption: Assumption, machine: dict[str, object] | None = None) -> str:
     """Return a controller's output for one question."""
-    assert reading.probe is not None
-    name, axis = NAMES[reading.probe.language]
-    result = run(Source(name, alone(reading, axis)), machine=machine or {}, cache=False)
-    assert result.status == "ended", reading.name
+    assert assumption.probe is not None
+    name, axis = NAMES[assumption.probe.language]
+    result = run(Source(name, alone(assumption, axis)), machine=machine or {}, cache=False)
+    assert result.status == "ended", assumption.name
     return "\n".join(result.output)
 
 
 @pytest.mark.parametrize("language", NAMES)
 def test_each_question_is_answered_as_the_fact_that_was_taken(language: str) -> None:
     """The program compiles, runs, and prints the stated answer."""
-    asked = [each for row in dialect(language).table() for each in facts_asked(language, row)]
+    asked = [each for row in dialect(language).table() for each in unsettled_facts(language, row)]
     assert len(asked) > 50
     for each in asked:
         found = read(answered(each))
@@ -121,7 +121,7 @@ def test_what_a_source_prints_is_not_asked() -> None:
 def test_nothing_that_switches_or_moves_is_written() -> None:
     """No output, drive, brake or jog: a probe writes only stored values of an axis."""
     for name in ("DRIVEENABLE", "DRIVEENABLEOUTPUT", "JOG", "MOTORBRAKE", "OUTX", "DAC", "RELAY", "TORQUE"):
-        for each in facts_asked("mint", word("mint", name)):
+        for each in unsettled_facts("mint", word("mint", name)):
             assert each.probe is not None
             assert not any(line.startswith(name) for line in each.probe.before), name
 
@@ -131,9 +131,9 @@ def test_what_the_general_form_leaves_out_is_a_fact_of_its_word(language: str) -
     for name, fact in unasked(language):
         row = word(language, name)
         assert fact in of_word(language, row)
-        assert not any(fact in each.name for each in facts_asked(language, row) if fact == "range")
+        assert not any(fact in each.name for each in unsettled_facts(language, row) if fact == "range")
 
 
 def test_a_word_that_is_not_simulated_is_not_asked() -> None:
     row = next(each for each in dialect("mint").table() if not each.simulated)
-    assert facts_asked("mint", row) == []
+    assert unsettled_facts("mint", row) == []

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang import run
 from motionlang.assumptions import indexing
-from motionlang.assumptions.entries import readings
+from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.used import depended_on
 from motionlang.cli import main
 from motionlang.execution import dialect
@@ -60,7 +60,7 @@ def test_a_motor_brings_those_of_the_servo() -> None:
 def test_a_report_names_them() -> None:
     report = run(Source("a.mnt", "PRINT HOMESPEED(0)\n"), cache=False).report
     assert report["assumptions"] == used("PRINT HOMESPEED(0)")
-    assert all(name in readings() for name in used("PRINT HOMESPEED(0)"))
+    assert all(name in assumptions() for name in used("PRINT HOMESPEED(0)"))
 
 
 def test_check_lists_them_with_their_strength(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

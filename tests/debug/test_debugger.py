@@ -61,7 +61,7 @@ def line_of(debugger: Debugger) -> int:
 def at(
     debugger: Debugger, line: int, condition: str = "", hits: str = "", message: str | None = None
 ) -> Breakpoint:
-    return Breakpoint(debugger.places_at(line), condition, hits, message)
+    return Breakpoint(debugger.offsets_at(line), condition, hits, message)
 
 
 def value(debugger: Debugger, text: str) -> object:

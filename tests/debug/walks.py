@@ -99,7 +99,7 @@ def _move(debugger: Debugger, draw: Random, stop: Stop | None, output: list[str]
     if command == "breakpoint":
         lines = draw.sample(debugger.lines, min(2, len(debugger.lines)))
         hits = draw.choice(["", "", "2", "% 3"])
-        debugger.set_breakpoints([Breakpoint(debugger.places_at(line), "", hits) for line in lines])
+        debugger.set_breakpoints([Breakpoint(debugger.offsets_at(line), "", hits) for line in lines])
         return stop if debugger.stop is not None else debugger.step_back()
     if command == "moment":
         debugger.searches = [filtered(kinds) for _, kinds in FILTERS.values()] if draw.random() < 0.5 else []

@@ -116,7 +116,7 @@ def test_tasks_that_compute_by_themselves_take_long_turns_and_end_when_they_woul
 ) -> None:
     """They agree to the duration of an iteration, since a slice ends with one."""
     long_turns = timeline(TWO)
-    monkeypatch.setattr(scheduler.Scheduler, "_turn_length", lambda *_: 1e-3)
+    monkeypatch.setattr(scheduler.Scheduler, "_slice_length", lambda *_: 1e-3)
     short_turns = timeline(TWO)
     assert [line.split()[0] for line in long_turns[0]] == ["A", "B", "all"]
     assert long_turns[1] == pytest.approx(short_turns[1], rel=0.01)

@@ -71,7 +71,7 @@ def all_of(result: Run) -> list[object]:
         for a in c.axes.values()
         for start, profile in zip(*WholeTrack(a).between(0.0, result.time), strict=True)
     ]
-    streams = (log.waits, log.turns, log.events, log.settings, log.prints, log.outputs, log.inputs)
+    streams = (log.waits, log.slices, log.events, log.settings, log.prints, log.outputs, log.inputs)
     moves = [
         (
             m.axis,

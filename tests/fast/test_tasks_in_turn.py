@@ -69,7 +69,7 @@ def program(random: Random) -> str:
 def left(result: Run) -> tuple[object, ...]:
     """Return the complete result of a run."""
     log = result.machine.log
-    return text(result), list(log.waits), list(log.turns), list(log.events), list(log.outputs)
+    return text(result), list(log.waits), list(log.slices), list(log.events), list(log.outputs)
 
 
 @pytest.mark.parametrize("seed", one_in(3, range(42)))

@@ -108,7 +108,7 @@ MEETS: dict[str, tuple[str, dict[str, object]]] = {
 def left(result: Run) -> tuple[object, ...]:
     """Return the complete result of a run."""
     log = result.machine.log
-    return text(result), result.output, list(log.waits), list(log.turns), list(log.events), list(log.outputs)
+    return text(result), result.output, list(log.waits), list(log.slices), list(log.events), list(log.outputs)
 
 
 def both(source: Source, machine: dict[str, object], until: float | None = None) -> tuple[Run, Run]:

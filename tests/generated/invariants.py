@@ -43,7 +43,7 @@ def in_order(result: Run) -> Iterator[str]:
         "moves": (each.start_time for each in log.moves),
         "waits": (each.until for each in log.waits),
         "loops": (each.until for each in log.loops),
-        "turns": (each.time for each in log.turns),
+        "turns": (each.time for each in log.slices),
         "outputs": (each.time for each in log.outputs),
         "inputs": (each.time for each in log.inputs),
         "analogue outputs": (each.time for each in log.analogue_outputs),

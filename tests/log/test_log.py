@@ -62,7 +62,7 @@ STREAMS = [
     "moves",
     "dropped",
     "waits",
-    "turns",
+    "slices",
     "outputs",
     "inputs",
     "analogue_outputs",
@@ -76,7 +76,7 @@ import motionlang
 from motionlang.source import Source
 for source in (Source("a.mnt", "Dim n As Integer"), Source("a.mcl", "CN0\\n")):
     log = motionlang.run(source, cache=False).machine.log
-    streams = (log.moves, log.dropped, log.waits, log.turns, log.events, log.outputs)
+    streams = (log.moves, log.dropped, log.waits, log.slices, log.events, log.outputs)
     print([(len(each), list(each), each[:], list(reversed(each)), bool(each)) for each in streams])
 """
 
@@ -189,7 +189,7 @@ Task Counting
   For k = 1 To 5000 : Next
 End Task
 """
-    turns = list(run(Source("two.mnt", program), cache=False).controller.log.turns)
+    turns = list(run(Source("two.mnt", program), cache=False).controller.log.slices)
     assert [each.tasks for each in turns] == [("ParentTask", "counting"), ("counting",)]
     for each in turns:
         assert fsum(each.seconds) == pytest.approx(each.until - each.time)

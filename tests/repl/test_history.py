@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from prompt_toolkit.history import InMemoryHistory
 
-from motionlang.repl.history import KeptHistory, history
+from motionlang.repl.history import SafeHistory, history
 
 
 @pytest.fixture(autouse=True)
@@ -33,7 +33,7 @@ def test_a_file_that_others_could_read_is_closed_to_them(
     path = tmp_path / "mine"
     path.touch(0o666)
     monkeypatch.setenv("MOTIONLANG_HISTORY", str(path))
-    assert isinstance(history("mint"), KeptHistory)
+    assert isinstance(history("mint"), SafeHistory)
     assert path.stat().st_mode & 0o777 == 0o600
 
 

@@ -199,7 +199,7 @@ def test_more_than_a_page_holds_is_refused(tmp_path: Path, monkeypatch: pytest.M
         + len(log.events)
         + len(log.inputs)
         + len(log.outputs)
-        + len(log.turns)
+        + len(log.slices)
     )
     monkeypatch.setattr("motionlang.views.scope.MAX_RECORDS", records)
     write_scope(made, str(path), against=made)

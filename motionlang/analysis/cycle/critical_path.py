@@ -296,7 +296,7 @@ class CriticalPath:
         Return the task that started it, and when.
         """
         starter = self._starter(task)
-        self._compute(starter[1], time, task, self._first_place(task))
+        self._compute(starter[1], time, task, self._first_location(task))
         return starter
 
     def _awaited(self, wait: Wait, time: float) -> Motion | None:
@@ -412,10 +412,10 @@ class CriticalPath:
     def _starter(self, task: str) -> tuple[str, float]:
         """Return the task that started another, and when; the parent began with the run."""
         parent = parent_of(self._run)
-        begin = next((turn.time for turn in self._run.machine.log.turns if task in turn.tasks), 0.0)
+        begin = next((turn.time for turn in self._run.machine.log.slices if task in turn.tasks), 0.0)
         return parent, 0.0 if task == parent else begin
 
-    def _first_place(self, task: str) -> SourcePosition:
+    def _first_location(self, task: str) -> SourcePosition:
         """Return where a task begins, or its first wait if that is not known."""
         begin = self.places.begin(task)
         if begin is not None:

@@ -55,7 +55,7 @@ class TimeProfile:
     @property
     def has_tasks(self) -> bool:
         """True if there is more than the parent task."""
-        return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.turns)
+        return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.slices)
 
     def waits(self) -> dict[str, Iterator[Waited]]:
         """Return the waits of each task in order of time, including loops that waited."""

@@ -87,7 +87,7 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     first: dict[str, float] = {}
     last: dict[str, float] = {}
     computed: dict[str, list[float]] = {}
-    for turn in run.machine.log.turns:
+    for turn in run.machine.log.slices:
         for name, seconds in zip(turn.tasks, turn.seconds, strict=True):
             computed.setdefault(name, []).append(seconds)
             first.setdefault(name, turn.time)

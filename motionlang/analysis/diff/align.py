@@ -77,11 +77,11 @@ def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
                 i += 1
             furthest[k] = i
             if i >= len(a) and i - k >= len(b):
-                return _way_back(steps, len(a), len(b), a, b)
+                return _backtrack(steps, len(a), len(b), a, b)
     return None
 
 
-def _way_back(
+def _backtrack(
     steps: list[dict[int, int]], i: int, j: int, a: Sequence[Hashable], b: Sequence[Hashable]
 ) -> Pairs:
     pairs = []

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 # Times in each stretch between two profiles of either run at which they are compared, and bisections to find
 # the time.
-LOOKS, HALVINGS = 8, 40
+SAMPLES, HALVINGS = 8, 40
 # The relative rounding of a position; and a hundredth of it, by which a table of pieces may differ in
 # addition.
 ROUNDING, TABLE = 1e-9, 1e-11
@@ -68,7 +68,7 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | Non
     first: float | None = None
     largest = (0.0, 0.0)
     before = 0.0
-    for times in _looks(a, b, end):
+    for times in _sample_times(a, b, end):
         far, apart_enough = _candidates(a, b, times, tolerance)
         if first is None:
             for k in apart_enough:
@@ -83,13 +83,13 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | Non
     return None if first is None else Divergence(a.index, first, *largest)
 
 
-def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
+def _sample_times(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
     """Yield the times at which two axes are compared, many at once."""
     edges = np.fromiter(_edges(a, b, end), dtype=np.float64)
     for first in range(0, len(edges) - 1, TOGETHER):
         some = edges[first : first + TOGETHER + 1]
         begins, lengths = some[:-1, None], np.diff(some)[:, None]
-        yield (begins + lengths * np.arange(1, LOOKS + 1) / LOOKS).ravel().tolist()
+        yield (begins + lengths * np.arange(1, SAMPLES + 1) / SAMPLES).ravel().tolist()
 
 
 def _candidates(

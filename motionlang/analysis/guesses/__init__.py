@@ -214,7 +214,7 @@ class Guesses:
                 given.append(given[-1])
                 return True
             return False
-        ranges = [_middle(found) for found in _RANGE.findall(_said_since_answer(result))]
+        ranges = [_middle(found) for found in _RANGE.findall(_printed_since_answer(result))]
         for text in (*ranges, *ANSWERS):
             if text not in tried:
                 tried.append(text)
@@ -413,7 +413,7 @@ def _acted_since_answer(result: Run) -> bool:
     return any(move.start_time > time for move in log.moves) or any(each.time > time for each in log.outputs)
 
 
-def _said_since_answer(result: Run) -> str:
+def _printed_since_answer(result: Run) -> str:
     """Return the text printed since the last answer.
 
     It has the reason why the answer was rejected, and the question.

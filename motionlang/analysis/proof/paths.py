@@ -166,7 +166,7 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         places = [a.place(begin) for a in axes]
         tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
         along = spans_along(tracks, way, end - begin)
-    _check_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
+    _check_path(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         first = i > 0 and begin == path.begun and run.rest_of(moves[0]) is None
         fresh = first and not blended and _speeds_up(run, order, path, master, i)
@@ -268,7 +268,7 @@ def check_tail(
         _check_along(proof, order, way, along, where)
 
 
-def _check_way(
+def _check_path(
     proof: Proof,
     order: Order,
     way: PathLayout,

@@ -69,7 +69,7 @@ if TYPE_CHECKING:
     from motionlang.planners import Profile, State
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
-LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
+SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 
 def prove(
@@ -299,7 +299,7 @@ def _check_move(proof: Proof, run: Run, move: Move) -> None:
         return
     length = min(profile.duration, run.until - move.start_time)
     zero = _zero(run, a, move.start_time)
-    for share in LOOKS:
+    for share in SAMPLE_FRACTIONS:
         time = move.start_time + share * length
         if _zero(run, a, time) != zero:  # another zero, which a later one may cancel
             continue

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.analysis.sweeps.job import Problem, Result
-    from motionlang.analysis.sweeps.quantities import Kept
+    from motionlang.analysis.sweeps.quantities import ResultValue
     from motionlang.analysis.sweeps.space import Value
     from motionlang.lang.dialect import Dialect
 
@@ -43,7 +43,7 @@ class Row:
 
     index: int
     values: dict[str, Value]
-    kept: dict[str, Kept]
+    kept: dict[str, ResultValue]
     problem: Problem | None
 
     def __getitem__(self, name: str) -> object:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any
 
-    from motionlang.analysis.sweeps.quantities import Kept
+    from motionlang.analysis.sweeps.quantities import ResultValue
     from motionlang.analysis.sweeps.space import Value
     from motionlang.lang.program import Program
     from motionlang.result import Run
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     # A variant by its number and its values; a row by its number, its results, and its error.
     Variant = tuple[int, tuple[Value, ...]]
     Problem = dict[str, object]
-    Result = tuple[int, tuple[Kept, ...], Problem | None]
+    Result = tuple[int, tuple[ResultValue, ...], Problem | None]
 
 # Names of a variant that represent complete machine files.
 MACHINE, SCENARIO = "machine", "scenario"
@@ -184,9 +184,9 @@ class Worker:
         return found
 
     @staticmethod
-    def _read(found: Run, row: Any, number: int) -> Kept:
+    def _read(found: Run, row: Any, number: int) -> ResultValue:
         try:
-            kept: Kept = row.read(found, number)
+            kept: ResultValue = row.read(found, number)
         except KeyError:  # no such axis
             return None
         return kept

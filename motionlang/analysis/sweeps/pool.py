@@ -49,7 +49,7 @@ class Hand:
         self._given, self._jobs = executor, jobs
         self._own: Workers | None = None
         self._again: deque[_Chunk] = deque()
-        self._under_way: dict[Future[tuple[str, float, list[Result]]], _Chunk] = {}
+        self._running: dict[Future[tuple[str, float, list[Result]]], _Chunk] = {}
         self._seen: set[str] = set()
         # Seconds that a variant took, for the size of chunks.
         self._cost = 0.0
@@ -94,15 +94,15 @@ class Hand:
 
     def _from_others(self) -> Iterator[Result]:
         while self._fill():
-            done, _ = wait(self._under_way, return_when=FIRST_COMPLETED)
+            done, _ = wait(self._running, return_when=FIRST_COMPLETED)
             for future in done:
                 yield from self._taken(future)
 
     def _fill(self) -> bool:
         """Keep enough chunks in progress; false if nothing remains."""
         ahead = MAX_AHEAD if self._given is not None else AHEAD * self._jobs
-        suspects = any(chunk.tries for chunk in self._under_way.values())
-        while len(self._under_way) < ahead and not (suspects and self._given is None):
+        suspects = any(chunk.tries for chunk in self._running.values())
+        while len(self._running) < ahead and not (suspects and self._given is None):
             chunk = self._next()
             if chunk is None:
                 break
@@ -117,13 +117,13 @@ class Hand:
                 executor.shutdown(wait=False)
                 self._start(self._jobs)
                 continue
-            self._under_way[future] = chunk
+            self._running[future] = chunk
             # A chunk that has ended a process of our own pool runs alone, so that it affects no other.
             suspects = bool(chunk.tries) and self._given is None
-        return bool(self._under_way)
+        return bool(self._running)
 
     def _next(self) -> _Chunk | None:
-        if self._again and not (self._given is None and self._again[0].tries and self._under_way):
+        if self._again and not (self._given is None and self._again[0].tries and self._running):
             return self._again.popleft()
         if self._again or not self._left:
             return None
@@ -141,7 +141,7 @@ class Hand:
         return max(1, min(size, MAX_VARIANTS, -(-self._left // (2 * workers)), self._left))
 
     def _taken(self, future: Future[tuple[str, float, list[Result]]]) -> Iterator[Result]:
-        chunk = self._under_way.pop(future)
+        chunk = self._running.pop(future)
         try:
             who, seconds, rows = future.result()
         except (KeyboardInterrupt, SystemExit):
@@ -179,6 +179,6 @@ class Hand:
         """End the chunks in progress; an executor that was given lives on."""
         if self._own is not None:
             self._own.stop()
-        for future in self._under_way if self._given is not None else ():
+        for future in self._running if self._given is not None else ():
             future.cancel()
-        self._under_way.clear()
+        self._running.clear()

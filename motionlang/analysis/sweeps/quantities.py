@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from motionlang.result import Run
 
-    Kept = float | str | bool | None
-    Reader = Callable[[Run, int], Kept]
+    ResultValue = float | str | bool | None
+    Reader = Callable[[Run, int], ResultValue]
 
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 

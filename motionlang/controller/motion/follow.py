@@ -371,9 +371,9 @@ class Gear(Follow):
     def base(self, coming: Profile, position: float) -> Profile:
         """Return the geared motion, or the ramp to rest of a suspended slave."""
         if self.a.suspended:
-            standing = halt.standing(self.controller, self.a)
+            with_standstill = halt.with_standstill(self.controller, self.a)
             self.keeps_rates = True
-            return standing
+            return with_standstill
         self.keeps_rates = False
         if self._locks_at > self.controller.clock.now:
             return self._chased(coming, position)

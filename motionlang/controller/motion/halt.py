@@ -75,7 +75,7 @@ def to_rest(controller: Core, a: Axis) -> Profile:
     return braking(controller, a, _decel(controller, a))
 
 
-def standing(controller: Core, a: Axis) -> Profile:
+def with_standstill(controller: Core, a: Axis) -> Profile:
     """Return the motion to rest, followed by rest until another command."""
     return with_rest(to_rest(controller, a), "suspend")
 

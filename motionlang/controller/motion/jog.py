@@ -27,13 +27,13 @@ _ROUNDING = 1e-12
 class Jog(Action):
     """Running at a velocity, counts/s; with `ends` a velocity of 0 ends the jog."""
 
-    __slots__ = ("_way", "ends", "velocity")
+    __slots__ = ("_ramp_settings", "ends", "velocity")
     live_limits = ("max_speed", "max_accel", "max_decel")
 
     def __init__(self, velocity: float, ends: bool) -> None:
         self.velocity, self.ends = velocity, ends
         # The settings on which the ramp to the velocity depends.
-        self._way: tuple[object, ...] = ()
+        self._ramp_settings: tuple[object, ...] = ()
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         return self.planned(controller, a, a.move.rates if a.move is not None else None)
@@ -50,7 +50,7 @@ class Jog(Action):
 
     def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
         """Return the motion from the state of the axis to the velocity."""
-        self._way = way = _way(controller, a, own)
+        self._ramp_settings = way = _ramp_settings(controller, a, own)
         accel, decel = way[0], way[1]
         eased, position, velocity, bent = onset(
             a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, a.accel_jerk
@@ -87,7 +87,7 @@ class Jog(Action):
             return False
         wanted, state = _wanted(a, velocity), a.at(controller.clock.now)
         at_speed = state.velocity == wanted == a.profiles[-1].end_velocity and not state.acceleration
-        return at_speed or self._way == _way(controller, a, own)
+        return at_speed or self._ramp_settings == _ramp_settings(controller, a, own)
 
 
 def jog(
@@ -121,7 +121,9 @@ def _wanted(a: Axis, velocity: float) -> float:
     return 0.0 if a.suspended else max(-a.max_speed, min(velocity, a.max_speed))
 
 
-def _way(controller: Core, a: Axis, own: Rates | None) -> tuple[float, float, object, object, object, object]:
+def _ramp_settings(
+    controller: Core, a: Axis, own: Rates | None
+) -> tuple[float, float, object, object, object, object]:
     """Return acceleration, deceleration and the other settings of the ramps."""
     accel, decel = own or (None, None)
     if accel is None or decel is None:

@@ -68,7 +68,7 @@ class SpeedReference(Reference):
     def plan(self, controller: Core, a: Axis) -> Profile:
         """Return the ramp from the state of the axis; at a velocity of 0 it ends at rest."""
         if a.suspended:
-            return halt.standing(controller, a)
+            return halt.with_standstill(controller, a)
         wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
         s = a.at(controller.clock.now)
         try:
@@ -137,7 +137,7 @@ class PositionReference(Reference):
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         if a.suspended:
-            return halt.standing(controller, a)
+            return halt.with_standstill(controller, a)
         here = a.position(controller.clock.now)
         velocity = (self.place - here) / PERIOD
         return Profile("reference", here, self.place, PERIOD, (velocity, PERIOD, 0.0, velocity))

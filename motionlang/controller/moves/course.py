@@ -147,7 +147,7 @@ class Course:
             made.end = end
         return made
 
-    def places_at_rest(self) -> list[float]:
+    def positions_at_rest(self) -> list[float]:
         """Return the positions of its axes once it is at rest."""
         place = self.profile.end
         for segment in (self.segment, *(each for _, each in self.ahead)):
@@ -265,7 +265,7 @@ class Course:
         """
         pace = self.here.pace(self._controller, self.segment)
         if self.is_suspended or not pace.speed:
-            stop = self.standing(time)
+            stop = self.with_standstill(time)
             return None if stop is None else (stop, None)
         if not self.segment.length:
             return hold(0.0).cut(0.0), self.here
@@ -316,7 +316,7 @@ class Course:
             profile = rest.cut(rest.knots[-2])
         return profile
 
-    def standing(self, time: float) -> Profile | None:
+    def with_standstill(self, time: float) -> Profile | None:
         """A stop from the state at `time`, followed by rest; None if the paths end first."""
         profile = self.braking(time)
         return None if profile is None else with_rest(profile, "suspend")

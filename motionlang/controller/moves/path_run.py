@@ -170,7 +170,7 @@ class PathRun:
         if self.ended:
             return
         self._cancel_blend()
-        plans = [(course, course.standing(course.elapsed)) for course in self._live]
+        plans = [(course, course.with_standstill(course.elapsed)) for course in self._live]
         self._change([(course, profile, None) for course, profile in plans if profile is not None])
 
     def resume(self) -> None:
@@ -294,7 +294,7 @@ class PathRun:
         """Set the targets of a stop to its rest positions, from which later ones count."""
         if self._over:
             return
-        for a, place in zip(self.axes, self.courses[-1].places_at_rest(), strict=True):
+        for a, place in zip(self.axes, self.courses[-1].positions_at_rest(), strict=True):
             a.target = place
 
     def _total(self, k: int, made: Profile) -> Profile:

@@ -79,7 +79,7 @@ class Condition:
         if not self._enabled or self._action == "ignore" or not self.met:
             self._raised = False
             return
-        waiting = self.controller.looks_later
+        waiting = self.controller.deferred_checks
         if waiting is not None:
             waiting.append(self)
             return
@@ -145,14 +145,14 @@ class Together:
         self._outer: list[Condition] | None = None
 
     def __enter__(self) -> None:
-        self._outer = self._controller.looks_later
+        self._outer = self._controller.deferred_checks
         if self._outer is None:
-            self._controller.looks_later = []
+            self._controller.deferred_checks = []
 
     def __exit__(self, kind: object, *_: object) -> None:
         if self._outer is not None:
             return
-        waiting, self._controller.looks_later = self._controller.looks_later or [], None
+        waiting, self._controller.deferred_checks = self._controller.deferred_checks or [], None
         if kind is None:
             for condition in dict.fromkeys(waiting):
                 condition.check()

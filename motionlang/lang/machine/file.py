@@ -30,7 +30,7 @@ from motionlang.lang.machine.keys import (
     VIEWS,
     WIDTHS,
 )
-from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import problem as reading_problem
 from motionlang.lang.nesting import StackSpace
 from motionlang.source import Source
@@ -133,7 +133,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         near = nearest(generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
         return f"there is no key {key}", words
-    if key.startswith(READINGS):
+    if key.startswith(ASSUMPTIONS):
         return reading_problem(key, value)
     problem = _kind_problem(row[0], value)
     if problem is None and key == "controller.axes" and not 1 <= value <= MAX_AXES:  # type: ignore[operator]

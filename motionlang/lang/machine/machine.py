@@ -31,7 +31,7 @@ CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
 # The section of the assumptions that the owner of a controller has settled; `switch` defines the values of
 # each.
-READINGS = "assumptions."
+ASSUMPTIONS = "assumptions."
 # The number of different diagnostics that a run reports; further ones add nothing new.
 MAX_DIAGNOSTICS = 200
 
@@ -54,6 +54,7 @@ class Machine:
         "accelerators",
         "ask",
         "assumed",
+        "assumptions",
         "clock",
         "diagnostics",
         "hook",
@@ -63,7 +64,6 @@ class Machine:
         "notes",
         "nv",
         "overrides",
-        "readings",
         "scheduler",
         "settings",
         "statements",
@@ -92,10 +92,10 @@ class Machine:
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
         # The assumptions that this controller settles differently from the default, by name.
-        self.readings = {
-            key.removeprefix(READINGS): value
+        self.assumptions = {
+            key.removeprefix(ASSUMPTIONS): value
             for key, value in self.settings.items()
-            if key.startswith(READINGS)
+            if key.startswith(ASSUMPTIONS)
         }
         self.clock = Clock()
         self.statements = StatementTime(self.instruction_time)
@@ -341,4 +341,4 @@ def _world(controller: Controller, settings: Mapping[str, object]) -> World | No
 
 def _is_plain(settings: Mapping[str, object]) -> bool:
     """True if the settings describe only the controller."""
-    return all(key.startswith(("controller.", "mint.", READINGS)) for key in settings)
+    return all(key.startswith(("controller.", "mint.", ASSUMPTIONS)) for key in settings)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from motionlang.errors import nearest, shown
 from motionlang.lang.dialect import PACKAGES, dialect
-from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.machine import ASSUMPTIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
 
     None if it is valid.
     """
-    name = key.removeprefix(READINGS)
+    name = key.removeprefix(ASSUMPTIONS)
     found = switch(name)
     if found is not None:
         wrong = found.problem(value)

@@ -47,10 +47,10 @@ class Flat:
     def __init__(self, lark: Lark, rule: str, kept: Collection[str]) -> None:
         self._kept = kept
         self._terminals = {str(each.name): each.pattern.to_regexp() for each in lark.terminals}
-        self._ways: dict[str, list[tuple[str, ...]]] = {}
+        self._alternatives: dict[str, list[tuple[str, ...]]] = {}
         for each in lark.rules:
             symbols = tuple(str(symbol.name) for symbol in each.expansion)
-            self._ways.setdefault(str(each.origin.name), []).append(symbols)
+            self._alternatives.setdefault(str(each.origin.name), []).append(symbols)
         self._open: list[str] = []
         self._used: set[str] = set()
         self.pattern = self._symbol(rule)
@@ -98,7 +98,7 @@ class Flat:
             if name in self._open:
                 raise ValueError(f"{name} holds itself: it is no pattern")
             self._open.append(name)
-            found = self._choice(self._ways[name])
+            found = self._choice(self._alternatives[name])
             self._open.remove(name)
         return f"({found})" if name in self._kept else found
 

@@ -70,7 +70,7 @@ class Limits:
         for limit in self._soft.values():
             limit.action = _SOFT_ACTIONS.get(mode & 12, "stop")
         for name in SWITCHES:  # LM may have inverted them
-            self.look_at(name)
+            self.check(name)
 
     def enable(self, which: int) -> None:
         """Enable limits by their bits in `which` (LN)."""
@@ -78,7 +78,7 @@ class Limits:
             if which & bit:
                 self._axis.flags |= shown
                 self._limit(bit).enabled = True
-        self.place_soft()
+        self.set_soft_limits()
 
     def disable(self, which: int) -> None:
         """Disable limits by their bits in `which` (LF)."""
@@ -86,9 +86,9 @@ class Limits:
             if which & bit:
                 self._axis.flags &= ~shown
                 self._limit(bit).enabled = False
-        self.place_soft()
+        self.set_soft_limits()
 
-    def place_soft(self) -> None:
+    def set_soft_limits(self) -> None:
         """Set the enabled soft limits at the positions of HL and LL."""
         axis = self._axis
         for bit, position in ((SOFT_HIGH, axis.soft_high), (SOFT_LOW, axis.soft_low)):
@@ -104,7 +104,7 @@ class Limits:
         """Let the amplifier-fault input switch the motor off, or not (FN, FF)."""
         self._amplifier.enabled = on
 
-    def look_at(self, name: str) -> None:
+    def check(self, name: str) -> None:
         """Update the limits after an input has changed its level or its meaning."""
         active = is_channel_active(self._board, self._axis, name)
         if name == "limit_plus":
@@ -143,9 +143,9 @@ class Inputs:
     def __init__(self, board: Board) -> None:
         self._board = board
         self._names = {channel_of(number, name): (number, name) for number in board.numbers for name in ORDER}
-        board.controller.inputs.listeners.append(lambda channel, value: self.look_at(channel))
+        board.controller.inputs.listeners.append(lambda channel, value: self.check(channel))
 
-    def look_at(self, channel: int) -> None:
+    def check(self, channel: int) -> None:
         """Update after a channel has changed its level or its polarity."""
         found = self._names.get(channel)
         if found is None:
@@ -154,4 +154,4 @@ class Inputs:
         if name == "home":
             self._board.home_changed(number)
         else:
-            self._board.limits[number].look_at(name)
+            self._board.limits[number].check(name)

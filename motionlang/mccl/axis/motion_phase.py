@@ -22,7 +22,7 @@ def phase(controller: Controller, axis: int) -> tuple[str, float]:
     return "hold", INFINITY
 
 
-def next_turn(controller: Controller, axis: int) -> float:
+def next_reversal(controller: Controller, axis: int) -> float:
     """Return the earliest time at which the velocity may change its sign.
 
     A reversal is always at a knot.
@@ -76,5 +76,5 @@ def at_target_time(controller: Controller, axis: AxisState) -> float:
         since = axis.rested if controller.is_idle(number) else controller.axes[number].starts[-1]
         return since + axis.deadband_delay
     if axis.deadband <= 0.0:
-        return controller.standing_time(number) + axis.deadband_delay
+        return controller.standstill_time(number) + axis.deadband_delay
     return band_entry(controller, number, axis.deadband) + axis.deadband_delay

@@ -21,7 +21,7 @@ from motionlang.mccl.axis.flags import (
     VELOCITY_MODE,
 )
 from motionlang.mccl.axis.inputs import active_bits, index_input
-from motionlang.mccl.axis.motion_phase import at_target_time, heading, next_turn, phase
+from motionlang.mccl.axis.motion_phase import at_target_time, heading, next_reversal, phase
 from motionlang.mccl.codes import Fault
 
 TYPE_CHECKING = False
@@ -68,7 +68,7 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
     if controller.is_at_standstill(number):
         bits |= TRAJECTORY_COMPLETE
     else:
-        until = next_turn(controller, number)
+        until = next_reversal(controller, number)
     if heading(controller, number) < 0:
         bits |= DIRECTION
     if board.model.at_target:

@@ -119,7 +119,7 @@ def _write(name: str) -> Writing:
 def _write_limit(name: str) -> Writing:
     def write_limit(board: Board, axis: AxisState, value: float) -> None:
         setattr(axis, name, value)
-        board.limits[axis.number].place_soft()
+        board.limits[axis.number].set_soft_limits()
 
     return write_limit
 

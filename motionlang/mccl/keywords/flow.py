@@ -37,7 +37,7 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
             "range",
         )
     here = task.here
-    if count == 0 and task.board.readings.get("mccl.repeat-for-ever") == "once":
+    if count == 0 and task.board.assumptions.get("mccl.repeat-for-ever") == "once":
         count = 1
     if count == 0:
         return task.jump(0)
@@ -56,12 +56,12 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
 
 @pure
 def jump(task: CommandTask, command: Command) -> Wait | None:
-    return task.jump(task.whole(command) - task.board.readings.get("mccl.jump-base", 0))  # type: ignore[operator]
+    return task.jump(task.whole(command) - task.board.assumptions.get("mccl.jump-base", 0))  # type: ignore[operator]
 
 
 @pure
 def jump_by(task: CommandTask, command: Command) -> Wait | None:
-    after = task.board.readings.get("mccl.jump-relative") == "next"
+    after = task.board.assumptions.get("mccl.jump-relative") == "next"
     return task.jump(task.here + task.whole(command) + after)
 
 
@@ -72,7 +72,7 @@ def nothing(task: CommandTask, command: Command) -> None:
 
 def skip(task: CommandTask) -> None:
     """Skip the commands that a false condition governs."""
-    task.pc += task.board.readings.get("mccl.skipped", 2)  # type: ignore[operator]
+    task.pc += task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[operator]
 
 
 def _if(condition: Condition) -> Action:

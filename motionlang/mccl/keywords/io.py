@@ -54,19 +54,19 @@ def channel_output(task: CommandTask, command: Command) -> None:
 def channel_high(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
     task.board.low_true.discard(channel)
-    task.board.inputs.look_at(channel)
+    task.board.inputs.check(channel)
 
 
 def channel_low(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
     task.board.low_true.add(channel)
-    task.board.inputs.look_at(channel)
+    task.board.inputs.check(channel)
 
 
 def tell_channel(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
     on = is_on(task.board, channel)
-    words = task.board.readings.get("mccl.channel-form") == "ON"
+    words = task.board.assumptions.get("mccl.channel-form") == "ON"
     task.tell(channel, ("ON" if on else "OFF") if words else str(int(on)))
 
 

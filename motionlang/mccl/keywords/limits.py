@@ -39,13 +39,13 @@ def limits_off(task: CommandTask, command: Command) -> None:
 def soft_high(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.soft_high = axis.position(float(task.value(command)))
-        task.board.limits[axis.number].place_soft()
+        task.board.limits[axis.number].set_soft_limits()
 
 
 def soft_low(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.soft_low = axis.position(float(task.value(command)))
-        task.board.limits[axis.number].place_soft()
+        task.board.limits[axis.number].set_soft_limits()
 
 
 def amplifier_fault_on(task: CommandTask, command: Command) -> None:

@@ -26,7 +26,7 @@ def put_text(task: CommandTask, command: Command) -> None:
     task.reply(_filled(str(command.value), None, ""))
 
 
-def put_whole(task: CommandTask, command: Command) -> None:
+def put_integer(task: CommandTask, command: Command) -> None:
     value = int(task.registers[0])
     task.reply(_filled(str(command.value), lambda form, kind: _whole(form, kind, value), "dxX"))
 
@@ -97,7 +97,7 @@ _row = Group("miscellaneous").row
 ROWS = (
     _row("OT", "command", "W", "none", "text", put_text, "Put out a line of text; the form of the text is ours.",
          'OT"ready"'),
-    _row("FT", "command", "W", "none", "text", put_whole,
+    _row("FT", "command", "W", "none", "text", put_integer,
          "Put out a line of text with the accumulator as a whole number in it (%d, %x); the form is ours.",
          'AL12,FT"parts: %4d"'),
     _row("FD", "command", "W", "none", "text", put_real,

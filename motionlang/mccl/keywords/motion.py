@@ -110,7 +110,7 @@ def abort(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.running = False
         task.board.release(axis)
-        if task.board.readings.get("mccl.abort-rate") == "DS":
+        if task.board.assumptions.get("mccl.abort-rate") == "DS":
             task.board.controller.stop(axis.number)
         else:
             task.board.controller.abort(axis.number)

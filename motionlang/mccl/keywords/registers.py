@@ -68,7 +68,7 @@ def _with(operation: Operation) -> Action:
 
 def limited(task: CommandTask, value: float | int) -> float | int:
     """Return a result in 32 bits, wrapped or clamped as on this board."""
-    if task.board.readings.get("mccl.overflow") == "stays" and isinstance(value, int):
+    if task.board.assumptions.get("mccl.overflow") == "stays" and isinstance(value, int):
         return max(-0x80000000, min(value, 0x7FFFFFFF))
     return wrapped(value)
 
@@ -76,7 +76,7 @@ def limited(task: CommandTask, value: float | int) -> float | int:
 @pure
 def divide(task: CommandTask, command: Command) -> None:
     value = task.registers[0]
-    if task.board.readings.get("mccl.quotient") == "real":
+    if task.board.assumptions.get("mccl.quotient") == "real":
         value = float(value)
     task.registers[0] = wrapped(_quotient(value, task.value(command)))
 
@@ -84,7 +84,7 @@ def divide(task: CommandTask, command: Command) -> None:
 @pure
 def shift_right(task: CommandTask, command: Command) -> None:
     bits = _bits(task.registers[0])
-    if task.board.readings.get("mccl.shift-right") == "zeros":
+    if task.board.assumptions.get("mccl.shift-right") == "zeros":
         bits &= 0xFFFFFFFF
     task.registers[0] = wrapped(bits >> int(task.value(command)))
 

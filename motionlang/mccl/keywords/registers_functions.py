@@ -59,7 +59,7 @@ def evaluate(task: CommandTask, command: Command) -> None:
     """
     name, function = FUNCTIONS[task.whole(command)]
     value = task.registers[0]
-    radians = task.board.readings.get("mccl.angles") == "radians"
+    radians = task.board.assumptions.get("mccl.angles") == "radians"
     try:
         if radians and name.endswith("of degrees"):
             value = math.degrees(value)

@@ -51,7 +51,7 @@ def _velocity(task: CommandTask, axis: AxisState) -> str:
 
 def _breakpoint(task: CommandTask, axis: AxisState) -> str:
     if axis.breakpoint is None:
-        return "NONE" if task.board.readings.get("mccl.no-breakpoint") == "NONE" else axis.say(0.0)
+        return "NONE" if task.board.assumptions.get("mccl.no-breakpoint") == "NONE" else axis.say(0.0)
     return axis.say(axis.breakpoint)
 
 
@@ -81,7 +81,7 @@ def tell_status(task: CommandTask, command: Command) -> None:
 
 def tell_error(task: CommandTask, command: Command) -> None:
     task.reply(str(task.board.last_error))
-    if task.board.readings.get("mccl.error-told") == "cleared":
+    if task.board.assumptions.get("mccl.error-told") == "cleared":
         task.board.last_error = 0
 
 

@@ -56,7 +56,7 @@ class Board:
         self.cost = machine.instruction_time
         self.model = _model(machine.model)
         # The assumptions that this board settles differently from the default, by name.
-        self.readings = machine.readings
+        self.assumptions = machine.assumptions
         self.write: Callable[[str], None] = machine.terminal.write
         self.complain = complain
         # Called before each command of a debug build.
@@ -125,10 +125,10 @@ class Board:
             speed, accel, axis.minimum = self.model.stepper
             for name, value in (("speed", speed), ("accel", accel), ("decel", accel)):
                 controller.configure(number, name, value)
-        if self.readings:
+        if self.assumptions:
             from motionlang.mccl.keywords.switchable import KEPT
 
-            axis.kept.update((KEPT[name], value) for name, value in self.readings.items() if name in KEPT)  # type: ignore[misc]
+            axis.kept.update((KEPT[name], value) for name, value in self.assumptions.items() if name in KEPT)  # type: ignore[misc]
         axis.apply_units()
         controller.set_scale(number, 1.0)
         motor.power_up(self, axis)
@@ -233,7 +233,7 @@ class Board:
         """True if another task is ready to run."""
         return any(other.wait is None and other is not task and not other.done for other in self.tasks)
 
-    def take_turn(self, task: CommandTask) -> None:
+    def count_time_slice(self, task: CommandTask) -> None:
         """Count a time slice if another task than the last one begins to run."""
         if self.at_work is not task:
             self.at_work = task
@@ -308,7 +308,7 @@ class Board:
         """Format an integer as DM or HM require."""
         if not self.hexadecimal:
             return str(value)
-        small = self.readings.get("mccl.hex-letters") == "small"
+        small = self.assumptions.get("mccl.hex-letters") == "small"
         return f"{value & 0xFFFFFFFF:{'x' if small else 'X'}}"
 
     def refused(self, task: CommandTask, trouble: Fault | Rejected) -> bool:
@@ -331,7 +331,7 @@ class Board:
     def _code(self, code: int) -> int:
         """Return the code of this board for what others call `code`."""
         name = CODES.get(code)
-        return code if name is None else self.readings.get(name, code)  # type: ignore[return-value]
+        return code if name is None else self.assumptions.get(name, code)  # type: ignore[return-value]
 
     def forget_complaints(self) -> None:
         """Report repeated diagnostics again, because the text is a new one."""

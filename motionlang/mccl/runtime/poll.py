@@ -264,7 +264,7 @@ class Poll:
         assert task.line is not None
         commands = task.line.commands[task.pc : task.here + 1]
         verbs = [each.row.verb if each.row is not None else "" for each in commands]
-        governs: int = task.board.readings.get("mccl.skipped", 2)  # type: ignore[assignment]
+        governs: int = task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
         # Commands that set the accumulator in every iteration, unless a jump skips some of them.
         certain = [
             verb in SETS and not CONDITIONS.intersection(verbs[max(0, k - governs) : k])

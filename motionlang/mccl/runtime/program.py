@@ -117,7 +117,7 @@ class FileTask(CommandTask):
         if self._nothing_left():
             board.ended(self)
             self.done = True
-            board.machine.notes.update((told_of(self._source, task), None) for task in left.values())
+            board.machine.notes.update((remark_on(self._source, task), None) for task in left.values())
             return None
         names = ", ".join(str(number) for number in left)
         return Wait(now, self._nothing_left, lambda: INFINITY, f"for background task {names} to end", "task")
@@ -144,7 +144,7 @@ def _only_watches(task: CommandTask) -> bool:
     return task.poll.is_hopeless() or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
 
 
-def told_of(source: Source, task: CommandTask) -> str:
+def remark_on(source: Source, task: CommandTask) -> str:
     """Return the remark on a background task that outlasts the foreground by polling."""
     line, _, _ = locate(source, task.at)
     poll = task.poll

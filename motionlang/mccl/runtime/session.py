@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Session(Interactive):
     """One board for the whole session: macros, registers and units stay between lines."""
 
-    keeps_places = True
+    keeps_columns = True
 
     def __init__(self, machine: Machine) -> None:
         self.board = Board(machine, self._complain)

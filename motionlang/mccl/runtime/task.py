@@ -157,7 +157,7 @@ class CommandTask(Task):
             tally = hook.tally
         loop_log = self.loop_log
         if len(board.tasks) > 1:
-            board.take_turn(self)
+            board.count_time_slice(self)
         while left:
             line, pc = self.line, self.pc
             if line is None or pc >= len(line.commands):
@@ -217,7 +217,7 @@ class CommandTask(Task):
 
         The default form is the number in two digits, a blank and the value.
         """
-        self.write(FORMS[self.board.readings.get("mccl.reply-form", "01 1234")].format(axis, text))
+        self.write(FORMS[self.board.assumptions.get("mccl.reply-form", "01 1234")].format(axis, text))
 
     def value(self, command: Command) -> float | int:
         """Return the parameter as a number, that of a register after `@`; 0 if none."""

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from motionlang.mint.compile.body import Body, SharedData
-    from motionlang.mint.compile.splitting import Part
+    from motionlang.mint.compile.splitting import Chunk
     from motionlang.mint.resolve.problems import Problems
 
     Made = TypeVar("Made")
@@ -59,7 +59,7 @@ def assemble(whole: SharedData, bodies: dict[Function, Body]) -> Code:
         units.add(function.python, _head(whole, b) + _dispatched(whole, b))
         for part in b.parts:
             if not part.inside:
-                units.add_part(part)
+                units.add_chunk(part)
     units.close()
     first = _first_values(whole)
     start = compile(first, FILE, "exec") if first else None
@@ -133,7 +133,7 @@ class _Units:
         self._names.append(name)
         self._lines += lines
 
-    def add_part(self, part: Part) -> None:
+    def add_chunk(self, part: Chunk) -> None:
         """Add a part of the function before it."""
         self.close()
         self._names = [part.name]

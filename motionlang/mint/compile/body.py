@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint.compile.loop_times import Region
     from motionlang.mint.compile.polling import Poll
-    from motionlang.mint.compile.splitting import Part
+    from motionlang.mint.compile.splitting import Chunk
     from motionlang.mint.compile.stops import Debugging
     from motionlang.mint.resolve.names import Names
     from motionlang.mint.resolve.problems import Problems
@@ -331,7 +331,7 @@ class Body:
         self.levels: dict[int, str] = {}
         # Writes to host memory that decide nothing in their polling loop, by the identity of their nodes.
         self.copies: set[int] = set()
-        self.parts: list[Part] = []
+        self.parts: list[Chunk] = []
         self.loops: list[tuple[str, str]] = []
         # The source offsets of the loops around the statement, and the loops made of Gotos.
         self.timed: list[int] = []

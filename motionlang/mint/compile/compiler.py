@@ -18,7 +18,7 @@ from motionlang.mint.compile import handler_counters, jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
 from motionlang.mint.compile.body import Body, SharedData
 from motionlang.mint.compile.overrides import override
-from motionlang.mint.compile.statements import block, hear_of_errors, leave
+from motionlang.mint.compile.statements import block, handle_errors, leave
 from motionlang.mint.compile.stops import Debugging
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
@@ -170,7 +170,7 @@ def _function(whole: SharedData, function: Function) -> Body:
         return b
     block(b, function.body)
     b.flush()
-    hear_of_errors(b)
+    handle_errors(b)
     handler_counters.describe(b)
     is_called = function.plain or b.waits
     if function.result is not None or not is_called:

@@ -51,7 +51,7 @@ def with_other_lines(
     try:
         compile_module(module, settings, recall=None if known is None else Recall(module, known))
     except ProgramError as error:
-        more = [each for each in error.diagnostics if _stands(each, lines, names)]
+        more = [each for each in error.diagnostics if _is_unrelated(each, lines, names)]
         return ProgramError([*unreadable.diagnostics, *more])
     return unreadable
 
@@ -67,6 +67,6 @@ def _names(line: str) -> set[str]:
     return {word for word in found if (row := words.get(word)) is None or not row.simulated}
 
 
-def _stands(mistake: Diagnostic, lines: list[str], names: set[str]) -> bool:
+def _is_unrelated(mistake: Diagnostic, lines: list[str], names: set[str]) -> bool:
     """True if an error would remain if the removed lines were right."""
     return mistake.code in _OF_A_STATEMENT and not _names(lines[mistake.line - 1]) & names

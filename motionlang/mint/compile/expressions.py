@@ -181,7 +181,7 @@ def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol |
     It is Python text that can be read and assigned to.
     """
     if type(node) is nodes.Member:
-        return _member_place(b, node)
+        return _member_reference(b, node)
     assert type(node) is nodes.Name
     symbol = node.symbol
     assert symbol is not None
@@ -269,11 +269,11 @@ def _loaded(b: Body, text: str, type: Type, known: intervals.Range | None) -> Va
 
 
 def _member(b: Body, node: nodes.Member) -> Value:
-    text, type, _ = _member_place(b, node)
+    text, type, _ = _member_reference(b, node)
     return _loaded(b, text, type, None)
 
 
-def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None]:
+def _member_reference(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None]:
     found = member(b, node)
     if found is None:
         return "[0][0]", Type(FLOAT), None

@@ -32,7 +32,7 @@ MAX_INDENT = 60
 MAX_LOOPS = 8
 
 
-class Part:
+class Chunk:
     """A part; its lines are indented for the body of an outermost function.
 
     `names` are the variables in it. `inside`: it is inside its function, else it receives the remaining stack
@@ -124,7 +124,7 @@ def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
 def _part(b: Body, lines: list[Line]) -> list[Line]:
     """Move lines into a part and return the call of it."""
     b.whole.parts += 1
-    part = Part(f"{PART}{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
+    part = Chunk(f"{PART}{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
     b.parts.append(part)
     call, names = f"{part.name}({part.given})", [ROOM] if ROOM in part.names else []
     if part.waits:

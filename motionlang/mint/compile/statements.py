@@ -438,7 +438,7 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
 # ---------------------------------------------------------------------------------------- End, Exit, Return
 
 
-def hear_of_errors(b: Body) -> None:
+def handle_errors(b: Body) -> None:
     """Let ONERROR handle an error of the last statement at the end of the program."""
     if b.function.kind == "main" and b.whole.guarded:
         b.horizon()
@@ -454,7 +454,7 @@ def _end(b: Body, node: nodes.End) -> None:
         return
     b.flush()
     b.noted = True
-    hear_of_errors(b)
+    handle_errors(b)
     if b.function.kind == "main" and not b.function.jumps:
         loop_times.leave(b)
         b.emit("return", LEAVES)

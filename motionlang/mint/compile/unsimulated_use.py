@@ -103,7 +103,7 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
 
     `by` is the statement that writes it or carries it out.
     """
-    if row.verb == KEPT or _is_kept(row, by):
+    if row.verb == KEPT or _is_stored(row, by):
         _once(b, node, row, f"{row.name} is stored but has no effect")
     elif row.verb == unsimulated.COMMAND:
         _once(b, node, row, f"{row.name} is a Mint keyword that is not simulated: it has no effect")
@@ -111,7 +111,7 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
         _ending(b, node, row, by is not None)
 
 
-def _is_kept(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
+def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
     """True if a keyword stores its value without any effect, as far as can be seen."""
     if by is None:
         return False

@@ -154,7 +154,7 @@ def write_mode(indexes: Indexes, channel: int, mode: int) -> None:
     indexes.of_aux(channel).mode = mode
 
 
-def read_place(indexes: Indexes, channel: int) -> float:
+def read_zero_position(indexes: Indexes, channel: int) -> float:
     """AUXENCODERZEROPOSITION: return the encoder's reading at the latched mark."""
     return indexes.environment.part(AuxEncoders).shown(channel, indexes.of_aux(channel).place)
 
@@ -227,6 +227,6 @@ ROWS = (
             _MARK.format("AUXENCODERZEROPOSITION")),
     _setting("AUXENCODERZEROLATCHMODE", "integer", _ZERO_MODE, "1",
              "0: AUXENCODERZEROENABLE is for one mark; 1: for every one from then on.", 1),
-    _reading("AUXENCODERZEROPOSITION", "", "auxchannel", "number", Actions(read=of(Indexes, read_place)),
+    _reading("AUXENCODERZEROPOSITION", "", "auxchannel", "number", Actions(read=of(Indexes, read_zero_position)),
              "AUXENCODER at the index mark.", _MARK),
 )  # fmt: skip

@@ -18,7 +18,7 @@ from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
-from motionlang.mint.runtime.binding import Each, axis_of, of, scale_of
+from motionlang.mint.runtime.binding import ByNumber, axis_of, of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ class CamBoxes:
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
-        self._boxes = Each(lambda number: CamBox(environment, checked(number, LAST_BOX, "cam box")))
+        self._boxes = ByNumber(lambda number: CamBox(environment, checked(number, LAST_BOX, "cam box")))
 
     def box(self, number: int) -> CamBox:
         return self._boxes[number]

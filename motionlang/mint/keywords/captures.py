@@ -66,7 +66,7 @@ class Capture:
         # The setting that gives the period: the one that was written last, and its value.
         self._given = ("CAPTUREINTERVAL", 1.0)
         self.status, self.command = IDLE, 0
-        self.tells_progress = False
+        self.reports_progress = False
         # The recording: when it began to wait, the time of its first point, its period, the number of points,
         # and how many of these come before the trigger.
         self._begun, self._first, self._period, self._count, self._ahead = 0.0, 0.0, 1e-3, 0, 0
@@ -122,7 +122,7 @@ class Capture:
             quantities.check(self._environment, channel.mode, channel.where)
         waits = waits and any(each.mode for each in self.triggers)
         if waits:
-            self._look()  # raises Rejected now for a trigger that is not possible
+            self._watch_triggers()  # raises Rejected now for a trigger that is not possible
         self._forget()
         now = self._clock.now
         self._recorded, self._columns = recorded, {}
@@ -133,8 +133,8 @@ class Capture:
         if not waits:
             self._trigger()
             return
-        self._events.append(self._clock.at(now + self._ahead * self._period, self._look))
-        self._tell_progress(now, self._ahead)
+        self._events.append(self._clock.at(now + self._ahead * self._period, self._watch_triggers))
+        self._report_progress(now, self._ahead)
 
     def stop(self) -> None:
         """End the capture; the points recorded so far remain."""
@@ -161,17 +161,17 @@ class Capture:
         self._first, self.status = now - self._ahead * self._period, CAPTURING
         last = max(self._first + (self._count - 1) * self._period, now)
         self._events.append(self._clock.at(last, self._end))
-        self._tell_progress(now, self._count - self._ahead)
+        self._report_progress(now, self._count - self._ahead)
 
-    def _look(self) -> None:
+    def _watch_triggers(self) -> None:
         """Watch the triggers; the time before the trigger has now been recorded."""
         for each in self.triggers:
             if each.mode:
-                told = self._told_by(each.mode)
+                told = self._trigger_for(each.mode)
                 where = (each.source, each.channel, each.value, bool(each.absolute))
                 self._ends.append(watch(self._environment, *where, told))
 
-    def _told_by(self, mode: int) -> Callable[[bool], None]:
+    def _trigger_for(self, mode: int) -> Callable[[bool], None]:
         def told(rising: bool) -> None:
             if self.status == WAITING and mode in (EITHER, RISING if rising else FALLING):
                 self._trigger()
@@ -261,9 +261,9 @@ class Capture:
             share = float(self.status != IDLE)
         return min(int(share * 100.0 + 1e-6), 100)
 
-    def _tell_progress(self, begin: float, points: int) -> None:
+    def _report_progress(self, begin: float, points: int) -> None:
         """Add an event for each percent, so tasks that poll the progress check again."""
-        if not self.tells_progress or points <= 1:
+        if not self.reports_progress or points <= 1:
             return
 
         def step(percent: int) -> None:
@@ -341,7 +341,7 @@ def write_command(capture: Capture, command: int) -> None:
 
 def read_progress(environment: Environment, row: Keyword) -> Operation:
     capture = environment.part(Capture)
-    capture.tells_progress = True
+    capture.reports_progress = True
     return lambda after: capture.progress(checked(after, 1, "part of a capture"))
 
 

@@ -49,7 +49,7 @@ def write_follow(masters: Masters, axis: int, ratio: float, line: int) -> None:
     _follow(masters, axis, line)
 
 
-def write_part(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
+def write_factor(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
     """Set one factor of the ratio; an axis that already follows uses it at once."""
     masters.set(row.name, axis, value)
     if masters.controller.master_of(axis) is not None and masters.ratios.get(axis):
@@ -83,7 +83,7 @@ def read_offset(environment: Environment, row: Keyword, axis: int) -> Operation:
 
 _PART = Actions(
     read=of_word(Masters, lambda masters, row, axis: masters.setting(row.name, axis)),
-    write=repeatable(of_word(Masters, write_part)),
+    write=repeatable(of_word(Masters, write_factor)),
 )
 
 _MAX_VALUE = 8388607.0

@@ -10,7 +10,7 @@ from __future__ import annotations
 from motionlang.controller.triggers.homing import next_index
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.runtime.binding import Each, axis_of, scale_of, unchecked
+from motionlang.mint.runtime.binding import ByNumber, axis_of, scale_of, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ class Latches:
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
-        self._latches = Each(lambda number: self.made(self.checked(number)))
+        self._latches = ByNumber(lambda number: self.made(self.checked(number)))
 
     def latch(self, number: int) -> Latch:
         """Return the latch of a channel or an axis, created on first use."""

@@ -6,7 +6,7 @@ from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
-from motionlang.mint.runtime.binding import Each, of, of_word, scale_of, unchecked
+from motionlang.mint.runtime.binding import ByNumber, of, of_word, scale_of, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -100,7 +100,7 @@ class Compares:
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
-        self._compares = Each(lambda axis: Compare(environment, axis))
+        self._compares = ByNumber(lambda axis: Compare(environment, axis))
 
     def compare(self, axis: int) -> Compare:
         return self._compares[axis]

@@ -72,7 +72,7 @@ def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
         stop(environment, axis, setting("STOPMODE", axis))
 
 
-def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) -> object:
+def stored_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) -> object:
     """Return what STOP changes in its axes, apart from motion.
 
     The clock reports changes of motion.
@@ -97,7 +97,7 @@ ROWS = (
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
             default=float(STOP_INPUT_MODE), low=0, high=3, group="limits"),
     Keyword("STOP", "ST", "command", "C", "axes", "",
-            Actions(do=repeatable(of(Environment, do_stop)), held=of(Environment, held_by_stop)),
+            Actions(do=repeatable(of(Environment, do_stop)), held=of(Environment, stored_by_stop)),
             "Decelerate the axes to rest as their STOPMODE says, and empty their buffers.",
             "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", group="stopping", effect="stop"),
     Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", _STOP_MODE,

@@ -61,7 +61,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
 
     word, _, where = key[len(SECTION) :].partition(".")
     row = table().get(word)
-    rows = [each for each in table() if can_be_told(each)]
+    rows = [each for each in table() if can_be_supplied(each)]
     if row is None or row.name.upper() != word.upper():
         near = nearest(word, [each.name for each in rows]) if row is None else row.name
         hint = f"did you mean {near}?" if near else "motionlang keywords lists the keywords of Mint"
@@ -71,7 +71,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     return _value_problem(row, where, value)
 
 
-def can_be_told(row: Keyword) -> bool:
+def can_be_supplied(row: Keyword) -> bool:
     """True if a keyword has a value that the run does not compute itself."""
     return "R" in row.access and (not row.simulated or row.group in ANSWERED)
 

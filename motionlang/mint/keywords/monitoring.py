@@ -45,7 +45,7 @@ class Monitors:
     def mind(self, axis: int, pattern: int) -> None:
         """Set the inputs that the axis monitors; one beyond its limits counts at once."""
         before, self.minded[axis] = self.minded.get(axis, 0), pattern
-        self._look_at(axis, before | pattern)
+        self._update_errors(axis, before | pattern)
 
     def beyond(self, axis: int) -> int:
         """Return the monitored inputs that are beyond their limits, as bits."""
@@ -54,7 +54,7 @@ class Monitors:
 
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""
-        self._look_at(axis, self.minded.pop(axis, 0))
+        self._update_errors(axis, self.minded.pop(axis, 0))
 
     def _is_beyond(self, channel: int) -> bool:
         return (
@@ -64,9 +64,9 @@ class Monitors:
     def _look(self) -> None:
         """Check all axes after a change of a value or a limit."""
         for axis, pattern in self.minded.items():
-            self._look_at(axis, pattern)
+            self._update_errors(axis, pattern)
 
-    def _look_at(self, axis: int, pattern: int) -> None:
+    def _update_errors(self, axis: int, pattern: int) -> None:
         """Set or clear the error of the axis for each input of a pattern."""
         beyond = self.beyond(axis)
         for k in range(MONITORED):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import Each, axis_of, no_axis, on_axes, on_every_axis, scale_of
+from motionlang.mint.runtime.binding import ByNumber, axis_of, no_axis, on_axes, on_every_axis, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, 
     A loader returns False for a move that needs the general path.
     """
     loader = environment.controller.loader
-    return Each(lambda axis: loader(axis_of(environment, axis), relative, name))
+    return ByNumber(lambda axis: loader(axis_of(environment, axis), relative, name))
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:

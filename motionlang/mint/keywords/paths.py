@@ -76,7 +76,7 @@ def put_arc(
     """
     relative, counts = row.name.endswith("R"), []
     x, y, angle, *rest = values
-    if environment.machine.readings.get("mint.circle-sense") == "clockwise":
+    if environment.machine.assumptions.get("mint.circle-sense") == "clockwise":
         angle = -angle
     for axis, value in zip(axes, (x, y, *rest), strict=True):
         scale = scale_of(environment, axis)

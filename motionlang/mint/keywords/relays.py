@@ -9,7 +9,7 @@ from motionlang.controller.clock import Event
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
-from motionlang.mint.runtime.binding import Each, of, of_word
+from motionlang.mint.runtime.binding import ByNumber, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 
@@ -132,7 +132,7 @@ class Brakes:
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
-        self._brakes = Each(lambda axis: Brake(environment, axis))
+        self._brakes = ByNumber(lambda axis: Brake(environment, axis))
         environment.controller.listeners.append(self._heard, "switched")
 
     def brake(self, axis: int) -> Brake:

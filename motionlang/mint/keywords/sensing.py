@@ -14,7 +14,7 @@ from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.keywords.state import IS_IDLE, place
 from motionlang.mint.keywords.unsimulated import write_jump
 from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of, unchecked
-from motionlang.mint.runtime.changes import always, end_of_motion, heard, moving, repeatable
+from motionlang.mint.runtime.changes import always, end_of_motion, moving, repeatable, with_dependency
 from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
@@ -90,9 +90,9 @@ class IdleWindows(Settings):
 
     def set(self, name: str, axis: int, value: float) -> None:
         super().set(name, axis, value)
-        self._tell_motor(axis)
+        self._configure_motor(axis)
 
-    def _tell_motor(self, axis: int) -> None:
+    def _configure_motor(self, axis: int) -> None:
         """Pass the conditions for settling to a simulated motor."""
         mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
         self.controller.settle_within(
@@ -141,7 +141,7 @@ class IdleWindows(Settings):
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
-        self._tell_motor(axis)
+        self._configure_motor(axis)
 
 
 # ------------------------------------------------------------------------------------------------- encoders
@@ -245,7 +245,7 @@ def compared(kind: type[Encoders]) -> Maker:
     def made(environment: Environment, row: Keyword) -> Operation:
         encoders = environment.part(kind)
         read = lambda channel, level=None: encoders.read(encoders.checked(channel))  # noqa: E731
-        return heard(environment, read, encoders.until)
+        return with_dependency(environment, read, encoders.until)
 
     return made
 
@@ -297,17 +297,17 @@ class Wraps:
             self._environment.wraps[axis] = self._counts[axis] / abs(scale_of(self._environment, axis).counts)
 
 
-def read_turns(environment: Environment, axis: int) -> int:
+def read_wraps(environment: Environment, axis: int) -> int:
     """POSROLLOVER: return the number of times POS has wrapped."""
     controller, wrap = environment.controller, environment.wraps.get(axis)
     position = controller.axes[axis].scale.position_to_user(controller.position(axis))
     return floor(position / wrap) if wrap else 0
 
 
-def write_turns(environment: Environment, axis: int, value: int) -> None:
+def write_wraps(environment: Environment, axis: int, value: int) -> None:
     """POSROLLOVER: shift the position by the difference in wraps; POS does not change."""
     controller, wrap = environment.controller, environment.wraps.get(axis, 0.0)
-    more = (value - read_turns(environment, axis)) * wrap
+    more = (value - read_wraps(environment, axis)) * wrap
     counts = controller.axes[axis].scale.to_counts(more)
     controller.define_position(axis, controller.position(axis) + counts)
 
@@ -327,7 +327,7 @@ def _target(end: Callable[[Axis], float]) -> Maker:
         def until() -> float:
             return INFINITY if abs(end(a)) < ENDLESS else moves()
 
-        return heard(environment, lambda: _shown(environment, axis, end(a)), until)
+        return with_dependency(environment, lambda: _shown(environment, axis, end(a)), until)
 
     return made
 
@@ -342,7 +342,7 @@ _ENCODER_COUNT = Actions(
 )
 _ENCODER_SETTING = Actions(read=of_word(Encoders, read_setting), write=of_word(Encoders, write_setting))
 _WRAP = Actions(read=of(Environment, lambda e, axis: e.wraps.get(axis, 0.0)), write=of(Wraps, Wraps.set))
-_TURNS = Actions(read=moving(of(Environment, read_turns)), write=unchecked(of(Environment, write_turns)))
+_TURNS = Actions(read=moving(of(Environment, read_wraps)), write=unchecked(of(Environment, write_wraps)))
 
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"
 

@@ -20,7 +20,7 @@ def write_quantum(environment: Environment, name: str, value: int) -> None:
     """TASKQUANTUM: set the quantum of a task, running or to be started."""
     environment.quanta[name] = value
     if name in environment.tasks:
-        environment.tasks[name].set_turn()
+        environment.tasks[name].set_time_slice()
 
 
 def read_status(environment: Environment, name: str) -> int:

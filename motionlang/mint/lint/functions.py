@@ -10,7 +10,7 @@ from motionlang.mint.lint.buffer import GO, Buffers
 from motionlang.mint.lint.conditions import Conditions
 from motionlang.mint.lint.iterations import check_iterations
 from motionlang.mint.lint.motion import Motion, Reach
-from motionlang.mint.lint.reachability import Ways
+from motionlang.mint.lint.reachability import Reachability
 from motionlang.mint.lint.settings import TOUCHES, Settings
 from motionlang.mint.resolve.symbols import Function, Symbol
 
@@ -45,7 +45,7 @@ class FunctionChecks:
         self._motion = Motion(follower, reach, add)
         self._buffers = Buffers(facts, follower, add)
         self._unused = Settings(facts, follower, add)
-        self._ways = Ways(facts, follower, settings, add)
+        self._ways = Reachability(facts, follower, settings, add)
         self._conditions = Conditions(facts, follower, places, settings, add)
         self._keys: dict[Function, Hashable] = {}
         self._program = self._program_facts() if recall is not None else None

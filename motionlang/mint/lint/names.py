@@ -122,13 +122,13 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
 
 def check_tasks(facts: Facts, add: Add) -> None:
     """Report axes that two tasks command without any coordination in the program."""
-    if _take_turns(facts):
+    if _are_coordinated(facts):
         return
     main = facts.names.main
     tasks = [function for function in facts.functions if function.kind == "task"]
     first: dict[Key, Function] = {}
     for task in tasks:
-        if _is_told(facts, task):
+        if _is_coordinated(facts, task):
             continue
         for key in sorted(_axes(facts, task), key=str):
             if key in first:
@@ -142,7 +142,7 @@ def _axes(facts: Facts, function: Function) -> set[Key]:
     return facts.touched(function, _COMMANDS) - {None}
 
 
-def _take_turns(facts: Facts) -> bool:
+def _are_coordinated(facts: Facts) -> bool:
     symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
     if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
         return True
@@ -151,7 +151,7 @@ def _take_turns(facts: Facts) -> bool:
     return any(node.name is not None for node in facts.of_kind(nodes.End))
 
 
-def _is_told(facts: Facts, task: Function) -> bool:
+def _is_coordinated(facts: Facts, task: Function) -> bool:
     """True if the task tests a shared variable, so another task can coordinate it."""
     for function in facts.called(task):
         for node in walk(function.body):

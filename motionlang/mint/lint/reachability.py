@@ -27,7 +27,7 @@ _SILENT = (nodes.End, nodes.Return, nodes.Exit, nodes.Dim, nodes.Const, nodes.De
 _LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label)
 
 
-class Ways:
+class Reachability:
     """The checks of control flow.
 
     `settings` are those of the machine file. `add` records a warning.
@@ -132,7 +132,7 @@ class Ways:
         if any(self._may_change(function, each, state) for each in words):
             return
         readings = [name.name for name in words if name.symbol is None]
-        why = f"axis {self._axis(words)} is at rest" if readings and self._stands(words) else (
+        why = f"axis {self._axis(words)} is at rest" if readings and self._is_at_rest(words) else (
             "no entry of the machine file drives it" if readings else "no other task and no event changes it"
         )  # fmt: skip
         self.add("endless-wait", f"this waits for a condition that cannot change: {why}", node.at,
@@ -144,7 +144,7 @@ class Ways:
             return [name]
         return [each for each in walk([name.definition]) if type(each) is nodes.Name]
 
-    def _stands(self, words: list[nodes.Name]) -> bool:
+    def _is_at_rest(self, words: list[nodes.Name]) -> bool:
         rows = [each.row for each in words]
         return any(row is not None and row.changes == "motion" for row in rows)
 

@@ -109,9 +109,9 @@ class Settings:
             dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
             # `SPEED(0, 1, 2) = 10;` followed by an exception for one of the axes is good style.
             if dead and len(dead) == len(act.axes):
-                self._tell_useless(step, act, dead[0], slot)
+                self._report_useless(step, act, dead[0], slot)
 
-    def _tell_useless(self, step: Step, act: Act, key: Key, slot: str) -> None:
+    def _report_useless(self, step: Step, act: Act, key: Key, slot: str) -> None:
         assert act.row is not None
         later = self._next_setting(step, key, slot)
         if later is None:

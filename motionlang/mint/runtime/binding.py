@@ -16,7 +16,7 @@ converted by the row's unit. An operation is called with the indices, then the v
 line. One for "load" returns true while the buffer has no room. `operations.py` adds the time to all but "read".
 
     of, of_word               maker of a function of a component of the environment; with `of_word` also of the row
-    by_axis, to_each_axis     maker of what is bound to one axis, once for each (`Each`)
+    by_axis, to_each_axis     maker of what is bound to one axis, once for each (`ByNumber`)
     on_axes, on_every_axis    maker of what acts on each of several axes
     unchecked                 marks a write that takes any number, or checks the range itself
     repeatable                marks a write that is a no-op if the value is there already, as `held` reads it
@@ -81,7 +81,7 @@ def check(row: Keyword, value: float) -> None:
         raise Rejected("range", f"{row.name} cannot be {value:g}", limits)
 
 
-class Each(dict[int, "Made"]):
+class ByNumber(dict[int, "Made"]):
     """Objects by axis or channel number, created on first use."""
 
     def __init__(self, make: Callable[[int], Made]) -> None:
@@ -130,7 +130,7 @@ def to_each_axis(bound: Bound) -> Maker:
     """Return a maker of operations for each axis, bound by what `bound` returns."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
-        each = Each(bound(environment, row))
+        each = ByNumber(bound(environment, row))
         return lambda axis, *more: each[axis](*more)
 
     made.by_axis = bound  # type: ignore[attr-defined]

@@ -18,12 +18,14 @@ if TYPE_CHECKING:
 
 def moving(make: Maker) -> Maker:
     """Make a reading that may change as long as anything moves; `make` makes the read."""
-    return lambda environment, row: heard(environment, make(environment, row), end_of_motion(environment))
+    return lambda environment, row: with_dependency(
+        environment, make(environment, row), end_of_motion(environment)
+    )
 
 
 def always(make: Maker) -> Maker:
     """Make a reading that changes all the time."""
-    return lambda environment, row: heard(
+    return lambda environment, row: with_dependency(
         environment, make(environment, row), environment.dependencies.at_once
     )
 
@@ -34,19 +36,19 @@ def repeatable(make: Maker) -> Maker:
     return make
 
 
-def heard(environment: Environment, read: Callable[..., Any], until: Until) -> Callable[..., Any]:
+def with_dependency(environment: Environment, read: Callable[..., Any], until: Until) -> Callable[..., Any]:
     """Return a read that also records its dependency.
 
     `until` gets the indices and the level of comparison, as `read` does.
     """
     dependencies = environment.dependencies
 
-    def heard(*where: Any) -> Any:
+    def with_dependency(*where: Any) -> Any:
         if dependencies.notes is not None:
             dependencies.note(until, *where)
         return read(*where)
 
-    return heard
+    return with_dependency
 
 
 def end_of_motion(environment: Environment) -> Until:

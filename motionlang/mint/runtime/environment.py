@@ -36,7 +36,7 @@ INFINITY = float("inf")
 _MILLISECOND = 1e-6
 
 
-def _mint_ways(controller: Controller) -> None:
+def _apply_mint_settings(controller: Controller) -> None:
     """Apply the settings of Mint's axes; an axis with an error accepts no motion."""
     from motionlang.controller.faults import ALL
 
@@ -132,11 +132,11 @@ class Environment(Waits):
 
     def prepare(self) -> None:
         """Make the controller behave as Mint expects it to."""
-        self.machine.at_power_up(_mint_ways)
-        if self.machine.readings:
+        self.machine.at_power_up(_apply_mint_settings)
+        if self.machine.assumptions:
             from motionlang.mint.runtime.power_up import PowerUp
 
-            self.power_up = PowerUp(self, self.machine.readings)
+            self.power_up = PowerUp(self, self.machine.assumptions)
             for axis in self.controller.axes:
                 self.power_up.set(axis)
 
@@ -210,7 +210,7 @@ class Environment(Waits):
         if how == "fn":
             from motionlang.mint.runtime import functions
 
-            if details[0] == "shown" and self.machine.readings:
+            if details[0] == "shown" and self.machine.assumptions:
                 return functions.shown_by(self.machine)
             return getattr(functions, str(details[0]))
         if how == "show":
@@ -264,7 +264,7 @@ class Environment(Waits):
         else:
             write = binding.bind_to_axis(self, how, row)
             bound = lambda axis: self.operations.timed(write(axis))  # noqa: E731
-        return bound(axis) if isinstance(axis, int) else binding.Each(bound)
+        return bound(axis) if isinstance(axis, int) else binding.ByNumber(bound)
 
     # ---------------------------------------------------------------------------------------------- time
 

@@ -75,7 +75,7 @@ class Events:
             if self._rounds >= MAX_ROUNDS:
                 raise _never_ends(entry)
             self._raised_here.add(entry)
-        queued = self.environment.machine.readings.get("mint.event-queue")
+        queued = self.environment.machine.assumptions.get("mint.event-queue")
         known = entry in self.pending or (queued == "forgotten" and entry in self.active)
         if not known or queued == "each":
             self.pending.append(entry)
@@ -138,7 +138,7 @@ class Events:
         if milliseconds > 0:
             clock, machine = self.environment.clock, self.environment.machine
             self.started = clock.now
-            self.ticks = 0 if machine.readings.get("mint.timerevent") == "at once" else 1
+            self.ticks = 0 if machine.assumptions.get("mint.timerevent") == "at once" else 1
             self.tick_event = clock.at(self.tick_time(self.ticks), self._tick)
             if machine.accelerators.ticks is not None and machine.scheduler is not None:
                 machine.scheduler.ticks = machine.accelerators.ticks(self)
@@ -154,7 +154,7 @@ class Events:
         self.environment.clock.again(self.tick_event, self.tick_time(number))
 
     def _tick(self) -> None:
-        if self.environment.machine.readings.get("mint.timerevent") != "once":
+        if self.environment.machine.assumptions.get("mint.timerevent") != "once":
             self.schedule_tick(self.ticks + 1)
         self.raise_("timer")
 

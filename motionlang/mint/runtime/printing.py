@@ -47,7 +47,7 @@ def shows_float(machine: Machine) -> Callable[[float], str]:
 
     It depends on the controller, which may have v4, and on the machine file's `[assumptions]`.
     """
-    readings, older = machine.readings, machine.model != "" and _is_older(machine.model)
+    readings, older = machine.assumptions, machine.model != "" and _is_older(machine.model)
     if not readings:
         return show_older if older else show_float
     places: int = readings.get("mint.float-decimals", PLACES)  # type: ignore[assignment]

@@ -66,7 +66,7 @@ class MintTask(GeneratorTask):
         self._put_off: PutOff | None = None
         self._acts = False  # True while that operation is carried out
         self._count = environment.time_cells[0]
-        self.set_turn()
+        self.set_time_slice()
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """Resume like any task, and notice what others did in the meantime."""
@@ -190,7 +190,7 @@ class MintTask(GeneratorTask):
             traceback = traceback.tb_next
         return open_loops(frames, self._file, self._places, self.environment.statements, kinds)
 
-    def set_turn(self) -> None:
+    def set_time_slice(self) -> None:
         """Apply TASKQUANTUM, less half a statement.
 
         So rounding does not decide whether the last statement still fits.

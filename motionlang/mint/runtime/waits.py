@@ -132,7 +132,7 @@ class Waits:
                 end = ends.get(axes) or environment.end_of_moves(axes)
                 if len(scheduler.tasks) > 1:
                     moment = end()
-                    if moment < scheduler.next_turn:
+                    if moment < scheduler.next_slice:
                         reach = scheduler.passes_among_others(since, moment, True)
                         if reach:
                             waited((task.name, at, since, moment, "condition", (), why, callers))
@@ -304,7 +304,12 @@ class Rests:
         """Let others act; continue within the statement if this task is the next to act."""
         environment = self._environment
         statements, task, scheduler = environment.statements, environment.task, environment.machine.scheduler
-        if scheduler is not None and end < scheduler.next_turn and task.look is None and task.in_vain is None:
+        if (
+            scheduler is not None
+            and end < scheduler.next_slice
+            and task.look is None
+            and task.in_vain is None
+        ):
             base = statements.base
             reach = scheduler.passes_among_others(base + t * statements.cost, end, False)
             if reach:

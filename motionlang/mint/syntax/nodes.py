@@ -417,7 +417,7 @@ class UserType(Node):
     members: list[Variable]
 
 
-class Placed(Node):
+class Located(Node):
     """A tree with the positions of its tokens, which do not count in comparisons."""
 
     __slots__ = ("places",)
@@ -437,7 +437,7 @@ class Placed(Node):
         return self.places.value_length(at)
 
 
-class Module(Placed):
+class Module(Located):
     """A whole program: the parent task's statements, then its blocks, in source order."""
 
     __slots__ = ("body", "events", "startup", "subs", "tasks", "types")

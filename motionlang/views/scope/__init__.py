@@ -114,7 +114,7 @@ def _records(run: Run) -> int:
     """Return the number of records of a run that a page would show."""
     log = run.controller.log
     records = len(log.moves) + len(log.waits) + len(log.events)
-    return records + len(log.inputs) + len(log.outputs) + len(log.turns)
+    return records + len(log.inputs) + len(log.outputs) + len(log.slices)
 
 
 def _part(name: str) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.analysis.diff import motion
-from motionlang.analysis.diff.motion import LOOKS, ROUNDING, Divergence, divergence
+from motionlang.analysis.diff.motion import ROUNDING, SAMPLES, Divergence, divergence
 from motionlang.controller.axis import Axis
 from motionlang.execution import run, settings_next_to
 from motionlang.log.track import WholeTrack
@@ -26,13 +26,13 @@ CHANGES = {
 }
 
 
-def looked(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | None:
+def sampled(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | None:
     """Return the divergence by checking each time in order."""
     edges = sorted({*WholeTrack(a).starts, *WholeTrack(b).starts, end})
     first, largest = None, (0.0, 0.0)
     for begin, finish in pairwise(edges):
-        for n in range(1, LOOKS + 1) if finish <= end else ():
-            time = begin + (finish - begin) * n / LOOKS
+        for n in range(1, SAMPLES + 1) if finish <= end else ():
+            time = begin + (finish - begin) * n / SAMPLES
             one, other = (
                 a.scale.position_to_user(a.position(time)),
                 b.scale.position_to_user(b.position(time)),
@@ -65,7 +65,7 @@ def test_it_is_what_looking_everywhere_finds(
     old, new = pair(name)
     end, expected = min(old.time, new.time), []
     for number, a in old.controller.axes.items():
-        found = looked(a, new.controller.axes[number], end, tolerance)
+        found = sampled(a, new.controller.axes[number], end, tolerance)
         if found is not None:
             expected.append(found)
     told = divergence(old, new, tolerance)

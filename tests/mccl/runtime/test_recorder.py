@@ -16,7 +16,7 @@ from motionlang.source import Source
 
 # Readings, and the board's calls at power-up, are not the subject of a test.
 QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "following_error", "idle_time",
-         "is_at_standstill", "standing_time", "master_of"}  # fmt: skip
+         "is_at_standstill", "standstill_time", "master_of"}  # fmt: skip
 
 
 class Written(Recorder):
@@ -78,7 +78,7 @@ def test_a_reversal_is_braked_for_before_the_new_target_is_given() -> None:
         "velocity": 100.0,
         "position": 0.0,
         "setting": "trapezoid",
-        "standing_time": 1.0,
+        "standstill_time": 1.0,
     }
     answers |= {"setting": 100.0, "is_at_standstill": False}
     # 100 counts/s at 100 counts/s2 come to rest at 50: the target is behind that.

@@ -15,7 +15,7 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.mint import DIALECT
 from motionlang.mint.keywords import identity, table
 from motionlang.mint.keywords import legacy as older
-from motionlang.mint.keywords.machine_readings import can_be_told
+from motionlang.mint.keywords.machine_readings import can_be_supplied
 from motionlang.mint.keywords.unsimulated import COMMAND, MOTION, VALUE
 from motionlang.repl.runner import Runner
 from motionlang.result import Run
@@ -212,9 +212,9 @@ def test_a_mistake_in_the_machine_file_is_told_with_its_line(line: str, message:
 
 
 def test_every_word_that_reads_something_unknown_can_be_told() -> None:
-    assert all(can_be_told(row) for row in OTHERS if "R" in row.access)
-    assert all(can_be_told(row) for row in identity.ROWS if row.group == "identity")
-    assert not any(can_be_told(row) for row in older.ROWS)
+    assert all(can_be_supplied(row) for row in OTHERS if "R" in row.access)
+    assert all(can_be_supplied(row) for row in identity.ROWS if row.group == "identity")
+    assert not any(can_be_supplied(row) for row in older.ROWS)
 
 
 # --------------------------------------------------------------------------------------------------- any order

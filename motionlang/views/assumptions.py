@@ -11,14 +11,14 @@ from motionlang.views.terminal import styled
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.assumptions.reading import Reading
+    from motionlang.assumptions.assumption import Assumption
 
 
 # A program with this many lines is written to a file by the command and not shown.
 LONG = 7
 
 
-def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False) -> str:
+def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = False) -> str:
     """List strength, name and question of each assumption, with the default below it."""
     if not found:
         return "  depends on no unconfirmed assumption\n"
@@ -33,7 +33,7 @@ def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False)
     return "\n".join(lines) + "\n"
 
 
-def of_word(found: Sequence[Reading], axis: int, *, width: int = 100, colour: bool = False) -> str:
+def of_word(found: Sequence[Assumption], axis: int, *, width: int = 100, colour: bool = False) -> str:
     """Return the open questions on a keyword.
 
     Each has the program to type and the meaning of each answer of a controller.
@@ -46,52 +46,52 @@ def of_word(found: Sequence[Reading], axis: int, *, width: int = 100, colour: bo
     return "\n".join(lines) + "\n"
 
 
-def _asked(reading: Reading, axis: int, width: int, colour: bool) -> list[str]:
+def _asked(assumption: Assumption, axis: int, width: int, colour: bool) -> list[str]:
     """Return a question that a program asks: its lines and its answers."""
-    probe = reading.probe
+    probe = assumption.probe
     assert probe is not None
-    lines = _wrapped(f"{reading.question}:", width)
+    lines = _wrapped(f"{assumption.question}:", width)
     before, ask, _ = lines_of(probe, axis, 1.0)
     if probe.needs:
         needs = probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
         lines += _wrapped(f"first: {needs}", width)
     if probe.motion:
-        how = f"motionlang probe {reading.name} --motion DISTANCE"
+        how = f"motionlang probe {assumption.name} --motion DISTANCE"
         lines += _wrapped(f"needs motion: write a test program with {how}", width)
     elif probe.behind or len(before) >= LONG:
-        lines += _wrapped(f"write a test program with motionlang probe {reading.name}", width)
+        lines += _wrapped(f"write a test program with motionlang probe {assumption.name}", width)
     else:
         typed = [*before, f"PRINT {ask}" if probe.language == "mint" else ask]
         if probe.error:
             typed.append(f"' after an error, ONERROR does PRINT {probe.error}")
         lines += [f"      {styled(line, 'word', colour)}" for line in typed]
-    lines += [f"    {line}" for line in meanings(reading, max(40, width - 4))[1:]]
-    beyond = [] if probe.form else reading.alternatives[len(probe.answers) - 1 :]
+    lines += [f"    {line}" for line in meanings(assumption, max(40, width - 4))[1:]]
+    beyond = [] if probe.form else assumption.alternatives[len(probe.answers) - 1 :]
     lines += [line for other in beyond for line in _wrapped(f"or, not distinguished by it: {other}", width)]
     return lines
 
 
-def _open(reading: Reading) -> str:
+def _open(assumption: Assumption) -> str:
     """Return a question with the chosen answer and the others."""
-    others = f"; or: {'; or '.join(reading.alternatives)}" if reading.alternatives else ""
-    return f"{reading.question}: {reading.chosen}{others}"
+    others = f"; or: {'; or '.join(assumption.alternatives)}" if assumption.alternatives else ""
+    return f"{assumption.question}: {assumption.chosen}{others}"
 
 
 def _wrapped(text: str, width: int) -> list[str]:
     return textwrap.wrap(text, max(40, width - 4), initial_indent="    ", subsequent_indent="    ")
 
 
-def as_dict(reading: Reading) -> dict[str, object]:
+def as_dict(assumption: Assumption) -> dict[str, object]:
     """Return an assumption as JSON data."""
     return {
-        "name": reading.name,
-        "question": reading.question,
-        "chosen": reading.chosen,
-        "alternatives": list(reading.alternatives),
-        "reason": reading.why,
-        "strength": reading.strength,
-        "motionlang_only": reading.own,
-        "has_probe": reading.probe is not None,
-        "probe_by_name": reading.probe is not None and reading.probe.alone,
-        "key": reading.key,
+        "name": assumption.name,
+        "question": assumption.question,
+        "chosen": assumption.chosen,
+        "alternatives": list(assumption.alternatives),
+        "reason": assumption.why,
+        "strength": assumption.strength,
+        "motionlang_only": assumption.own,
+        "has_probe": assumption.probe is not None,
+        "probe_by_name": assumption.probe is not None and assumption.probe.alone,
+        "key": assumption.key,
     }

@@ -53,7 +53,7 @@ class Probe:
 
 
 @record
-class Reading:
+class Assumption:
     """One question that the sources leave open, and the chosen answer.
 
     `name` is that of the machine file's `[assumptions]`, `alternatives` are the other answers, `why` the reason

@@ -6,21 +6,21 @@ from motionlang.log.stream import Stream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.log.records import Turns
+    from motionlang.log.records import TimeSlices
     from motionlang.log.stream import Store
 
-    TurnsInOrder = Stream[Turns]
+    TimeSlicesInOrder = Stream[TimeSlices]
 else:
-    TurnsInOrder = Stream
+    TimeSlicesInOrder = Stream
 
 
-class TurnStream(TurnsInOrder):
-    """`Turns` in order of time; tasks that alternate without a wait are one record."""
+class TimeSliceStream(TimeSlicesInOrder):
+    """`TimeSlices` in order of time; tasks that alternate without a wait are one record."""
 
     __slots__ = ("_began", "seconds")
 
     def __init__(self, store: Store) -> None:
-        super().__init__(store, "Turns")
+        super().__init__(store, "TimeSlices")
         # How long each task has computed since one of them began or ended a wait, and the time of that.
         self.seconds: dict[str, float] = {}
         self._began = 0.0
