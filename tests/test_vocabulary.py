@@ -40,7 +40,7 @@ NAMED = {
     "mccl/lint/running.py": "WS",
     "mccl/motion/joystick.py": "JN",
     "mint/compile/keyword_use.py": "IDLE VEL",
-    "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",
+    "mint/lint/buffer.py": "TRIGGERMODE",
     "mint/lint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
 }
 

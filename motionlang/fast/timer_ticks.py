@@ -203,7 +203,7 @@ class _Search:
     @property
     def _streams(self) -> tuple[Stream[Any], ...]:
         """The streams in which a handler that is skipped may write."""
-        return self._log.events, self._log.outputs, self._log.turns
+        return self._log.events, self._log.outputs, self._log.slices
 
     @property
     def is_solvable(self) -> bool:

@@ -47,7 +47,7 @@ class Log:
     settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
     loops      `Looped`, each loop of more than a hundred statements, when it is over
-    turns      `TimeSlices`, if there is more than one task
+    slices     `TimeSlices`, if there is more than one task
     prints     `Printed`, those of the console
     events     `Event`: limits, faults, clamps, stops and the like
 

@@ -15,7 +15,10 @@ else:
 
 
 class TimeSliceStream(TimeSlicesInOrder):
-    """`TimeSlices` in order of time; tasks that alternate without a wait are one record."""
+    """`TimeSlices` in order of time.
+
+    Tasks that alternate without a wait are one record.
+    """
 
     __slots__ = ("_began", "seconds")
 

@@ -1,4 +1,4 @@
-"""`language.py`: the language server without streams and processes, as in the page."""
+"""`language.py`: the language server in the page, without streams and processes."""
 
 from __future__ import annotations
 

@@ -13,8 +13,6 @@ from motionlang.mint.lint.effects import Act, Facts, spelt
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.lang.keyword import Keyword
-
     Add = Callable[..., None]
 
 # The fraction of a path that a blend into the next one may take.
@@ -26,8 +24,8 @@ def check_blends(facts: Facts, add: Add) -> None:
 
     The last path of a set of axes has no blend after it and is not checked.
     """
-    distances = facts.constants(_writes_distance)
-    modes = facts.constants(lambda row: row.verb == "blend_mode")
+    word = facts.word("blend_distance")
+    distances, modes = facts.constants(word), facts.constants(facts.word("blend_mode"))
     paths = list(facts.written_by(lambda row: row.role == "path"))
     last = {act.axes: act for act in sorted(paths, key=lambda act: act.at)}
     for act in paths:
@@ -37,16 +35,11 @@ def check_blends(facts: Facts, add: Add) -> None:
             continue
         if min(given) > SHARE * length:
             assert act.row is not None
-            word = next(row.name for row in facts.used if _writes_distance(row))
             message = (
                 f"{word} of axis {spelt(key)} is {min(given):g}, but a blend takes at most "
                 f"{SHARE * length:g} of this {act.row.name}"
             )
             add("blend-distance", message, act.at, "set it to half of the shortest path, or less")
-
-
-def _writes_distance(row: Keyword) -> bool:
-    return row.verb == "blend_distance"
 
 
 def _length(facts: Facts, act: Act) -> float | None:

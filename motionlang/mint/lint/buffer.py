@@ -29,7 +29,7 @@ class Buffers:
 
     def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
         self.facts, self.follower, self.add = facts, follower, add
-        self.sizes = facts.constants(lambda row: row.verb == "buffer_size")
+        self.sizes = facts.constants(facts.word("buffer_size"))
         self.triggered = facts.named("TRIGGERMODE")
         # The axes that the parent task and each task and handler start.
         self.started = {root: facts.touched(root, GO) for root in facts.functions if root.kind != "sub"}

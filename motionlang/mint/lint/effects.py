@@ -275,13 +275,17 @@ class Facts:
         """Return the axes for which the program sets or carries out a keyword."""
         return {key for act in self.written_by(lambda row: row.name == word) for key in act.axes}
 
-    def constants(self, wanted: Callable[[Keyword], object]) -> dict[Key, list[float] | None]:
-        """Map each axis to the constants that some keywords assign to it.
+    def word(self, verb: str) -> str:
+        """Return the keyword with a verb that the program uses, "" if it uses none."""
+        return next((row.name for row in self.used if row.verb == verb), "")
+
+    def constants(self, word: str) -> dict[Key, list[float] | None]:
+        """Map each axis to the constants that a keyword assigns to it.
 
         The value is None if one of them is unknown.
         """
         found: dict[Key, list[float] | None] = {}
-        for act in self.written_by(wanted):
+        for act in self.written_by(lambda row: row.name == word):
             for number, key in enumerate(act.axes):
                 value = self.number(act.value(number))
                 known = found.setdefault(key, [])

@@ -24,8 +24,8 @@ class Reach:
 
     def __init__(self, facts: Facts, settings: Mapping[str, object]) -> None:
         self.settings = settings
-        self.forward = facts.constants(lambda row: row.name == "SOFTLIMITFORWARD")
-        self.reverse = facts.constants(lambda row: row.name == "SOFTLIMITREVERSE")
+        self.forward = facts.constants("SOFTLIMITFORWARD")
+        self.reverse = facts.constants("SOFTLIMITREVERSE")
         self.unlimited = facts.named("SOFTLIMITMODE")
         self.wrapped = facts.named("POSWRAP")
 
