@@ -241,14 +241,12 @@ def _peak(profile: Profile) -> float:
 
 def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[Profile, str]:
     """Return the profile of a move up to the end of the run, and the cause of its end."""
-    profile = move.profile
-    assert profile is not None
     begin, is_running = running.get(id(move)), id(move) in running
-    is_late = move.start_time + profile.duration > run.time
-    if is_running:
-        is_late |= move is run.controller.axes[move.axis].move
     ended = move.ended
-    if is_late and (is_running or move.overlaid):
+    is_current = is_running and move is run.controller.axes[move.axis].move
+    # A slave's profile is joined on demand, so it is asked for once.
+    profile = None if is_current else move.profile
+    if profile is None or ((is_running or move.overlaid) and move.start_time + profile.duration > run.time):
         profile, ended = move.until(run.time), END_OF_RUN
     return profile if begin is None else profile.scaled(begin, 1.0), ended
 
