@@ -448,7 +448,8 @@ def _order(a: Axis) -> Order:
     if move is None:
         return REST
     action = move.action
-    if isinstance(action, (Gear, CurveFollow)) and not a.suspended:
+    # A cam or a shear cannot be suspended: an input that holds its axis acts when it is over.
+    if isinstance(action, CurveFollow) or (isinstance(action, Gear) and not a.suspended):
         return Order(type(action).__name__, move.line, rates=_rates(a, move), tie=_tie(action))
     if isinstance(action, Gear):
         return _stopped(a, move)

@@ -5,6 +5,7 @@ Each is proved.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import atan2, hypot, pi, radians, sin, sqrt
 
 import pytest
@@ -18,12 +19,18 @@ from motionlang.source import Source
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 
 
-def proved(program: str, suffix: str = "mnt", until: float = 20.0, statement: float = 1e-9) -> Run:
+def proved(
+    program: str,
+    suffix: str = "mnt",
+    until: float = 20.0,
+    statement: float = 1e-9,
+    inputs: Sequence[dict[str, float]] = (),
+) -> Run:
     """Return a run without a diagnostic, whose proof passes.
 
-    A `statement` takes that many seconds.
+    A `statement` takes that many seconds; `inputs` are those of the machine.
     """
-    machine = {"controller.instruction_time": statement}
+    machine = {"controller.instruction_time": statement, "input": list(inputs)}
     result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=until)
     assert [each.message for each in result.diagnostics] == []
     assert [each.message for each in result.proof().violations] == []
@@ -1130,3 +1137,20 @@ def test_a_path_resumed_in_its_last_flank_keeps_it_if_the_jerk_was_lowered(follo
     assert first.profile is not None
     assert first.start_time + first.profile.duration == pytest.approx(5.2, abs=1e-6)
     assert places(result, 0, 1) == pytest.approx([70.0 if following else 30.0, 40.0])
+
+
+def test_a_shear_that_an_input_holds_runs_through_its_segments() -> None:
+    """At 2 s its master is at 38, and at 41 when it starts to slow down from 20 to 10.
+
+    The ratio rises to 1 in the first 20 of the master, and returns to 0 in the last 20 of 60. From 2.15 s
+    on the master travels 1.5 in 0.1 s and 8 in 0.8 s. The input is closed from 0.5 to 2 s, and the second
+    segment begins meanwhile.
+    """
+    fly = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : SUSPENDINPUT(1) = 2 : MOVEBUFFERSIZE(1) = 9\n"
+    fly += "MASTERDISTANCE(1) = 20 : FLY(1) = 10 : FLY(1) = 20 : FLY(1) = 10 : GO(1)\n"
+    jog = "JOG(0) = 20\nWAIT = 2150\nJOG(0) = 10\nWAIT = 900\nEnd\nEvent ONERROR\nERRORCLEAR(_egALL, 1)\nEnd Event\n"
+    result = proved(RATES + fly + jog, until=3.05, inputs=[{"channel": 2, "at": 0.5, "for": 1.5}])
+    slave = result.controller.axes[1]
+    assert [slave.position(time) for time in (1.1, 2.0)] == pytest.approx([10.0, 28.0], abs=1e-6)
+    into = 38.0 + 3.0 + 1.5 + 8.0 - 40.0
+    assert places(result, 1) == pytest.approx([30.0 + into - into * into / 40.0], abs=1e-6)
