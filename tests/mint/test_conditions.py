@@ -221,6 +221,39 @@ def test_what_begins_while_the_axis_is_suspended_waits(load: str) -> None:
     assert result.output == ["0.0000", "1"], result.diagnostics
 
 
+HELD = "MASTERCHANNEL(0) = 1\nSUSPENDINPUT(0) = 2\nMOVEBUFFERSIZE(0) = 9\nJOG(1) = 10\n"
+
+
+@pytest.mark.parametrize(
+    ("load", "before", "after"),
+    [
+        ("MASTERDISTANCE(0) = 100\nFLY(0) = 100", 29.0**2 / 100.0, 39.5**2 / 100.0),
+        ("MASTERDISTANCE(0) = 40\nCAM(0) = 4", 29.0 / 4.0, 39.5 / 4.0),
+    ],
+    ids=["fly", "cam"],
+)
+def test_an_offset_on_a_held_cam_or_shear_begins_at_the_release(
+    load: str, before: float, after: float
+) -> None:
+    """Its master is at 29 at 2.95 s and at 39.5 at 4 s.
+
+    The offset of 10 takes 0.55 s from 3 s on: a peak of 36.5 with 100 and 200.
+    """
+    result = mint(
+        f"Dim c(2) As Float = 1, 10\nCAMTABLE(0, c, NULL)\n{HELD}{load}\nGO(0)\nWAIT = 1500\nOFFSET(0) = 10\nGO(0)\n"
+        "WAIT = 1450\nPRINT POS(0)\nWAIT = 1050\nPRINT POS(0)",
+        SUSPENDING,
+    )
+    assert [float(each) for each in result.output] == pytest.approx([before, after + 10.0], abs=1e-2)
+
+
+def test_an_input_holds_a_shear_after_its_last_segment() -> None:
+    """Two segments of 10 end at 2.05 s; the move by 5 waits until 3 s."""
+    fly = "MASTERDISTANCE(0) = 10\nFLY(0) = 5\nFLY(0) = 5\nMOVER(0) = 5\nGO(0)\n"
+    result = mint(f"{HELD}{fly}WAIT = 2900\nPRINT POS(0)\nWAIT = 2000\nPRINT POS(0)", SUSPENDING)
+    assert [float(each) for each in result.output] == pytest.approx([10.0, 15.0])
+
+
 HOMING: dict[str, object] = {"axis.0.home_switch": [20.0, 30.0]}
 
 

@@ -21,7 +21,8 @@ what is `coming`. `FollowMove` is the slave's entry in the log. It stores the pr
 followed, and joins them when it is read.
 
 A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`; offsets
-commanded meanwhile wait in `_later`. A cam or a shear cannot be suspended.
+commanded meanwhile wait in `_later`. A cam or a shear cannot be suspended. An input that would suspend it
+holds its axis once it is over, and delays new offsets until its release.
 
 Invariants.
 - The base of a gear begins at the slave's position, less the offset done so far, so no position jumps. A

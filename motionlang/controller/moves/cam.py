@@ -109,6 +109,10 @@ class CurveFollow(Follow):
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
         self.lift += shift
 
+    def resume(self, controller: Core, a: Axis) -> None:
+        """Start the offsets that waited: the curve itself was never suspended."""
+        self.more(controller, a)
+
     def fold(self, distance: float) -> None:
         self.lift += distance
         if abs(self.move.target) < INFINITY:
