@@ -30,6 +30,15 @@ from motionlang.views.words import dialect_name
 REFRESH = 0.1
 
 
+def banner(session: Session) -> str:
+    """Return the line above the first prompt, which fits in 80 columns."""
+    axes = len(session.machine.controller.axes)
+    return (
+        f"motionlang {__version__}, {dialect_name(session.dialect.name)}, {axes} axes. "
+        "Tab completes, .help shows help, Ctrl-D ends."
+    )
+
+
 def converse(session: Session) -> int:
     """Read and execute lines until the user leaves; return 0.
 
@@ -41,11 +50,7 @@ def converse(session: Session) -> int:
     live = Live(session)
     ask = _asker(session, live)
     session.ask = _answer
-    print(
-        f"motionlang {__version__}, {dialect_name(session.dialect.name)}, "
-        f"{len(session.machine.controller.axes)} axes. Tab completes, .help lists commands, "
-        "Ctrl-D ends."
-    )
+    print(banner(session))
     while not session.over:
         try:
             with patch_stdout(raw=True):

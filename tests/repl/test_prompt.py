@@ -12,10 +12,10 @@ from prompt_toolkit.document import Document
 from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.output import DummyOutput
 
-from motionlang.execution import dialect
+from motionlang.execution import dialect, dialects
 from motionlang.repl.complete import WordCompleter, candidates
 from motionlang.repl.highlight import styled
-from motionlang.repl.prompt import converse
+from motionlang.repl.prompt import banner, converse
 from motionlang.repl.session import Session
 
 CTRL_C, CTRL_D, ENTER = "\x03", "\x04", "\r"
@@ -30,6 +30,11 @@ def _no_history(monkeypatch: pytest.MonkeyPatch) -> None:
 def keys() -> Iterator[PipeInput]:
     with create_pipe_input() as keys, create_app_session(input=keys, output=DummyOutput()):
         yield keys
+
+
+@pytest.mark.parametrize("language", dialects())
+def test_the_banner_fits_in_80_columns(language: str) -> None:
+    assert len(banner(Session(dialect(language)))) <= 80
 
 
 def test_lines_are_executed_until_ctrl_d(keys: PipeInput) -> None:
