@@ -42,7 +42,7 @@ class Server(LanguageServer):
 
     def __init__(self, worker: Worker) -> None:
         super().__init__("motionlang", __version__, protocol_cls=Protocol)
-        self.session = Session(worker, self._publish)
+        self.session = Session(worker, self._publish, self._log)
         register(self)
         # Standard error is a window of the editor, which is not the place for a log.
         logging.getLogger("pygls").setLevel(logging.CRITICAL + 1)
@@ -63,8 +63,11 @@ class Server(LanguageServer):
         if source is JsonRpcException:
             self.protocol.report_broken(error)
         elif source is not FeatureRequestError:
-            text = f"motionlang lsp: internal error: {error}"
-            self.window_log_message(types.LogMessageParams(types.MessageType.Error, text))
+            self._log(f"internal error: {error}")
+
+    def _log(self, text: str) -> None:
+        message = f"motionlang lsp: {text}"
+        self.window_log_message(types.LogMessageParams(types.MessageType.Error, message))
 
     def serve_streams(self) -> int:
         """Serve the editor at standard input and output; return the exit status."""

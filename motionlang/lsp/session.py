@@ -15,6 +15,7 @@ from pygls.uris import to_fs_path
 
 from motionlang.editor.diagnostics import settings_of
 from motionlang.editor.page import Page
+from motionlang.editor.times import NO_TIMES
 from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.lang.dialect import dialect, dialects
@@ -63,10 +64,18 @@ class Known:
 
 
 class Session:
-    """All open texts; `publish` is called with the diagnostics of one."""
+    """All open texts.
 
-    def __init__(self, worker: Worker, publish: Callable[[Document, list[Diagnostic]], None]) -> None:
-        self._worker, self._publish = worker, publish
+    `publish` is called with the diagnostics of one, and `log` with a message for the editor's log.
+    """
+
+    def __init__(
+        self,
+        worker: Worker,
+        publish: Callable[[Document, list[Diagnostic]], None],
+        log: Callable[[str], None],
+    ) -> None:
+        self._worker, self._publish, self._log = worker, publish, log
         self._known: dict[str, Known] = {}
         self._lock: asyncio.Lock | None = None
         self._tasks: set[asyncio.Task[Any]] = set()
@@ -209,7 +218,20 @@ class Session:
                 return None
             name, text = self._machine_of(known.document.uri)
             language = known.language.name if known.language is not None else ""
-            return await self._worker.do(Job(what, source.name, source.text, language, text, name))
+            job = Job(what, source.name, source.text, language, text, name)
+            try:
+                return await self._worker.do(job)
+            except Exception as error:  # of the check or of the run, not of this server
+                return self._failed(job, error)
+
+    def _failed(self, job: Job, error: Exception) -> list[Diagnostic] | Times:
+        """Report an internal error in a job and return its result."""
+        why = f"internal error: {type(error).__name__}: {error}".partition("\n")[0]
+        if job.what == CHECK:
+            message = f"{job.name} cannot be checked: {why}"
+            return [Diagnostic("crash", message, 1, 1, hint=f"motionlang check {job.name} shows the details")]
+        self._log(f"{job.name} has no time hints: {why}; motionlang run {job.name} shows the details")
+        return NO_TIMES
 
     def _is_current(self, known: Known, source: Source) -> bool:
         return self._known.get(known.document.uri) is known and known.document.source is source

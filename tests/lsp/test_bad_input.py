@@ -18,7 +18,7 @@ import pytest
 
 from tests.cases import cases
 from tests.lsp.conftest import MAX_SECONDS, ROOT
-from tests.lsp.wire import INITIALIZE, NOTIFICATIONS, REQUESTS, URI, Chance, Wire
+from tests.lsp.wire import INITIALIZE, NOTIFICATIONS, REQUESTS, URI, Broken, Chance, Wire
 
 # Bodies that are no message, or none of a valid form.
 GARBAGE = (
@@ -74,6 +74,32 @@ def test_random_messages_get_one_answer_each(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(100, 150))
 def test_ten_thousand_random_messages_get_one_answer_each(seed: int) -> None:
     random_messages(seed, 200)
+
+
+def test_a_job_that_raises_is_reported_in_one_sentence() -> None:
+    """A check that raises has a diagnostic; a run that raises has a message in the editor's log."""
+
+    async def whole() -> None:
+        wire = Wire(Broken())
+        wire.request(0, "initialize", INITIALIZE)
+        item = {"uri": URI, "languageId": "mint", "version": 1, "text": "x = 1\n"}
+        wire.notify("textDocument/didOpen", {"textDocument": item})
+        await wire.settled()
+        lines = {"start": {"line": 0, "character": 0}, "end": {"line": 1, "character": 0}}
+        wire.request(1, "textDocument/inlayHint", {"textDocument": {"uri": URI}, "range": lines})
+        await wire.settled()
+        assert wire.answers()[1][0]["result"] == []
+        (checked, logged) = [each["params"] for each in wire.sent if "method" in each]
+        assert [(each["code"], each["message"]) for each in checked["diagnostics"]] == [
+            ("crash", "a.mnt cannot be checked: internal error: RuntimeError: no check\n"
+                      "hint: motionlang check a.mnt shows the details"),
+        ]  # fmt: skip
+        assert logged["message"] == (
+            "motionlang lsp: a.mnt has no time hints: internal error: RuntimeError: no times; "
+            "motionlang run a.mnt shows the details"
+        )
+
+    asyncio.run(whole())
 
 
 def phase(name: str) -> Wire:

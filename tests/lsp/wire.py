@@ -42,11 +42,18 @@ class Checks(Inline):
         return work(job) if job.what == CHECK else NO_TIMES
 
 
+class Broken(Inline):
+    """Raises in every job."""
+
+    async def do(self, job: Job) -> list[Diagnostic] | Times | None:
+        raise RuntimeError(f"no {job.what}\nand more")
+
+
 class Wire:
     """Both ends of a connection in one process; `sent` has what the server wrote."""
 
-    def __init__(self) -> None:
-        self.server = Server(Checks())
+    def __init__(self, worker: Inline | None = None) -> None:
+        self.server = Server(worker or Checks())
         self.sent: list[dict[str, Any]] = []
         self.server.protocol.set_writer(self, include_headers=False)
 
