@@ -3,7 +3,8 @@
 ` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line
 stands for omitted lines. `$ cat FILE` shows a file, and makes one that does not exist; `< FILE` is standard
 input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a diagnostic, ` ```toml ` blocks are
-machine files, ` ```python ` blocks are executed. Blocks of other kinds (`sh` for set-up) are for reading.
+machine files, ` ```python ` blocks are executed. ` ```editor ` blocks show a program in an editor, which
+`tests/lsp/test_documented_session.py` compares. Blocks of other kinds (`sh` for set-up) are for reading.
 """
 
 from __future__ import annotations
