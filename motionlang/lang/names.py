@@ -14,9 +14,18 @@ from motionlang.record import record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+    from typing import Protocol
 
     # The start and end of a piece of text, as character offsets.
     Span = tuple[int, int]
+
+    class Positions(Protocol):
+        """Finds the offsets of a program whose positions are tokens."""
+
+        def of_name(self, token: int, length: int) -> Span: ...
+
+        def of_block(self, first: int, last: int) -> Span: ...
+
 
 # The kinds of definitions.
 KINDS = (
@@ -32,19 +41,66 @@ class Definition:
     in the order of the text, the declaration included. `scope` is where the name is visible, `home` the sub or
     task that declares it, "" for the module. `text` is the declaration, `type` and `value` what is known of them.
     `parameters` are those of a sub. `fixed` is the reason why the name cannot be changed, "" if it can.
+
+    With `positions`, the scope is given as two tokens, and a use as its token and its length. They become
+    offsets when one of them is first read, because most of them never are.
     """
 
     __slots__ = (
-        "fixed", "home", "kind", "name", "parameters", "scope", "span", "text", "type", "uses", "value",
+        "_positions", "_scope", "_span", "_uses",
+        "fixed", "home", "kind", "name", "parameters", "text", "type", "value",
     )  # fmt: skip
 
-    def __init__(self, name: str, kind: str, scope: Span, text: str = "") -> None:
+    def __init__(
+        self, name: str, kind: str, scope: Span, text: str = "", positions: Positions | None = None
+    ) -> None:
         assert kind in KINDS, kind
-        self.name, self.kind, self.scope, self.text = name, kind, scope, text
-        self.span: Span | None = None
-        self.uses: list[Span] = []
+        self.name, self.kind, self.text = name, kind, text
+        self._positions, self._scope = positions, scope
+        self._span: Span | None = None
+        self._uses: list[Span] = []
         self.home = self.type = self.value = self.fixed = ""
         self.parameters: tuple[str, ...] = ()
+
+    @property
+    def scope(self) -> Span:
+        self._locate()
+        return self._scope
+
+    @property
+    def span(self) -> Span | None:
+        self._locate()
+        return self._span
+
+    @property
+    def uses(self) -> list[Span]:
+        self._locate()
+        return self._uses
+
+    @property
+    def is_declared(self) -> bool:
+        """True if the text has its declaration."""
+        return self._span is not None
+
+    @property
+    def is_used(self) -> bool:
+        """True if the text has its name, be it in the declaration only."""
+        return bool(self._uses)
+
+    def use(self, span: Span) -> None:
+        """Enter a use."""
+        self._uses.append(span)
+
+    def declare(self, span: Span) -> None:
+        """Enter the declaration, which is a use as well."""
+        self._span = span
+
+    def _locate(self) -> None:
+        positions, self._positions = self._positions, None
+        if positions is not None:
+            self._scope = positions.of_block(*self._scope)
+            self._span = self._span and positions.of_name(*self._span)
+            self._uses = [positions.of_name(*use) for use in self._uses]
 
     def __repr__(self) -> str:
         return f"Definition({self.name!r}, {self.kind!r})"
@@ -82,23 +138,33 @@ class Names:
     """The names of one text.
 
     `complete` is False if unreadable lines had to be left out. `problem` says why a name cannot be given to a
-    definition: a function of the definition and the new name that returns "" if it can.
+    definition: a function of the definition and the new name that returns "" if it can. `find_blocks` is called
+    when `blocks` is first read.
     """
 
-    __slots__ = ("_by_start", "_starts", "blocks", "complete", "definitions", "problem")
+    __slots__ = ("_blocks", "_by_start", "_find_blocks", "_starts", "complete", "definitions", "problem")
 
     def __init__(
         self,
         definitions: list[Definition],
-        blocks: list[Block],
+        find_blocks: Callable[[], list[Block]],
         complete: bool = True,
         problem: Callable[[Definition, str], str] | None = None,
     ) -> None:
-        self.definitions, self.blocks, self.complete = definitions, blocks, complete
+        self.definitions, self.complete = definitions, complete
+        self._find_blocks = find_blocks
+        self._blocks: list[Block] | None = None
         self.problem = problem or (lambda definition, name: "names of this language cannot be changed")
         # The uses in the order of the text, from the first question about one on.
         self._by_start: list[tuple[int, int, Definition]] | None = None
         self._starts: list[int] = []
+
+    @property
+    def blocks(self) -> list[Block]:
+        """The blocks in the order of their beginnings."""
+        if self._blocks is None:
+            self._blocks = self._find_blocks()
+        return self._blocks
 
     def at(self, offset: int) -> tuple[Definition, Span] | None:
         """Return the definition whose name is written at an offset, or just before it."""
@@ -123,4 +189,4 @@ class Names:
         return next((e for e in self.definitions if e.kind == kind and e.name.lower() == key), None)
 
 
-NO_NAMES = Names([], [])
+NO_NAMES = Names([], list)

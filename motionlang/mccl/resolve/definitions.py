@@ -53,7 +53,10 @@ class _Finder:
             else:
                 self.complete = False
         return Names(
-            [*self.macros.values(), *self.registers.values()], self.blocks, self.complete, self._problem
+            [*self.macros.values(), *self.registers.values()],
+            lambda: self.blocks,
+            self.complete,
+            self._problem,
         )
 
     def _command(self, line: Line, command: Command, at: int) -> None:
@@ -82,10 +85,11 @@ class _Finder:
         if span[0] == span[1]:
             span = span[0] - len(command.row.name), span[1]
             made.fixed = f"line {line.number} means macro {number} without its number"
-        made.uses.append(span)
+        made.use(span)
         if command.row.verb == _DEFINES:
-            if made.span is None:
-                made.span, made.text = span, line.text
+            if not made.is_declared:
+                made.declare(span)
+                made.text = line.text
                 first, last = line.places[0], line.places[-1] + len(line.commands[-1].text)
                 self.blocks.append(Block("macro", str(number), span, (first, last)))
             else:
@@ -101,7 +105,7 @@ class _Finder:
                 made.text, made.fixed = "register 0, the accumulator", "register 0 is the accumulator"
             elif number < _LOCAL:
                 made.text = f"register {number}; each task has its own"
-        made.uses.append(span)
+        made.use(span)
 
     def _problem(self, definition: Definition, name: str) -> str:
         if definition.fixed:

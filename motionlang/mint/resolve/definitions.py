@@ -25,6 +25,7 @@ from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.lang.names import Span
     from motionlang.mint.resolve.symbols import Function, Record, Scope, Symbol, Type
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
@@ -41,6 +42,8 @@ _LABELS = _LEADING | {"NAME", "END", "EXIT", "LOOP", "NEXT", "PAUSE", "REPEAT", 
 # Kinds of token before the `#` of a label; after others it begins the number of a terminal.
 _BEFORE_LABELS = _JUMPS | {"_NL", "COLON", "THEN", "ELSE"}
 _KINDS = {"const": "constant"}
+# The scope of names that are visible in the whole text.
+_WHOLE = -1, -1
 _NOT_RENAMED = "an event handler has the name of its event"
 
 
@@ -58,6 +61,35 @@ def names(source: Source) -> Names:
         return _Finder(module).found(complete)
 
 
+class _Positions:
+    """The offsets of the tokens of a program, found when one is first needed."""
+
+    def __init__(self, text: str, texts: list[str]) -> None:
+        self._text, self._texts = text, texts
+        self._starts: list[int] = []
+
+    def of_name(self, token: int, length: int) -> Span:
+        """Return the span of a name that begins with a token."""
+        start = self._offsets()[token]
+        return start, start + length
+
+    def of_block(self, first: int, last: int) -> Span:
+        """Return the span from a token to the end of another one.
+
+        The span of `_WHOLE` is the whole text.
+        """
+        if first < 0:
+            return 0, len(self._text)
+        starts = self._offsets()
+        return starts[first], starts[last] + len(self._texts[last])
+
+    def _offsets(self) -> list[int]:
+        if not self._starts:
+            self._starts = [match.start(1) for match in TABLES.matches(self._text)]
+            self._starts += [len(self._text)] * (len(self._texts) - len(self._starts))
+        return self._starts
+
+
 class _Finder:
     """One pass over the tokens of a program whose names are declared."""
 
@@ -65,13 +97,11 @@ class _Finder:
         self.module = module
         self.text = module.places.source.text
         self.texts, self.kinds = module.places.tokens()
-        end = len(self.text)
-        self.starts = [match.start(1) for match in TABLES.matches(self.text)]
-        self.starts += [end] * (len(self.texts) - len(self.starts))
+        self.positions = _Positions(self.text, self.texts)
         self.resolver = Resolver(table(), Problems(module))
-        self.resolver.declare_module(module)
+        self.resolver.declare(module)
         self.blocks = outline.blocks(self.kinds)
-        self.whole = 0, end
+        self.whole = _WHOLE
         self.definitions: dict[object, Definition] = {}
         self.scopes: dict[Function, tuple[int, int]] = {self.resolver.main: self.whole}
         self.function = self.resolver.main
@@ -90,21 +120,21 @@ class _Finder:
         for at, function in functions.items():
             block = extents.get(at)
             if block is not None:
-                self.scopes[function] = self.starts[block.first], self._end(block.last)
+                self.scopes[function] = block.first, block.last
         self._walk(functions, extents)
-        made = [each for each in self.definitions.values() if each.uses]
-        return Names(made, self._outline(functions), complete, _Renaming(self, made).problem)
+        made = [each for each in self.definitions.values() if each.is_used]
+        return Names(made, self._outline, complete, _Renaming(self, made).problem)
 
     def _walk(self, functions: dict[int, Function], extents: dict[int, outline.Span]) -> None:
         """Enter every use of a name into its definition."""
-        kinds, texts, starts, members = self.kinds, self.texts, self.starts, self.members
+        kinds, texts, members = self.kinds, self.texts, self.members
         places = [at for at, kind in enumerate(kinds) if kind in _NAMES]
         others = self._leading()
         if not _BEFORE_NAMES.isdisjoint(kinds):
             others |= {
                 at for at, before in enumerate(kinds, 1) if before in _BEFORE_NAMES and self._is_label(at)
             }
-        if not others <= set(places):
+        if others:
             places = sorted({*places, *others})
         heads = sorted((at for at in functions if at in extents), reverse=True)
         ends: list[tuple[int, Function]] = []
@@ -130,11 +160,7 @@ class _Finder:
                 continue
             definition = known[text]
             if definition is not None:
-                definition.uses.append((starts[at], starts[at] + len(text)))
-
-    def _end(self, at: int) -> int:
-        """Return the offset behind a token."""
-        return self.starts[at] + len(self.texts[at])
+                definition.use((at, len(text)))
 
     def _leading(self) -> set[int]:
         """Return the tokens of keywords that are used as names, such as a variable `step`."""
@@ -189,18 +215,17 @@ class _Finder:
             self._enter(made, at, len(name), is_declaration=at >= symbol.at)
             if symbol.type.record is not None:
                 self._members(at, symbol.type.record, skip)
-            elif made.span is not None and name == text:
+            elif made.is_declared and name == text:
                 return made
         return None
 
     def _enter(
         self, made: Definition, at: int, length: int | None = None, is_declaration: bool = True
     ) -> None:
-        start = self.starts[at]
-        span = start, start + (len(self.texts[at]) if length is None else length)
-        made.uses.append(span)
-        if made.span is None and is_declaration:
-            made.span = span
+        span = at, len(self.texts[at]) if length is None else length
+        made.use(span)
+        if is_declaration and not made.is_declared:
+            made.declare(span)
 
     # ----------------------------------------------------------------------------------- kinds of names
 
@@ -219,7 +244,7 @@ class _Finder:
             kind = "function"
         # A sub belongs to the function around it, other names to the function that declares them.
         owner = self._around(home) if symbol.kind in ("sub", "task") else home
-        made = Definition(symbol.name, kind, self.scopes.get(owner, self.whole))
+        made = Definition(symbol.name, kind, self.scopes.get(owner, self.whole), positions=self.positions)
         made.home = "" if owner is self.resolver.main else owner.name
         if kind in ("sub", "function"):
             made.parameters = tuple(map(_parameter, home.parameters))
@@ -254,7 +279,8 @@ class _Finder:
         last = equal
         while self.kinds[last + 1] not in ("_NL", "COLON", "$END"):
             last += 1
-        return self.text[self._end(equal) : self._end(last)].strip()
+        places = self.module.places
+        return self.text[places.span(equal)[1] : places.span(last)[1]].strip()
 
     def _is_line_label(self, at: int) -> bool:
         """True for the name of `NAME:` on a line of its own."""
@@ -268,7 +294,8 @@ class _Finder:
         key = "label", self.function, self.texts[at].lower()
         made = self.definitions.get(key)
         if made is None:
-            made = Definition(self.texts[at], "label", self.scopes.get(self.function, self.whole))
+            made = Definition(self.texts[at], "label", self.scopes.get(self.function, self.whole),
+                              positions=self.positions)  # fmt: skip
             made.home = "" if self.function is self.resolver.main else self.function.name
             made.fixed = _NOT_RENAMED if kind_and_number(made.name) is not None else ""
             self.definitions[key] = made
@@ -284,14 +311,16 @@ class _Finder:
         key = "type", self.texts[at].lower()
         made = self.definitions.get(key)
         if made is None:
-            made = self.definitions[key] = Definition(self.texts[at], "type", self.whole)
+            made = self.definitions[key] = Definition(
+                self.texts[at], "type", self.whole, positions=self.positions
+            )
             record = self.resolver.types.get(key[1])
             members = ", ".join(record.members) if record is not None else ""
             made.text = f"Type {made.name}: {members}" if members else f"Type {made.name}"
         self._enter(made, at, is_declaration=self.kinds[at - 1] == "TYPE")
 
     def _event(self, at: int) -> None:
-        made = Definition(self.texts[at], "event", self.whole, f"Event {self.texts[at]}")
+        made = Definition(self.texts[at], "event", self.whole, f"Event {self.texts[at]}", self.positions)
         made.fixed = _NOT_RENAMED
         self.definitions["event", at] = made
         self._enter(made, at)
@@ -321,18 +350,20 @@ class _Finder:
         made = self.definitions.get((record, key))
         if made is None:
             kind = _type(record.members[key][1])
-            made = Definition(node.name, "member", self.whole, f"{record.name}.{node.name} As {kind}")
+            made = Definition(
+                node.name, "member", self.whole, f"{record.name}.{node.name} As {kind}", self.positions
+            )
             made.home, made.type = record.name, kind
             self.definitions[record, key] = made
         return made
 
-    def _outline(self, functions: dict[int, Function]) -> list[Block]:
-        found = []
+    def _outline(self) -> list[Block]:
+        found, positions = [], self.positions
         for block in self.blocks:
             at = block.first if block.name < 0 else block.name
             name = "" if block.name < 0 else self.texts[block.name]
-            span = self.starts[block.first], self._end(block.last)
-            found.append(Block(block.kind.lower(), name, (self.starts[at], self._end(at)), span))
+            span = positions.of_block(block.first, block.last)
+            found.append(Block(block.kind.lower(), name, positions.of_block(at, at), span))
         return found
 
 

@@ -126,6 +126,14 @@ class Names:
 
     def declare_module(self, module: nodes.Module) -> None:
         """Declare everything that the module declares, then bind everything that it uses."""
+        self.declare(module)
+        for function in self.functions:
+            self._use(function)
+        count_calls(self.functions, self.typed)
+        self._settle()
+
+    def declare(self, module: nodes.Module) -> None:
+        """Declare everything that the module declares, and freeze the scopes."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
         self.functions.append(main)
@@ -144,9 +152,6 @@ class Names:
             self._implicit(function)
         for function in self.functions:
             function.scope.settle()
-            self._use(function)
-        count_calls(self.functions, self.typed)
-        self._settle()
 
     def _block(
         self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str
