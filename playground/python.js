@@ -72,8 +72,11 @@ export class Python {
     } else if (message.type === "told") {
       for (const handler of this.handlers) handler(message.text);
     } else if (message.type === "ready") {
-      if (from === this.active) this.limit();
       if (from === this.first) this.hear(message);
+    } else if (message.type === "begins") {
+      if (from === this.active) this.limit();
+    } else if (message.type === "unserved") {
+      this.served(null);
     } else if (from === this.active || (from === this.first && !this.running && !this.second?.ready)) {
       this.heardOfRun(from, message);
     } else if (from === this.second && message.type === "failed") {
@@ -94,7 +97,8 @@ export class Python {
     if (message.type === "failed" && from.ready) this.replace(from);
   }
 
-  // The time limit counts from when Python is there.
+  // The time limit counts from the start of the program: the worker may first have to load Python, warm up or
+  // answer a request to the language server.
   limit() {
     this.timer = setTimeout(() => this.stop(`The run took more than ${SECONDS} s and was ended.`), SECONDS * 1000);
   }
@@ -102,7 +106,6 @@ export class Python {
   run(request) {
     if (this.first.broken) this.replace(this.first);
     this.active = this.chosen;
-    if (this.active.ready) this.limit();
     this.active.post({ type: "run", request });
   }
 

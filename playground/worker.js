@@ -5,9 +5,9 @@
 //   {type: "warm"}           import what a run needs, before there is one
 //   {type: "serve"}          start the language server
 //   {type: "tell", text}     a message to the language server
-// To the page: {type: "ready"}, then the messages of runner.py, then {type: "done"}; {type: "failed", text} if Python
-// could not be started or ran out of memory; {type: "serves"} once the language server is there, {type: "told", text}
-// with its messages, {type: "unserved", text} if it could not be started.
+// To the page: {type: "ready"}; for a run {type: "begins"}, the messages of runner.py, then {type: "done"};
+// {type: "failed", text} if Python could not be started or ran out of memory; {type: "serves"} once the language
+// server is there, {type: "told", text} with its messages, {type: "unserved", text} if it could not be started.
 
 const NO_MEMORY = "the program needs more memory than the browser gives it";
 
@@ -81,6 +81,7 @@ function reason(error) {
 
 const TODO = {
   run: ({ run }, { request }) => {
+    postMessage({ type: "begins" });
     try {
       run(request, (message) => postMessage(message.toJs({ dict_converter: Object.fromEntries })));
       postMessage({ type: "done" });

@@ -1,5 +1,6 @@
 // Browsers without a network, and a page of the playground that is used like by a person.
 
+import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
@@ -73,12 +74,14 @@ export async function figure(page, name) {
   return page.evaluate((key) => Number(document.documentElement.dataset[key] ?? 0), name);
 }
 
-// Press Run and wait for the end of the run; returns what the page shows of it.
+// Press Run and wait for the end of the run, which must not be cut short; returns what the page shows of it.
 export async function run(page) {
   const before = await figure(page, "runs");
   await page.click("#run");
-  await page.waitForFunction((count) => Number(document.documentElement.dataset.runs ?? 0) > count, before, PATIENCE);
-  return shown(page);
+  await page.waitForFunction(() => !document.querySelector("#run").disabled, null, PATIENCE);
+  const found = await shown(page);
+  assert.equal(await figure(page, "runs"), before + 1, found.status);
+  return found;
 }
 
 export async function shown(page) {
