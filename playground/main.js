@@ -251,7 +251,9 @@ function listen() {
     element(`tab-${other}`).focus();
   });
   addEventListener("keydown", (event) => {
-    if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) start();
+    if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey) || event.defaultPrevented) return;
+    event.preventDefault(); // Firefox would go on to press the button that has the focus now, which is Stop
+    start();
   });
   addEventListener("hashchange", openLink);
   addEventListener("pagehide", () => drafts.save(request()));

@@ -96,6 +96,7 @@ for (const name of ["chromium", "firefox"]) {
 
     test("a program that never ends is stopped, and the next one runs", async () => {
       await enter(page, { program: LOOP });
+      await page.focus("#run");
       await page.keyboard.press("Control+Enter");
       await page.waitForFunction(() => document.querySelector("#status").textContent === "Running …");
       await page.click("#stop");
