@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.guesses import Entry
     from motionlang.cli.parser import Commands
-    from motionlang.lang.loop_dependencies import WorldRead
+    from motionlang.lang.loop_dependencies import InputRead
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
@@ -106,7 +106,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         complain([Diagnostic("syntax", f"{file} has {one} and cannot run", hint=hint)], None, file)
         return 1
     fixed: dict[str, object] = {}
-    reads = language.world_reads(source)
+    reads = language.input_reads(source)
     guesses, result = guessed(source, language, arguments.until, fixed, reads)
     if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
         fixed = _ask(source, guesses, reads)
@@ -124,7 +124,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
     return run_command(options)
 
 
-def _ask(source: Source, guesses: Guesses, reads: list[WorldRead]) -> dict[str, object]:
+def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, object]:
     """Ask a person about each guess and return the settings that they gave.
 
     There are none if they pressed Enter each time.

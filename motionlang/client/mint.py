@@ -152,8 +152,8 @@ class MintClient(Connection):
         self._output.extend(_text(early))
         self._wire.send(data + b"\r")
         seconds = self.timeout if timeout is None else timeout
-        heard = self._hear(lambda found: _PROMPT.search(found) is not None, line, seconds)
-        lines = _text(heard).split("\n")[:-1]
+        received = self._read_until(lambda found: _PROMPT.search(found) is not None, line, seconds)
+        lines = _text(received).split("\n")[:-1]
         return lines[1:] if lines and lines[0] == line else lines
 
     def _await(
@@ -161,22 +161,22 @@ class MintClient(Connection):
     ) -> bytes:
         """Return the part of the input that is the answer; the rest is output."""
         seconds = self.timeout if timeout is None else timeout
-        heard = self._hear(lambda found: search(found) is not None, asked, seconds)
-        match = search(heard)
+        received = self._read_until(lambda found: search(found) is not None, asked, seconds)
+        match = search(received)
         assert match is not None
-        self._output.extend(_text(heard[: match.start()] + heard[match.end() :]))
+        self._output.extend(_text(received[: match.start()] + received[match.end() :]))
         return match[0]
 
-    def _hear(self, enough: Callable[[bytes], bool], asked: str, seconds: float) -> bytes:
+    def _read_until(self, enough: Callable[[bytes], bool], asked: str, seconds: float) -> bytes:
         """Read until `enough`; raise NoReply if that does not come."""
-        end, heard = self._wire.now() + seconds, b""
-        while not enough(heard):
-            said = self._wire.receive(end - self._wire.now())
-            heard = (heard + said)[-MAX_BEFORE:]
-            if not said and self._wire.now() >= end:
-                self._output.extend(_text(heard))
+        end, received = self._wire.now() + seconds, b""
+        while not enough(received):
+            chunk = self._wire.receive(end - self._wire.now())
+            received = (received + chunk)[-MAX_BEFORE:]
+            if not chunk and self._wire.now() >= end:
+                self._output.extend(_text(received))
                 raise NoReply(asked, seconds)
-        return heard
+        return received
 
 
 def _encoded(text: str) -> bytes:

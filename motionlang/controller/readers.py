@@ -160,7 +160,7 @@ def converted(
     power, factors = POWERS.get(unit), scale.factors
     asked, note = subscriber.dependencies, subscriber.dependencies.note
 
-    def heard(level: Level = None) -> Any:
+    def read_and_record(level: Level = None) -> Any:
         if asked.notes is not None:
             note(until, level)
         if power is None:
@@ -168,7 +168,7 @@ def converted(
         rate, per_unit = factors[power]
         return float(read()) * rate / per_unit
 
-    return heard
+    return read_and_record
 
 
 def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Writer:

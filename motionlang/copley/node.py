@@ -84,10 +84,10 @@ def object_dictionary(node_id: int = 0) -> ObjectDictionary:
         ("Producer heartbeat time", 0x1017, u16, "rw", 0),
     ):
         dictionary.add_object(_variable(name, index, 0, kind, access, default, mappable=index == 0x1001))
-    heard = ODRecord("Consumer heartbeat time", HEARD)
-    heard.add_member(_variable("Highest sub-index", HEARD, 0, u8, "ro", 1))
-    heard.add_member(_variable("Node and time", HEARD, 1, u32, "rw", 0))
-    dictionary.add_object(heard)
+    heartbeats = ODRecord("Consumer heartbeat time", HEARD)
+    heartbeats.add_member(_variable("Highest sub-index", HEARD, 0, u8, "ro", 1))
+    heartbeats.add_member(_variable("Node and time", HEARD, 1, u32, "rw", 0))
+    dictionary.add_object(heartbeats)
     _add_identity(dictionary, node_id)
     for number in range(PDOS):
         step = number * ID_STEP + node_id

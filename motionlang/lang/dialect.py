@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.lang.listing import Listing
-    from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
+    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import LineLayout, Names
@@ -192,7 +192,7 @@ class Dialect:
         """Return the assumptions that the machine file may set, by name."""
         return {}
 
-    def world_reads(self, source: Source) -> list[WorldRead]:
+    def input_reads(self, source: Source) -> list[InputRead]:
         """Return where a program depends on digital inputs and keys, by line."""
         return []
 

@@ -51,7 +51,7 @@ class LoopDependencies:
 
 
 @record
-class WorldRead:
+class InputRead:
     """One place at which a program depends on the world around it.
 
     `kind`    "wait" (the program stops here until the level comes), "poll" (the condition of a loop), "guard" (an If

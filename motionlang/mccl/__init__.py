@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.lang.listing import Listing
-    from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
+    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import Names
@@ -136,10 +136,10 @@ class Mccl(Dialect):
 
         return asked(source)
 
-    def world_reads(self, source: Source) -> list[WorldRead]:
-        from motionlang.mccl.resolve.loop_dependencies import world_reads
+    def input_reads(self, source: Source) -> list[InputRead]:
+        from motionlang.mccl.resolve.loop_dependencies import input_reads
 
-        return world_reads(source)
+        return input_reads(source)
 
     def driven_by(self, why: str) -> list[str]:
         import re

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Interactive, Ranges
     from motionlang.lang.keyword import Table
     from motionlang.lang.listing import Listing
-    from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
+    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import LineLayout, Names
@@ -129,10 +129,10 @@ class Mint(Dialect):
 
         return switches()
 
-    def world_reads(self, source: Source) -> list[WorldRead]:
-        from motionlang.mint.resolve.loop_dependencies import world_reads
+    def input_reads(self, source: Source) -> list[InputRead]:
+        from motionlang.mint.resolve.loop_dependencies import input_reads
 
-        return world_reads(source)
+        return input_reads(source)
 
     def driven_by(self, why: str) -> list[str]:
         from motionlang.mint.runtime.wait_sources import driven_by

@@ -31,7 +31,7 @@ class Host:
         # When the host closed its sending side, in real time.
         self.ended: float | None = None
         # When the host last sent something.
-        self.heard = monotonic()
+        self.last_received = monotonic()
         # The wait that was last reported to the person who serves as one that nothing ends.
         self.told: Wait | None = None
         # The events that the server's selector waits for.
@@ -87,7 +87,7 @@ class Host:
         if data is None:
             self.ended = now
             return
-        self.heard = now
+        self.last_received = now
         if self._spy is not None:
             self._spy.sent(self.number, data)
         self._inbox += data

@@ -61,7 +61,7 @@ class Connection:
     """
 
     def __init__(self, writer: StreamWriter) -> None:
-        self.writer, self.busy, self.heard = writer, False, monotonic()
+        self.writer, self.busy, self.last_received = writer, False, monotonic()
 
 
 class ModbusServer:
@@ -163,9 +163,9 @@ class ModbusServer:
         """Disconnect the longest-silent client if it is idle; it may reconnect."""
         now = monotonic()
         silent = [
-            (connection.heard, task)
+            (connection.last_received, task)
             for task, connection in self._connections.items()
-            if not connection.busy and now - connection.heard >= self._limits.idle
+            if not connection.busy and now - connection.last_received >= self._limits.idle
         ]
         if not silent:
             return False
@@ -189,7 +189,7 @@ class ModbusServer:
         if not MIN_FRAME <= length <= MAX_FRAME:
             return False
         unit, *_ = request = await reader.readexactly(length)
-        connection.heard = monotonic()
+        connection.last_received = monotonic()
         if protocol == 0 and (self._unit is None or unit == self._unit or unit in THIS_DEVICE):
             connection.busy = True
             answer = await self._answer(request[1:])

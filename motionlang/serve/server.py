@@ -184,10 +184,12 @@ class Server:
     def _make_room(self) -> bool:
         """Disconnect the longest-silent host if it is idle; it may reconnect."""
         now = time.monotonic()
-        silent = [host for host in self.hosts if host.is_silent and now - host.heard >= self.limits.idle]
+        silent = [
+            host for host in self.hosts if host.is_silent and now - host.last_received >= self.limits.idle
+        ]
         if not silent:
             return False
-        self._leave(min(silent, key=lambda host: host.heard), "was silent, and made room for another")
+        self._leave(min(silent, key=lambda host: host.last_received), "was silent, and made room for another")
         return True
 
     def _turn_away(self, connection: socket.socket, name: str) -> None:

@@ -6,14 +6,14 @@ from motionlang.controller.listeners import KINDS, Listeners
 
 
 def test_each_hears_of_what_it_asked_for_in_the_order_in_which_they_came() -> None:
-    heard: list[object] = []
+    events: list[object] = []
     listeners = Listeners()
-    listeners.append(lambda what, axis: heard.append(("faults", what, axis)), "fault", "cleared")
-    listeners.append(lambda what, axis: heard.append(("all", what, axis)))
-    listeners.put_first(lambda what, axis: heard.append(("first", what, axis)))
+    listeners.append(lambda what, axis: events.append(("faults", what, axis)), "fault", "cleared")
+    listeners.append(lambda what, axis: events.append(("all", what, axis)))
+    listeners.put_first(lambda what, axis: events.append(("first", what, axis)))
     for what in ("fault", "scale"):
         listeners.tell(what, 2)
-    assert heard == [
+    assert events == [
         ("first", "fault", 2),
         ("faults", "fault", 2),
         ("all", "fault", 2),
@@ -23,21 +23,21 @@ def test_each_hears_of_what_it_asked_for_in_the_order_in_which_they_came() -> No
 
 
 def test_one_may_leave_and_another_come_while_they_are_told() -> None:
-    heard: list[str] = []
+    events: list[str] = []
     listeners = Listeners()
 
     def once(what: str, axis: int) -> None:
         listeners.remove(once)
-        listeners.append(lambda what, axis: heard.append("new"))
-        heard.append("once")
+        listeners.append(lambda what, axis: events.append("new"))
+        events.append("once")
 
     listeners.append(once)
-    listeners.append(lambda what, axis: heard.append("other"))
+    listeners.append(lambda what, axis: events.append("other"))
     listeners.tell("idle", 0)
-    assert heard == ["once", "other"]
+    assert events == ["once", "other"]
     assert once not in listeners
     listeners.tell("idle", 0)
-    assert heard == ["once", "other", "other", "new"]
+    assert events == ["once", "other", "other", "new"]
 
 
 def test_it_is_known_whether_anybody_hears_of_rest() -> None:

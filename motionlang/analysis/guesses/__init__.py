@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from motionlang.lang.dialect import Dialect
-    from motionlang.lang.loop_dependencies import WorldRead
+    from motionlang.lang.loop_dependencies import InputRead
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.result import Run
@@ -123,7 +123,7 @@ class Guesses:
 
     # ------------------------------------------------------------------------------------------------- inputs
 
-    def guard(self, reads: list[WorldRead]) -> None:
+    def guard(self, reads: list[InputRead]) -> None:
         """Switch on the inputs at whose level 0 the program jumps away.
 
         Inputs for whose level 0 it also waits stay unchanged.
@@ -142,7 +142,7 @@ class Guesses:
             ):
                 self.inputs[read.channel] = {"channel": read.channel, "at": 0.0}
 
-    def complete(self, reads: list[WorldRead]) -> bool:
+    def complete(self, reads: list[InputRead]) -> bool:
         """Guess inputs for the waits that the program has not reached.
 
         False if there are none.
@@ -257,14 +257,14 @@ def guessed(
     language: Dialect,
     until: float,
     fixed: dict[str, object],
-    reads: list[WorldRead] | None = None,
+    reads: list[InputRead] | None = None,
 ) -> tuple[Guesses, Run]:
     """Return the guesses with which a program goes on, and the run with all of them.
 
-    `reads` are the program's `world_reads`, `fixed` the settings that no guess changes.
+    `reads` are the program's `input_reads`, `fixed` the settings that no guess changes.
     """
     guesses = Guesses(fixed)
-    reads = language.world_reads(source) if reads is None else reads
+    reads = language.input_reads(source) if reads is None else reads
     guesses.guard(reads)
     compiled: Program | None = None
     for _ in range(MAX_ROUNDS):
@@ -279,7 +279,7 @@ def guessed(
     return guesses, result
 
 
-def _improve(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
+def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
     """Change a guess where the program is stuck.
 
     False if it is not stuck, or if nothing is left to guess.
@@ -300,7 +300,7 @@ def _improve(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
     return quiet and any(task.wait is None for task in tasks) and _press(guesses, result, reads)
 
 
-def _improve_wait(guesses: Guesses, result: Run, reads: list[WorldRead], task: Task) -> bool:
+def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: Task) -> bool:
     """Change a guess for the wait of a task that nothing ends."""
     wait = task.wait
     if wait is None or wait.due() != float("inf"):
@@ -331,7 +331,7 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[WorldRead], task: T
     return any(changed)
 
 
-def _press(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
+def _press(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
     """Press the next key that the program compares with."""
     codes = list(dict.fromkeys(chr(each.channel) for each in reads if each.kind == "key" and each.channel))
     left = codes[len(guesses.keys) :]
@@ -341,7 +341,7 @@ def _press(guesses: Guesses, result: Run, reads: list[WorldRead]) -> bool:
     return True
 
 
-def _improve_polls(guesses: Guesses, result: Run, reads: list[WorldRead], tasks: list[Task]) -> bool:
+def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks: list[Task]) -> bool:
     """Change a guess for a loop on an input that has no guess yet.
 
     The program is in the loop, or its time ran out.
@@ -381,7 +381,7 @@ def _cause(since: float, result: Run) -> tuple[int, int] | None:
     return int(last.channel), int(bool(last.value))
 
 
-def _entered(guesses: Guesses, result: Run, loop: WorldRead) -> float:
+def _entered(guesses: Guesses, result: Run, loop: InputRead) -> float:
     """Return when the program had its last wait outside a loop that it is in."""
     ends = [0.0]
     for wait in result.machine.log.waits:

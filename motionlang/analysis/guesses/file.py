@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from motionlang.analysis.guesses import Entry, Guesses
-    from motionlang.lang.loop_dependencies import WorldRead
+    from motionlang.lang.loop_dependencies import InputRead
     from motionlang.result import Run
     from motionlang.source import Source
 
@@ -55,7 +55,7 @@ status = "{status}"
 """
 
 
-def machine_text(source: Source, guesses: Guesses, reads: list[WorldRead], result: Run, until: float) -> str:
+def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], result: Run, until: float) -> str:
     """Return the text of the machine file; `result` is the run with all guesses."""
     program = os.path.basename(source.name)
     fixed = guesses.fixed
@@ -74,7 +74,7 @@ def machine_text(source: Source, guesses: Guesses, reads: list[WorldRead], resul
     return "".join(parts)
 
 
-def _inputs(source: Source, guesses: Guesses, reads: list[WorldRead]) -> list[str]:
+def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[str]:
     """Return an entry for each input of the program.
 
     Comments above an entry quote the lines that read the input.

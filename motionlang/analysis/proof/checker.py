@@ -124,7 +124,7 @@ class Offsets:
         in_force, over = self._in_force(time)
         return fsum((self._sums[over], *(gone(move, time)[0] for move in in_force)))
 
-    def moves_at(self, time: float) -> bool:
+    def is_active_at(self, time: float) -> bool:
         """True if one of them is in progress."""
         return bool(self._in_force(time)[0])
 

@@ -242,7 +242,7 @@ def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
     offsets = run.offsets.get(a.index)
     follows = run.orders.of[a.index][-1].tie is not None
     found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
-    if follows and (offsets is None or not offsets.moves_at(run.until)):
+    if follows and (offsets is None or not offsets.is_active_at(run.until)):
         found += [move for move in a.waiting if move.action is not None and move.action.lies_on_top]
     for move in found:
         if not move.released or _is_refused(run, a):

@@ -310,4 +310,4 @@ def _offset(run: Run, a: WholeTrack, time: float) -> float:
 
 def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:
     offsets = run.offsets.get(a.index)
-    return offsets is not None and offsets.moves_at(time)
+    return offsets is not None and offsets.is_active_at(time)

@@ -5,7 +5,7 @@ A loop is the commands between the target of a jump back and the jump.
 
 from __future__ import annotations
 
-from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
 from motionlang.mccl.resolve.line import Line, lines_of
 
 TYPE_CHECKING = False
@@ -85,7 +85,7 @@ def _verb(command: Command) -> str:
     return command.row.verb if command.row is not None else ""
 
 
-def world_reads(source: Source) -> list[WorldRead]:
+def input_reads(source: Source) -> list[InputRead]:
     """Return where a program depends on inputs, in the order of its lines."""
     found = []
     for line in lines_of(source.text):
@@ -94,5 +94,5 @@ def world_reads(source: Source) -> list[WorldRead]:
         for command in line.commands:
             kind = _KINDS.get(command.row.verb if command.row is not None else "")
             if kind is not None:
-                found.append(WorldRead(kind[0], command.number, kind[1], line.number, line.number))
+                found.append(InputRead(kind[0], command.number, kind[1], line.number, line.number))
     return found

@@ -4,14 +4,14 @@ These are what the conditions read. If the loop itself assigns a variable of its
 counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. A variable that only other
 tasks assign stands for these tasks. A function stands for what it reads.
 
-`world_reads` lists the inputs and keys of the whole program instead: a PAUSE or the condition of a loop says which
+`input_reads` lists the inputs and keys of the whole program instead: a PAUSE or the condition of a loop says which
 level of an input it waits for, so `PAUSE Not INX(3)` waits for 0. Keys are the numbers with which the program compares
 what INKEY gave it.
 """
 
 from __future__ import annotations
 
-from motionlang.lang.loop_dependencies import LoopDependencies, WorldRead
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.resolve.names import Names
@@ -251,12 +251,12 @@ def _numbers(node: nodes.Name) -> Iterator[int | None]:
         yield int(value) if isinstance(value, (int, float)) else None
 
 
-def world_reads(source: Source) -> list[WorldRead]:
+def input_reads(source: Source) -> list[InputRead]:
     """Return where a program depends on inputs and keys, in the order of its lines."""
     module = parse(source)
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
-    found: list[WorldRead] = []
+    found: list[InputRead] = []
     for function in names.functions:
         body = list(walk(function.body))
         found += _inputs(module, body)
@@ -264,19 +264,19 @@ def world_reads(source: Source) -> list[WorldRead]:
         event = kind_and_number(function.name) if function.kind == "event" else None
         if event is not None and event[0] == "in" and event[1] >= 0:
             first = min((module.line(node.at) for node in body), default=1)
-            found.append(WorldRead("event", event[1], None, max(first - 1, 1), first))
+            found.append(InputRead("event", event[1], None, max(first - 1, 1), first))
     return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
 
 
-def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
+def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
     seen: set[int] = set()
 
-    def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[WorldRead]:
+    def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[InputRead]:
         for name, level in _levels(condition, wanted):
             if id(name) not in seen:
                 seen.add(id(name))
                 line = module.line(name.at)
-                yield WorldRead(kind, _channel(name), level, line, max(last, line))
+                yield InputRead(kind, _channel(name), level, line, max(last, line))
 
     for node in body:
         if isinstance(node, nodes.Pause):
@@ -290,7 +290,7 @@ def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
     for node in body:
         if isinstance(node, nodes.Name) and id(node) not in seen and _is_input(node):
             line = module.line(node.at)
-            yield WorldRead("test", _channel(node), None, line, line)
+            yield InputRead("test", _channel(node), None, line, line)
 
 
 def _leaves(node: nodes.Node) -> bool:
@@ -346,7 +346,7 @@ def _constant(name: nodes.Name) -> int | None:
     return int(text) if text.isdigit() else None
 
 
-def _keys(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
+def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
     given: set[Symbol] = set()
     for node in body:
         if isinstance(node, nodes.Assign) and any(_is_key(each) for each in node.values):
@@ -361,7 +361,7 @@ def _keys(module: Module, body: list[nodes.Node]) -> Iterator[WorldRead]:
             asked = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
             if asked and code is not None and FIRST_KEY <= code <= LAST_KEY:
                 line = module.line(node.at)
-                yield WorldRead("key", code, None, line, line)
+                yield InputRead("key", code, None, line, line)
 
 
 def _is_key(node: object) -> bool:

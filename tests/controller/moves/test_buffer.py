@@ -112,13 +112,13 @@ def test_moves_carry_the_mark_of_their_loading() -> None:
 
 def test_the_listeners_hear_when_more_places_are_free_than_asked_for() -> None:
     c = machine(buffer_size=4, buffer_low=2)
-    heard: list[tuple[float, str]] = []
-    c.listeners.append(lambda what, axis: heard.append((round(c.clock.now, 9), what)))
+    events: list[tuple[float, str]] = []
+    c.listeners.append(lambda what, axis: events.append((round(c.clock.now, 9), what)))
     for _ in range(4):
         c.load_by(0, 10.0)
     c.go([0])  # 1 free; 2 at 1.1 s; 3 at 2.2 s
     until(c, 9.0)
-    assert heard == [(2.2, "buffer-low"), (4.4, "idle")]
+    assert events == [(2.2, "buffer-low"), (4.4, "idle")]
 
 
 @pytest.mark.parametrize("duration", [-1.0, float("nan"), float("inf")])
