@@ -45,8 +45,11 @@ class LoopSwitches:
     def begin(self, look: Look, follows: bool) -> None:
         """Record the beginning of an iteration; `follows` if it is the one after the last."""
         environment = self._environment
-        if not follows or len(self._begun) >= MAX_PERIOD:
+        alone = self._is_alone()
+        if not (follows and alone) or len(self._begun) >= MAX_PERIOD:
             self._begun.clear()
+        if not alone:
+            return
         lengths = list(map(len, environment.machine.log.streams()))
         values = environment.controller.outputs.values
         self._begun.append((look, environment.switches, values, lengths))
@@ -65,17 +68,13 @@ class LoopSwitches:
         Returns the end of the last of them like `Site.skip`.
         """
         environment, begun = self._environment, self._begun
-        scheduler = environment.machine.scheduler
-        assert scheduler is not None
         if (
             not begun
             or begun[-1][0] is not look
             or environment.controller.outputs.listeners
             or environment.statements.base != look[3]
             or environment.resumed != look[5]
-            or len(scheduler.tasks) > 1
-            or scheduler.interrupts
-            or not scheduler.by_itself
+            or not self._is_alone()
         ):
             return None
         for begin, switches, outputs, lengths in reversed(begun):
@@ -89,6 +88,12 @@ class LoopSwitches:
             return None
         statements = environment.statements
         return t, statements.limit(statements.until), counters
+
+    def _is_alone(self) -> bool:
+        """True if no other task or handler can run, or read the log, before this one waits."""
+        scheduler = self._environment.machine.scheduler
+        assert scheduler is not None
+        return len(scheduler.tasks) == 1 and not scheduler.interrupts and scheduler.by_itself
 
     def _repeated(
         self,
