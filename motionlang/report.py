@@ -244,7 +244,7 @@ def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[
     begin, is_running = running.get(id(move)), id(move) in running
     ended = move.ended
     is_current = is_running and move is run.controller.axes[move.axis].move
-    # A slave's profile is joined on demand, so it is asked for once.
+    # A slave's profile is joined on demand, so it is read once.
     profile = None if is_current else move.profile
     if profile is None or ((is_running or move.overlaid) and move.start_time + profile.duration > run.time):
         profile, ended = move.until(run.time), END_OF_RUN

@@ -90,7 +90,7 @@ class LoopSwitches:
         return t, statements.limit(statements.until), counters
 
     def _is_alone(self) -> bool:
-        """True if no other task or handler can run, or read the log, before this one waits."""
+        """True if no other task or handler can run before this one waits."""
         scheduler = self._environment.machine.scheduler
         assert scheduler is not None
         return len(scheduler.tasks) == 1 and not scheduler.interrupts and scheduler.by_itself

@@ -77,7 +77,7 @@ def test_ten_thousand_random_messages_get_one_answer_each(seed: int) -> None:
 
 
 def test_a_job_that_raises_is_reported_in_one_sentence() -> None:
-    """A check that raises has a diagnostic; a run that raises has a message in the editor's log."""
+    """A check that raises has a diagnostic; a run has a message in the log."""
 
     async def whole() -> None:
         wire = Wire(Broken())

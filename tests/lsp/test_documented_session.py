@@ -1,4 +1,4 @@
-"""The session of docs/debugging.md in an editor: a mistake, its quick fix, and the time of each line.
+"""The session of docs/debugging.md in an editor: mistake, quick fix, times.
 
 The page continues it at the prompt with the same program, where `tests/test_docs.py` runs it.
 """
