@@ -84,13 +84,15 @@ class Log:
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
 
-    def __getattr__(self, name: str) -> Moves:
-        """Create a stream of moves when it is first read."""
-        if name not in ("moves", "dropped"):
-            raise AttributeError(f"a log has no {name}")
-        made = record.moves.Moves(self.store)
-        setattr(self, name, made)
-        return made
+    if not TYPE_CHECKING:  # mypy would take every name for a stream of moves
+
+        def __getattr__(self, name: str) -> Moves:
+            """Create a stream of moves when it is first read."""
+            if name not in ("moves", "dropped"):
+                raise AttributeError(f"a log has no {name}")
+            made = record.moves.Moves(self.store)
+            setattr(self, name, made)
+            return made
 
     def locate_by(self, where: Callable[[], int]) -> None:
         """Use a function that returns the source offset of events."""
